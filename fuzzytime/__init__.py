@@ -1,0 +1,1 @@
+"""fuzzytime: from what people say about time to the schedule that satisfies them most."""

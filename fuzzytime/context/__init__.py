@@ -1,0 +1,1 @@
+"""Readings of the world over time, and forecasts of them."""

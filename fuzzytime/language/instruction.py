@@ -1,0 +1,122 @@
+"""What reading a text gives: instructions with their operations and time requirements, and what was left.
+
+These values know nothing of spaCy; the rest of the program sees only them.
+"""
+
+from dataclasses import dataclass
+from datetime import datetime
+from enum import StrEnum
+
+from fuzzytime.requirement import Recurrence, TimeRequirement
+from fuzzytime.skills import FuzzyParameter
+
+Span = tuple[int, int]
+"""First and one past last character in the text as typed."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Operation:
+    """What is to be done: the verb as typed in lower case, its object and place, and the verb's span."""
+
+    verb: str
+    lemma: str
+    span: Span
+    object: str | None = None
+    place: str | None = None
+    negated: bool = False
+
+    @property
+    def name(self) -> str:
+        """The operation in words, without its time: "place the pan on the stove"."""
+        return " ".join(part for part in (self.verb, self.object, self.place) if part)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Instruction:
+    """One instruction of a text.
+
+    Parameters
+    ----------
+    operation
+        None for a fragment without a verb, such as "in ten minutes".
+    requirements
+        What was said about time, in the order of the words; anchors to other instructions are among them.
+    duration
+        "for eight minutes", in seconds; None where nothing was said.
+    repeats
+        "every day at nine"; None where nothing was said.
+    fuzzy_parameters
+        "some food", "a few screws".
+    """
+
+    span: Span
+    operation: Operation | None
+    requirements: tuple[TimeRequirement, ...] = ()
+    duration: float | None = None
+    repeats: Recurrence | None = None
+    fuzzy_parameters: tuple[FuzzyParameter, ...] = ()
+
+
+class RemarkKind(StrEnum):
+    """Why words are pointed at."""
+
+    NOT_UNDERSTOOD = "not understood"
+    UNRESOLVED = "unresolved reference"
+    POLICY = "decided by policy"
+    CORRECTED = "corrected by later words"
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Words that need saying something about: which, why, and in a sentence."""
+
+    kind: RemarkKind
+    span: Span
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """An ambiguous time: the words, the possible instants, the policy's choice among them (a position)."""
+
+    span: Span
+    choices: tuple[datetime, ...]
+    chosen: int
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word of the dependency tree: its span, part of speech, relation as the paper names it, and head."""
+
+    text: str
+    span: Span
+    tag: str
+    relation: str
+    head: int
+
+
+@dataclass(frozen=True, slots=True)
+class StrictReading:
+    """The paper's own reading: the root verb's oblique temporal modifier, and what hangs on it.
+
+    Each field is a position among the tokens, or None where the method finds nothing.
+    """
+
+    verb: int | None = None
+    modifier: int | None = None
+    number: int | None = None
+    fuzziness: int | None = None
+    preposition: int | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """One text, read: its instructions, its tree, the paper's strict reading, and what needs saying."""
+
+    text: str
+    now: datetime | None
+    instructions: tuple[Instruction, ...]
+    tokens: tuple[Token, ...] = ()
+    strict: StrictReading = StrictReading()
+    remarks: tuple[Remark, ...] = ()
+    questions: tuple[Question, ...] = ()

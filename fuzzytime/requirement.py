@@ -1,0 +1,153 @@
+"""What an instruction says about time: the value that language hands to the rulebook.
+
+Times are seconds from the moment the instruction was given. A requirement keeps the words it came from, so
+that every later answer can point at them.
+"""
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Protocol
+
+
+class Reference(StrEnum):
+    """Which moment of the execution is meant; indicator verbs choose it (the paper's section III-A)."""
+
+    START = "start"
+    FINISH = "finish"
+    THROUGHOUT = "throughout"
+
+
+class Constraint(StrEnum):
+    """How the words bind that moment."""
+
+    AT = "at"
+    BEFORE = "before"
+    AFTER = "after"
+    BETWEEN = "between"
+    WHEN = "when"
+    VAGUE = "vague"
+    FOR = "for"
+    EVERY = "every"
+
+
+class Unit(StrEnum):
+    """Units of time in speech; as a grain, the finest one that a wall-clock expression names."""
+
+    SECOND = "second"
+    MINUTE = "minute"
+    HOUR = "hour"
+    DAY = "day"
+    WEEK = "week"
+    MONTH = "month"
+    QUARTER = "quarter"
+    YEAR = "year"
+
+
+class Edge(StrEnum):
+    """An end of another skill's execution."""
+
+    START = "start"
+    END = "end"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Condition:
+    """A clause such as "when the pan is very hot": what must hold before the skill starts.
+
+    ``subject`` is the noun without its determiner ("frying pan"), ``word`` what is said of it ("hot"),
+    ``hedges`` the words between ("very"); a clause that does not have this form keeps its text only.
+    """
+
+    text: str
+    subject: str | None = None
+    word: str | None = None
+    hedges: tuple[str, ...] = ()
+    negated: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Anchor:
+    """Another instruction, or an event, to measure from: "five minutes before you serve the soup".
+
+    ``target`` is the position of that instruction among all given so far, from 0, or None for an event or
+    a reference that could not be resolved. ``lag`` is in seconds, negative before the anchor; ``exact`` says
+    that the lag is wished for ("five minutes before"), not only its sign ("before").
+    """
+
+    text: str
+    verb: str | None = None
+    object: str | None = None
+    target: int | None = None
+    edge: Edge = Edge.END
+    lag: float = 0.0
+    exact: bool = False
+
+
+class Recurrence(Protocol):
+    """A repetition: "every twenty minutes", "on weekdays at nine"."""
+
+    @property
+    def interval(self) -> float | None:
+        """Seconds between occurrences, None where they are not evenly spaced."""
+        ...
+
+    def occurrences(self, until: float) -> tuple[float, ...]:
+        """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TimeRequirement:
+    """One temporal specification of an instruction, in the paper's terms and with its words.
+
+    Parameters
+    ----------
+    text, span
+        The words as typed, and their first and one past last character in the instruction.
+    constraint, reference
+        How they bind which moment of the execution.
+    preposition
+        The preposition in lower case, None where there is none ("now", "tomorrow").
+    word
+        The time word that needs no number ("now", "soon", "later"), in its dictionary form; None elsewhere.
+    fuzziness
+        Hedges in lower case, in the order said: ``("about",)``; ``("shortly before",)`` beside an anchor.
+    number, unit
+        As said: "in about two minutes" has 2 and minute, "at six" has neither.
+    grain
+        The finest unit that a wall-clock expression names: "tomorrow" day, "at 6:30" minute; None for others.
+    t_spec
+        The time that the words name, in seconds: the goal (at), the deadline (before), the release (after).
+        None where no single time is named (between, vague, when, every).
+    earliest, latest
+        The same as bounds, in seconds; None on a side that is open.
+    condition, anchor, recurrence
+        For constraint ``when``; for times that depend on another instruction; for ``every``.
+    """
+
+    text: str
+    span: tuple[int, int]
+    constraint: Constraint
+    reference: Reference = Reference.START
+    preposition: str | None = None
+    word: str | None = None
+    fuzziness: tuple[str, ...] = ()
+    number: float | None = None
+    unit: Unit | None = None
+    grain: Unit | None = None
+    t_spec: float | None = None
+    earliest: float | None = None
+    latest: float | None = None
+    condition: Condition | None = None
+    anchor: Anchor | None = None
+    recurrence: Recurrence | None = None
+
+    def shifted(self, by: float) -> "TimeRequirement":
+        """Give the same requirement on a timeline whose origin is ``by`` seconds earlier."""
+
+        def moved(time: float | None) -> float | None:
+            return None if time is None else time + by
+
+        return replace(
+            self, t_spec=moved(self.t_spec), earliest=moved(self.earliest), latest=moved(self.latest)
+        )

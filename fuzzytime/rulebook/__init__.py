@@ -1,0 +1,1 @@
+"""From a time requirement and a context to a satisfaction function."""

@@ -1,0 +1,26 @@
+"""ψ: how satisfied a person is with a start time (the paper's eq. 3)."""
+
+from fuzzytime.satisfaction.algebra import ALWAYS, NEVER, averaged, points_of, product
+from fuzzytime.satisfaction.chord import cell_chord_errors
+from fuzzytime.satisfaction.protocol import EMPTY, EVERYWHERE, Floats, Interval, SatisfactionFunction
+from fuzzytime.satisfaction.shapes import Bell, Floored, Rectangle, Sampled, Trapezoid, Triangle
+
+__all__ = [
+    "ALWAYS",
+    "EMPTY",
+    "EVERYWHERE",
+    "NEVER",
+    "Bell",
+    "Floats",
+    "Floored",
+    "Interval",
+    "Rectangle",
+    "Sampled",
+    "SatisfactionFunction",
+    "Trapezoid",
+    "Triangle",
+    "averaged",
+    "cell_chord_errors",
+    "points_of",
+    "product",
+]

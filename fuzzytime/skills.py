@@ -1,0 +1,183 @@
+"""Skills and tasks: what is to be done (the paper's eqs. 1 and 2), before and after it is scheduled."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import SatisfactionFunction
+
+_NO_PARAMETERS: Mapping[str, str] = MappingProxyType({})
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzyParameter:
+    """A vague amount or object, kept for whoever executes the skill: "some food", "a few screws".
+
+    ``quantity`` is a fuzzy number, by the four corners of a trapezoid, or None where none is known.
+    """
+
+    text: str
+    noun: str
+    quantity: tuple[float, float, float, float] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzySkill:
+    """s̃ = (ψ, t_d, Θ, Λ̃): an operation whose start time is a matter of satisfaction.
+
+    Parameters
+    ----------
+    name
+        What is done, for people: "flip the pancakes".
+    satisfaction
+        ψ over start times, in seconds.
+    duration
+        t_d in seconds: how long the agent is busy with it.
+    fuzzy_parameters, parameters
+        Θ and Λ̃: everything else that was said about it.
+    elapsed
+        Seconds from the start until it is done, where that is longer than the agent is busy: eggs boil
+        while the cook is free. None means ``duration``.
+    priority
+        Weight of log ψ in what is maximised.
+    agent
+        The agent, from 1, that must do it; None leaves the choice to the solver.
+
+    Raises
+    ------
+    FuzzytimeError
+        If a duration is negative or not finite, or the priority is not above 0.
+    """
+
+    name: str
+    satisfaction: SatisfactionFunction
+    duration: float
+    fuzzy_parameters: tuple[FuzzyParameter, ...] = ()
+    parameters: Mapping[str, str] = field(default=_NO_PARAMETERS, hash=False)
+    elapsed: float | None = None
+    priority: float = 1.0
+    agent: int | None = None
+
+    def __post_init__(self) -> None:
+        for name, value in (("duration", self.duration), ("elapsed time", self.time_until_done)):
+            if not 0 <= value < math.inf:
+                raise FuzzytimeError(f"a skill's {name} must be finite and at least 0, got {value}")
+        if not 0 < self.priority < math.inf:
+            raise FuzzytimeError(f"a skill's priority must be above 0 and finite, got {self.priority}")
+
+    @property
+    def time_until_done(self) -> float:
+        """Seconds from start until the result is there."""
+        return self.duration if self.elapsed is None else self.elapsed
+
+
+@dataclass(frozen=True, slots=True)
+class SpecificSkill:
+    """s = (t_s, t_d, Λ): the same operation with a start time, ready to execute."""
+
+    name: str
+    start: float
+    duration: float
+    parameters: Mapping[str, str] = field(default=_NO_PARAMETERS, hash=False)
+    elapsed: float | None = None
+    agent: int = 1
+
+    @property
+    def end(self) -> float:
+        """When the agent is free again."""
+        return self.start + self.duration
+
+    @property
+    def done(self) -> float:
+        """When the result is there."""
+        return self.start + (self.duration if self.elapsed is None else self.elapsed)
+
+
+@dataclass(frozen=True, slots=True)
+class Precedence:
+    """Skill ``first`` is done before skill ``second`` starts, by positions in the task, from 0.
+
+    The start of ``second`` minus the moment ``first`` is done lies between the two lags, in seconds; a
+    negative one lets them overlap.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the lags contradict each other.
+    """
+
+    first: int
+    second: int
+    minimum_lag: float = 0.0
+    maximum_lag: float = math.inf
+
+    def __post_init__(self) -> None:
+        if not self.minimum_lag <= self.maximum_lag or self.minimum_lag == math.inf:
+            raise FuzzytimeError(
+                "a precedence's minimum lag must not exceed its maximum, "
+                f"got {self.minimum_lag} and {self.maximum_lag}"
+            )
+
+
+@dataclass(frozen=True, slots=True)
+class Busy:
+    """A time when an agent, or every agent (None), is taken: an appointment, a skill that has started."""
+
+    start: float
+    end: float
+    what: str = ""
+    agent: int | None = None
+
+    def __post_init__(self) -> None:
+        if not self.start <= self.end:
+            raise FuzzytimeError(f"a busy time must not end before it starts, got {self.start} to {self.end}")
+
+
+@dataclass(frozen=True, slots=True)
+class FuzzyTask:
+    """T: the skills to schedule, by how many agents, and what binds them.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there is no agent, an agent or a precedence names what is not there, or precedences form a circle.
+    """
+
+    skills: tuple[FuzzySkill, ...]
+    agents: int = 1
+    precedences: tuple[Precedence, ...] = ()
+    busy: tuple[Busy, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.agents < 1:
+            raise FuzzytimeError(f"a task needs at least one agent, got {self.agents}")
+        named = [skill.agent for skill in self.skills] + [busy.agent for busy in self.busy]
+        for agent in named:
+            if agent is not None and not 1 <= agent <= self.agents:
+                raise FuzzytimeError(f"an agent must be one of 1 to {self.agents}, got {agent}")
+        for precedence in self.precedences:
+            for position in (precedence.first, precedence.second):
+                if not 0 <= position < len(self.skills):
+                    raise FuzzytimeError(
+                        f"a precedence must name skills 0 to {len(self.skills) - 1}, got {position}"
+                    )
+        self._refuse_circles()
+
+    def _refuse_circles(self) -> None:
+        followers: dict[int, set[int]] = {}
+        waiting = [0] * len(self.skills)
+        for precedence in self.precedences:
+            if precedence.second not in followers.setdefault(precedence.first, set()):
+                followers[precedence.first].add(precedence.second)
+                waiting[precedence.second] += 1
+        free = [position for position, count in enumerate(waiting) if not count]
+        for position in free:
+            for follower in followers.get(position, ()):
+                waiting[follower] -= 1
+                if not waiting[follower]:
+                    free.append(follower)
+        if len(free) < len(self.skills):
+            circle = ", ".join(repr(self.skills[i].name) for i, count in enumerate(waiting) if count)
+            raise FuzzytimeError(f"precedences must not form a circle, got one among {circle}")

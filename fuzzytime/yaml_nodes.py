@@ -1,0 +1,387 @@
+"""YAML read safely: a tree of texts with their places, and every mistake found in one run.
+
+PyYAML's objects lose the places of keys and values, turn ``on`` into true and ``1:30`` into ninety, and
+follow aliases into bombs. So the events of its C parser are read here into a small tree in which every
+scalar is still text; converting is the caller's, through a `Reader`, which collects mistakes instead of
+stopping at the first. Aliases, anchors, tags, merge keys, several documents, depth above `MAX_DEPTH` and
+files above `MAX_BYTES` are refused.
+"""
+
+import difflib
+import math
+import re
+from collections.abc import Callable, Collection, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import NoReturn, TypeVar
+
+import yaml
+
+from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
+from fuzzytime.times import parse_duration
+
+MAX_BYTES = 1 << 20
+MAX_DEPTH = 32
+
+_NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
+_LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_T = TypeVar("_T")
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A text, and where it starts: line and column from 0, index in characters."""
+
+    text: str
+    line: int
+    column: int
+    index: int
+    quoted: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """A list of nodes."""
+
+    items: tuple["Node", ...]
+    line: int
+    column: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """Keys, as scalars with their places, and their values; duplicates are still there."""
+
+    entries: tuple[tuple[Scalar, "Node"], ...]
+    line: int
+    column: int
+    index: int
+
+
+Node = Scalar | Sequence | Mapping
+
+
+@dataclass(slots=True)
+class _Open:
+    """A collection whose end has not come yet."""
+
+    event: yaml.CollectionStartEvent
+    children: list[Node] = field(default_factory=list)
+
+
+def suggestion(word: str, known: Iterable[str]) -> str:
+    """Say which known word was meant, or which there are, as the tail of a message."""
+    choices = sorted(set(known))
+    close = difflib.get_close_matches(word, choices, 1, 0.6)
+    if close:
+        return f" (did you mean {close[0]!r}?)"
+    if not choices:
+        return ""
+    listed = ", ".join(choices[:12]) + (", …" if len(choices) > 12 else "")
+    return f" (known: {listed})"
+
+
+class Reader:
+    """One document's text, the conversions of its nodes, and the mistakes met so far.
+
+    A conversion that fails notes a `Mistake` and gives a neutral value (0, an empty text, an empty list), so
+    that reading goes on; `finish` raises them all. Keys of mistakes are paths such as ``rules[0].if``.
+    """
+
+    def __init__(self, path: str, source: bytes | str) -> None:
+        self.path = path
+        self.mistakes: list[Mistake] = []
+        self.text = self._decoded(source)
+        self.lines = self.text.splitlines()
+
+    @classmethod
+    def of_file(cls, path: Path) -> "Reader":
+        """Read a file, at most one byte more than `MAX_BYTES` of it.
+
+        Raises
+        ------
+        OSError
+            If it cannot be read.
+        DocumentError
+            If it is too large or is not UTF-8.
+        """
+        with path.open("rb") as stream:
+            return cls(str(path), stream.read(MAX_BYTES + 1))
+
+    def _decoded(self, source: bytes | str) -> str:
+        raw = source.encode("utf-8", "surrogatepass") if isinstance(source, str) else source
+        if len(raw) > MAX_BYTES:
+            self._stop(0, 0, f"a file must not be larger than {MAX_BYTES:,} bytes")
+        try:
+            text = raw.decode("utf-8-sig")
+        except UnicodeDecodeError as error:
+            before = raw[: error.start].decode("utf-8", "replace")
+            self._stop(
+                before.count("\n"),
+                len(before) - before.rfind("\n") - 1,
+                f"text must be UTF-8, got byte 0x{raw[error.start]:02x}",
+            )
+        # Other line ends than these are text to YAML, and must not move the places of mistakes.
+        return re.sub(
+            r"\r\n?|[\x0b\x0c\x1c-\x1e\x85\u2028\u2029]", lambda m: "\n" if m[0][0] == "\r" else " ", text
+        )
+
+    def _stop(self, line: int, column: int, message: str) -> NoReturn:
+        """Raise the mistakes met so far and one after which nothing can be read."""
+        source = self.lines[line] if hasattr(self, "lines") and line < len(self.lines) else ""
+        raise DocumentError((*self.mistakes, Mistake(self.path, line + 1, column + 1, "", message, source)))
+
+    # -- the tree -------------------------------------------------------------------------------------------
+
+    def root(self) -> Node:
+        """Parse the document.
+
+        Raises
+        ------
+        DocumentError
+            If it is not one well-formed YAML document of the plain kind.
+        """
+        try:
+            return self._tree()
+        except yaml.MarkedYAMLError as error:
+            mark = error.problem_mark or error.context_mark
+            line, column = (mark.line, mark.column) if mark else (0, 0)
+            if line >= len(self.lines):
+                line, column = max(0, len(self.lines) - 1), len(self.lines[-1]) if self.lines else 0
+            problem = " ".join(part for part in (error.problem, error.context) if part)
+            self._stop(line, column, f"not valid YAML: {problem}")
+        except yaml.reader.ReaderError as error:
+            at = min(error.position, len(self.text))
+            line = self.text.count("\n", 0, at)
+            self._stop(line, at - (self.text.rfind("\n", 0, at) + 1), f"not valid YAML: {error.reason}")
+
+    def _tree(self) -> Node:
+        documents: list[Node] = []
+        stack: list[_Open] = []
+        for event in yaml.parse(self.text, Loader=_LOADER):
+            mark = _start(event)
+            self._refuse_odd(event, len(stack), len(documents))
+            node: Node | None = None
+            if isinstance(event, yaml.ScalarEvent):
+                node = Scalar(event.value, mark.line, mark.column, mark.index, event.style is not None)
+            elif isinstance(event, yaml.CollectionStartEvent):
+                stack.append(_Open(event))
+            elif isinstance(event, yaml.CollectionEndEvent):
+                node = self._closed(stack.pop())
+            if node is not None and stack:
+                stack[-1].children.append(node)
+            elif node is not None:
+                documents.append(node)
+        if not documents:
+            self._stop(0, 0, "the file must not be empty")
+        return documents[0]
+
+    def _refuse_odd(self, event: yaml.Event, depth: int, documents: int) -> None:
+        mark = _start(event)
+        refused = ""
+        if isinstance(event, yaml.AliasEvent):
+            refused = f"aliases are not allowed, got '*{event.anchor}'"
+        elif isinstance(event, yaml.NodeEvent) and event.anchor is not None:
+            refused = f"anchors are not allowed, got '&{event.anchor}'"
+        elif isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)) and event.tag is not None:
+            refused = f"tags are not allowed, got '{event.tag}'"
+        elif isinstance(event, yaml.CollectionStartEvent) and depth >= MAX_DEPTH:
+            refused = f"nesting must not be deeper than {MAX_DEPTH}"
+        elif isinstance(event, yaml.DocumentStartEvent) and documents:
+            refused = "a file must hold one document"
+        if refused:
+            self._stop(mark.line, mark.column, refused)
+
+    def _closed(self, opened: _Open) -> Node:
+        mark = _start(opened.event)
+        if isinstance(opened.event, yaml.SequenceStartEvent):
+            return Sequence(tuple(opened.children), mark.line, mark.column, mark.index)
+        entries = []
+        for key, value in zip(opened.children[::2], opened.children[1::2], strict=True):
+            if isinstance(key, Scalar):
+                entries.append((key, value))
+            else:
+                self.mistake(key, "", "a key must be a text, got a list or a mapping")
+        return Mapping(tuple(entries), mark.line, mark.column, mark.index)
+
+    # -- mistakes -------------------------------------------------------------------------------------------
+
+    def mistake(self, node: Node, key: str, message: str, offset: int = 0) -> None:
+        """Note a mistake at a node, or ``offset`` characters into a scalar's text."""
+        line, column = node.line, node.column
+        if isinstance(node, Scalar) and offset:
+            line, column = self._place_inside(node, offset)
+        source = self.lines[line] if line < len(self.lines) else ""
+        self.mistakes.append(Mistake(self.path, line + 1, column + 1, key, message, source))
+
+    def place(self, node: Node) -> str:
+        """``file:line`` of a node, for explanations."""
+        return f"{self.path}:{node.line + 1}"
+
+    def _place_inside(self, scalar: Scalar, offset: int) -> tuple[int, int]:
+        """Line and column of a character of a scalar's text, which YAML may have quoted or folded."""
+        at, source = scalar.index, self.text
+        if scalar.quoted and source[at : at + 1] in "|>":
+            at = source.find("\n", at) + 1
+        elif scalar.quoted:
+            at += 1
+        for character in scalar.text[:offset]:
+            if character.isspace():
+                while at < len(source) and source[at].isspace():
+                    at += 1
+                continue
+            while at < len(source) and source[at] != character:
+                at += 1
+            at += 1
+        while at < len(source) and source[at].isspace() and offset < len(scalar.text):
+            at += 1
+        return source.count("\n", 0, at), at - (source.rfind("\n", 0, at) + 1)
+
+    def finish(self) -> None:
+        """Raise every mistake noted.
+
+        Raises
+        ------
+        DocumentError
+            If there is any.
+        """
+        if self.mistakes:
+            raise DocumentError(tuple(self.mistakes))
+
+    # -- conversions ----------------------------------------------------------------------------------------
+
+    def mapping(
+        self,
+        node: Node,
+        key: str,
+        allowed: Collection[str] | None = None,
+        required: Iterable[str] = (),
+    ) -> dict[str, Node]:
+        """Give a mapping's values by key; unknown, missing and duplicate keys are mistakes."""
+        if not isinstance(node, Mapping):
+            self.mistake(node, key, f"must be a mapping (key: value), got {_kind(node)}")
+            return {}
+        found: dict[str, Node] = {}
+        first: dict[str, int] = {}
+        for name, value in node.entries:
+            path = f"{key}.{name.text}" if key else name.text
+            if name.text in first:
+                self.mistake(
+                    name, path, f"keys must differ, got {name.text!r} as on line {first[name.text] + 1}"
+                )
+                continue
+            first[name.text] = name.line
+            if allowed is not None and name.text not in allowed:
+                self.mistake(name, path, f"unknown key {name.text!r}{suggestion(name.text, allowed)}")
+                continue
+            found[name.text] = value
+        for name_required in required:
+            if name_required not in first:
+                self.mistake(node, key, f"missing key {name_required!r}")
+        return found
+
+    def keys(self, node: Node) -> dict[str, Scalar]:
+        """Give the places of a mapping's keys."""
+        return {name.text: name for name, _ in node.entries} if isinstance(node, Mapping) else {}
+
+    def sequence(self, node: Node, key: str, length: int | None = None) -> tuple[Node, ...]:
+        """Give a list's nodes, of one length if given."""
+        if not isinstance(node, Sequence):
+            self.mistake(node, key, f"must be a list, got {_kind(node)}")
+            return ()
+        if length is not None and len(node.items) != length:
+            self.mistake(node, key, f"must hold {length} items, got {len(node.items)}")
+            return ()
+        return node.items
+
+    def string(self, node: Node, key: str) -> str:
+        """Give a scalar's text."""
+        if not isinstance(node, Scalar):
+            self.mistake(node, key, f"must be a text, got {_kind(node)}")
+            return ""
+        return node.text
+
+    def choice(self, node: Node, key: str, known: Collection[str]) -> str:
+        """Give a scalar's text that must be one of the known ones."""
+        text = self.string(node, key)
+        if isinstance(node, Scalar) and text not in known:
+            self.mistake(node, key, f"must be one of the known words, got {text!r}{suggestion(text, known)}")
+            return ""
+        return text
+
+    def strings(self, node: Node, key: str) -> tuple[str, ...]:
+        """Give one text, or a list of texts."""
+        if isinstance(node, Scalar):
+            return (node.text,)
+        return tuple(self.string(item, f"{key}[{i}]") for i, item in enumerate(self.sequence(node, key)))
+
+    def boolean(self, node: Node, key: str) -> bool:
+        """Give ``true`` or ``false``."""
+        return self.choice(node, key, ("true", "false")) == "true"
+
+    def number(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
+        """Give a finite number between two bounds."""
+        return self._converted(node, key, _to_number, (low, high))
+
+    def whole(self, node: Node, key: str, low: int, high: int) -> int:
+        """Give a whole number between two bounds."""
+        return int(self._converted(node, key, _to_whole, (low, high)))
+
+    def duration(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
+        """Give a duration in seconds between two bounds."""
+        return self._converted(node, key, parse_duration, (low, high))
+
+    def _converted(
+        self, node: Node, key: str, convert: Callable[[str], float], bounds: tuple[float, float]
+    ) -> float:
+        if not isinstance(node, Scalar):
+            self.mistake(node, key, f"must be a single value, got {_kind(node)}")
+            return 0.0
+        value = self.read(node, key, convert)
+        if value is None:
+            return 0.0
+        low, high = bounds
+        if not low <= value <= high:
+            self.mistake(node, key, f"must be between {low:g} and {high:g}, got {node.text!r}")
+            return 0.0
+        return value
+
+    def read(self, node: Scalar, key: str, convert: Callable[[str], _T]) -> _T | None:
+        """Convert a scalar's text by a function whose `FuzzytimeError` becomes a mistake here."""
+        try:
+            return convert(node.text)
+        except FuzzytimeError as error:
+            self.mistake(node, key, str(error))
+            return None
+
+
+@dataclass(frozen=True, slots=True)
+class _Place:
+    line: int
+    column: int
+    index: int
+
+
+def _start(event: yaml.Event) -> _Place:
+    """Give the place of an event; only events made by hand have none."""
+    mark = event.start_mark
+    return _Place(mark.line, mark.column, mark.index) if mark is not None else _Place(0, 0, 0)
+
+
+def _kind(node: Node) -> str:
+    if isinstance(node, Scalar):
+        return repr(node.text)
+    return "a list" if isinstance(node, Sequence) else "a mapping"
+
+
+def _to_number(text: str) -> float:
+    if not _NUMBER.fullmatch(text) or not math.isfinite(float(text)):
+        raise FuzzytimeError(f"must be a number, got {text!r}")
+    return float(text)
+
+
+def _to_whole(text: str) -> float:
+    if not re.fullmatch(r"[-+]?\d{1,15}", text):
+        raise FuzzytimeError(f"must be a whole number, got {text!r}")
+    return int(text)
