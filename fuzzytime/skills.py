@@ -3,12 +3,9 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from types import MappingProxyType
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import SatisfactionFunction
-
-_NO_PARAMETERS: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +52,7 @@ class FuzzySkill:
     satisfaction: SatisfactionFunction
     duration: float
     fuzzy_parameters: tuple[FuzzyParameter, ...] = ()
-    parameters: Mapping[str, str] = field(default=_NO_PARAMETERS, hash=False)
+    parameters: Mapping[str, str] = field(default_factory=dict, hash=False)
     elapsed: float | None = None
     priority: float = 1.0
     agent: int | None = None
@@ -80,7 +77,7 @@ class SpecificSkill:
     name: str
     start: float
     duration: float
-    parameters: Mapping[str, str] = field(default=_NO_PARAMETERS, hash=False)
+    parameters: Mapping[str, str] = field(default_factory=dict, hash=False)
     elapsed: float | None = None
     agent: int = 1
 
