@@ -54,7 +54,7 @@ def points_of(
     if not np.isfinite([within.low, within.high]).all():
         raise FuzzytimeError(f"points need a finite interval, got {within.low:g} to {within.high:g}")
     inner = [kink for kink in kinks if within.low < kink < within.high]
-    nodes = np.unique([within.low, *inner, within.high])
+    nodes = np.unique(np.array([within.low, *inner, within.high], float))
     if nodes.size == 1:
         return Sampled(nodes, np.clip(value(nodes), 0.0, 1.0))
     pieces = [_refined(value, a, b, tolerance) for a, b in pairwise(nodes.tolist())]

@@ -117,11 +117,11 @@ class PiecewiseLinear(ABC):
         times, left, at, right = (x[inside] for x in (knots.times, knots.left, knots.at, knots.right))
         if times.size < 2 and math.isfinite(support.low) and math.isfinite(support.high):
             return True
-        # One-sided limits at the support's finite ends do not count: ψ may jump from and to 0 there.
+        # Outer limits at the support's finite ends do not count: ψ may jump from and to 0 there.
         if math.isfinite(support.low):
-            left[0] = at[0] = right[0]
+            left[0] = at[0]
         if math.isfinite(support.high):
-            right[-1] = at[-1] = left[-1]
+            right[-1] = at[-1]
         if (left != at).any() or (right != at).any() or (at[1:-1] <= 0).any():
             return False
         slopes = np.diff(at) / np.diff(times)
