@@ -91,11 +91,11 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     found, remarks = [], []
     for phrase in phrases:
         try:
-            one = grounded(phrase, text, moment)
+            some = grounded(phrase, text, moment)
         except UngroundedError as error:
             said = text[phrase.span[0] : phrase.span[1]]
             remarks.append(Remark(RemarkKind.NOT_UNDERSTOOD, phrase.span, f"{said!r}: {error}"))
             continue
-        found.append(one)
-        remarks += one.remarks
+        found += some
+        remarks += [remark for one in some for remark in one.remarks]
     return Times(tuple(found), tuple(remarks))

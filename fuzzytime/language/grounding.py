@@ -20,6 +20,7 @@ from fuzzytime.language.meaning import (
     Range,
     Rest,
     Time,
+    TimeWord,
     Wall,
 )
 from fuzzytime.language.policy import Policy, SameWeekday
@@ -69,10 +70,15 @@ class Grounding:
     ----------
     now : datetime
         Without a zone: wall-clock arithmetic is done here, zones are applied by the caller.
+    policy : Policy
+        What decides.
+    lasting : float
+        Seconds that what is asked for was said to last, 0 where nothing was said.
     """
 
     now: datetime
     policy: Policy
+    lasting: float = 0.0
 
     @property
     def today(self) -> Today:
@@ -185,20 +191,23 @@ class Grounding:
         if wall.part is not None:
             clock = _halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
-        return self._decided(moments, clock, wall.zone)
+        return self._decided(moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)
         return moment if moment >= self.now else moment + timedelta(days=1)
 
-    def _decided(self, moments: list[datetime], clock: Clock, zone: str | None) -> Instants:
+    def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
         plausible = [moment for moment in moments if self._is_plausible(moment)]
         chosen = (plausible or moments)[0]
         choices = tuple(moments) if len(moments) > 1 else ()
-        return Instants(chosen, chosen, clock.grain, choices, zone)
+        return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
     def _is_plausible(self, moment: datetime) -> bool:
-        return self.policy.plausible_from <= moment.time() < self.policy.plausible_to
+        """Whether people are up, for as long as what is asked for is said to last."""
+        first, last = self.policy.plausible_from, self.policy.plausible_to
+        end = moment + timedelta(seconds=self.lasting)
+        return first <= moment.time() < last and (not self.lasting or (end.date() == moment.date() and end.time() <= last))
 
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
         night = wall.part is not None and wall.part.half is Half.NIGHT
@@ -213,9 +222,12 @@ class Grounding:
             recurring = not calendar.fixed
             if recurring and not ahead:
                 continue
+            if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:
+                # "This morning at three", said at half past four, is the morning to come.
+                moments = [moment + timedelta(days=1) for moment in moments]
             if days.first == self.now.date() and ahead:
                 moments = ahead
-            return self._decided(sorted(moments), clock, wall.zone)
+            return self._decided(sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
 
     def _of_night(self, moment: datetime, day: date) -> datetime:
@@ -267,9 +279,17 @@ class Grounding:
             return self._day_range(first, last)
         start = self._instants(first)
         end = self._instants(last)
+        if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
+            return self._since(start)
         if end.start < start.start and isinstance(last, Wall):
             end = Grounding(start.start, self.policy)._instants(last)
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+    def _since(self, start: Instants) -> Instants:
+        """A range up to now began at the last such clock time."""
+        choices = start.choices or (start.start,)
+        begun = max(choice - timedelta(days=1) for choice in choices)
+        return Instants(begun, self.now, start.grain)
 
     def _day_range(self, first: Wall, last: Wall) -> Instants:
         """Days lend each other the month or the year that only one names."""

@@ -16,19 +16,23 @@ Span = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
-    """What is to be done: the verb as typed in lower case, its object and place, and the verb's span."""
+    """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
+
+    ``particle`` belongs to the verb ("put on", "turn off").
+    """
 
     verb: str
     lemma: str
     span: Span
     object: str | None = None
     place: str | None = None
+    particle: str | None = None
     negated: bool = False
 
     @property
     def name(self) -> str:
         """The operation in words, without its time: "place the pan on the stove"."""
-        return " ".join(part for part in (self.verb, self.object, self.place) if part)
+        return " ".join(part for part in (self.verb, self.particle, self.object, self.place) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

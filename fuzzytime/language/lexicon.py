@@ -46,8 +46,10 @@ class Lexicon:
         Unit letters that only count beside a number.
     ambiguous
         Words of the calendar that have another meaning too.
-    indicators, connectives, clauses, corrections, amounts, results
+    indicators, connectives, clauses, corrections, addresses, amounts, results
         Words that the reading of sentences uses, by meaning.
+    wanting, forgetting, causing
+        Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
     function_words
@@ -64,8 +66,12 @@ class Lexicon:
     connectives: Mapping[tuple[str, ...], str]
     clauses: Mapping[tuple[str, ...], str]
     corrections: frozenset[tuple[str, ...]]
+    addresses: frozenset[str]
     amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
+    wanting: frozenset[str]
+    forgetting: frozenset[str]
+    causing: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
     function_words: frozenset[str]

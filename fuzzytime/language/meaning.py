@@ -261,7 +261,8 @@ class Goal:
 class Said:
     """A temporal specification: how which time binds.
 
-    ``constraint`` is None where the time itself decides between a point and an interval.
+    ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says that a hedge
+    puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for thirty minutes").
     """
 
     time: Time | Duration | Repeat
@@ -270,4 +271,4 @@ class Said:
     hedges: tuple[str, ...] = ()
     edge: Edge = Edge.START
     beside: bool = False
-    negated: bool = False
+    lasting: Duration | None = None

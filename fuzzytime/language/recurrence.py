@@ -25,11 +25,10 @@ MOST = 10_000
 class EvenRecurrence:
     """Every so many seconds, from a first time on.
 
-    >>> EvenRecurrence(text="every 20 minutes", step=1200, first=1200).occurrences(3600)
+    >>> EvenRecurrence(step=1200, first=1200).occurrences(3600)
     (1200, 2400, 3600)
     """
 
-    text: str
     step: float
     first: float
     last: float = math.inf
@@ -49,11 +48,15 @@ class EvenRecurrence:
         return tuple(start + i * self.step for i in range(count))
 
 
+    def coming(self, count: int) -> tuple[float, ...]:
+        """Give the next occurrences, at most so many."""
+        return self.occurrences(self.first + self.step * count)[:count]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CalendarRecurrence:
     """At each of some days, parts of the day and clock times, of which only every ``skip``-th counts."""
 
-    text: str
     walls: tuple[Wall, ...]
     moment: Moment
     skip: int = 1
@@ -83,6 +86,14 @@ class CalendarRecurrence:
                     break
                 found.add(seconds)
         return tuple(sorted(found))[:MOST]
+
+    def coming(self, count: int) -> tuple[float, ...]:
+        """Give the next occurrences, at most so many."""
+        found: set[float] = set()
+        for wall in self.walls:
+            series = islice(self._times(wall), 0, count * self.skip, self.skip)
+            found.update(seconds for seconds in series if seconds <= self.last)
+        return tuple(sorted(found))[:count]
 
     def _times(self, wall: Wall) -> Iterator[float]:
         now = self.moment.grounding().now
@@ -127,11 +138,9 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> EvenRecurrence | CalendarRe
     """
     first = _bound(repeat.starting, moment, last=False)
     last = _bound(repeat.until, moment, last=True)
-    text = ""
     if repeat.walls and not _is_even(repeat):
         moment.grounding()
         return CalendarRecurrence(
-            text=text,
             walls=repeat.walls,
             moment=moment,
             skip=repeat.skip,
@@ -143,7 +152,7 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> EvenRecurrence | CalendarRe
     step = repeat.every.seconds
     sub_day = all(unit in SUB_DAY for _, unit in repeat.every.terms)
     start = first if first is not None else (step if sub_day else 0.0)
-    return EvenRecurrence(text=text, step=step, first=start, last=math.inf if last is None else last)
+    return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last)
 
 
 def _is_even(repeat: Repeat) -> bool:

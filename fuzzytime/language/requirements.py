@@ -1,6 +1,6 @@
 """From a phrase to the time requirement that the rest of the program works with: seconds from now, bounds, words."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
 from fuzzytime.errors import FuzzytimeError
@@ -107,15 +107,20 @@ def zone_of(name: str) -> tzinfo:
     return parse_zone(name)
 
 
-def grounded(phrase: Phrase, text: str, moment: Moment) -> Grounded:
-    """Ground a phrase.
+def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
+    """Ground a phrase: one requirement, or two where it says a start and how long.
 
     Raises
     ------
     UngroundedError
         If its words name no time.
     """
-    return _Grounder(phrase, text, moment).result()
+    first = _Grounder(phrase, text, moment).result()
+    if phrase.said.lasting is None:
+        return (first,)
+    length = phrase.said.lasting
+    said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    return first, _Grounder(replace(phrase, said=said), text, moment).result()
 
 
 class _Grounder:
@@ -218,7 +223,8 @@ class _Grounder:
 
     def _of_instants(self, time: Time) -> Grounded:
         zone = _zone_in(time)
-        found = self.moment.grounding(zone).instants(time)
+        lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
+        found = replace(self.moment.grounding(zone), lasting=lasting).instants(time)
         start, end = self._bounds(time, found, zone)
         constraint = self.said.constraint
         if constraint is None:

@@ -12,7 +12,7 @@ from fuzzytime.language.chart import Cell, Grammar, Piece
 from fuzzytime.language.lexicon import Lexicon
 from fuzzytime.language.meaning import Duration, Range, Repeat, Said, Wall
 from fuzzytime.language.numerals import numeral_pieces
-from fuzzytime.language.words import Word, words_of
+from fuzzytime.language.words import Word, joins, words_of
 from fuzzytime.requirement import Constraint
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -43,7 +43,7 @@ class Chart:
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Chart":
         """Apply a grammar to a text."""
-        words = words_of(text)
+        words = _parted(words_of(text), lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
@@ -54,6 +54,24 @@ class Chart:
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
         return [piece for cell in self.cells for piece in cell.get(category, {}).values()]
+
+
+def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
+    """Cut "-ish" off words about time, and leave out the hyphens of number words."""
+    found: list[Word] = []
+    for place, word in enumerate(words):
+        base = word.text.removesuffix("ish")
+        if base != word.text and (base in lexicon.numbers or base in lexicon.entries) and word.text not in lexicon.entries:
+            middle = word.end - 3
+            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, True)]
+        elif not (joins(words, place) and _numeral(words, place - 1, lexicon) and _numeral(words, place + 1, lexicon)):
+            found.append(word)
+    return tuple(found)
+
+
+def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    text = words[place].text if place >= 0 else ""
+    return text in lexicon.numbers or text in lexicon.ordinals or text in lexicon.magnitudes
 
 
 def phrases_of(chart: Chart, lexicon: Lexicon) -> tuple[Phrase, ...]:
@@ -185,7 +203,8 @@ class _Judge:
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
         if wall.weak:
-            bound = said.preposition not in {None, "to", "at"} or bool(said.hedges)
+            unbinding = {None, "to", "at", "for", "of", "on"} if wall.part is not None else {None, "to", "at"}
+            bound = said.preposition not in unbinding or bool(said.hedges)
             return bound and self._may_end(piece)
         if piece.end - piece.start == 1 and self.texts[piece.start] in self.lexicon.ambiguous:
             return False

@@ -152,8 +152,12 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         connectives=connectives,
         clauses=clauses,
         corrections=frozenset(speech.words("corrections")),
+        addresses=frozenset(form[0] for form in speech.words("addresses")),
         amounts=amounts,
         results=frozenset(" ".join(form) for form in speech.words("results")),
+        wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
+        forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
+        causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
@@ -162,7 +166,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 
 _SPEECH = (
-    "prepositions", "hedges", "words", "indicators", "results", "connectives", "clauses", "corrections",
+    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses", "clauses", "corrections",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (

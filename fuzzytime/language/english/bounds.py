@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.language.calendar import Calendar, Fields
 from fuzzytime.language.chart import Grammar
-from fuzzytime.language.english.clocks import minutes_of
+from fuzzytime.language.english.clocks import minutes_of, number
+from fuzzytime.language.english.days import from_anchor
 from fuzzytime.language.lexicon import Preposition
 from fuzzytime.language.meaning import (
     Clock,
@@ -16,13 +17,13 @@ from fuzzytime.language.meaning import (
     Offset,
     Quantity,
     Range,
-    Rest,
     Said,
     Time,
     TimeWord,
     Wall,
 )
-from fuzzytime.language.relations import narrowed, same_day
+from fuzzytime.language.numerals import Integer
+from fuzzytime.language.relations import Relative, narrowed, same_day
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -31,7 +32,7 @@ grammar = Grammar()
 # -- stacked: "tomorrow morning at six am" ------------------------------------------------------------------------
 
 
-@grammar.rule("wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|-|around|from <wall>", "<wall> , at|on|in <wall>", weight=0.1)
+@grammar.rule("wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|- <wall>", "<wall> , at|on|in <wall>", weight=0.1)
 def stacked(first: Wall, second: Wall) -> Wall | None:
     """Tomorrow at six, friday march fifteenth nine am, morning of the 15th."""
     return joined(first, second)
@@ -52,7 +53,8 @@ def weekday_and_day(weekday: int, day: object) -> Wall | None:
 
 def joined(first: Wall, second: Wall) -> Wall | None:
     """Give two wall-clock expressions as one, or None where they say the same thing twice."""
-    if first.bare and second.bare:
+    # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
+    if (first.bare and second.bare) or (first.weak and first.part is not None):
         return None
     days: Calendar | None = first.days or second.days
     if first.days is not None and second.days is not None:
@@ -116,9 +118,15 @@ def before_goal(duration: Duration, goal: Goal) -> Offset | None:
     return Offset(duration, -1, goal.time) if _counts_from(goal) else None
 
 
-@grammar.rule("offset", "<duration> after|past|from|following <goal>", weight=0.1)
+@grammar.rule("offset", "<duration> after|past|following <goal>", weight=0.1)
 def after_goal(duration: Duration, goal: Goal) -> Offset | None:
-    """Two hours after lunch, an hour from noon."""
+    """Two hours after lunch."""
+    return Offset(duration, 1, goal.time) if _counts_from(goal) else None
+
+
+@grammar.rule("offset", "<duration> from <goal>", weight=0.1)
+def from_goal(duration: Duration, goal: Goal) -> Offset | None:
+    """An hour from noon, 15 minutes from 1pm."""
     return Offset(duration, 1, goal.time) if _counts_from(goal) else None
 
 
@@ -137,6 +145,12 @@ def _said(goal: Goal, preposition: str | None, constraint: Constraint | None = N
 def plain(goal: Goal) -> Said:
     """Tomorrow, now, six o'clock."""
     return _said(goal, None)
+
+
+@grammar.rule("offset", "less than <duration> after|from <goal>", "within <duration> after|from|of <goal>", weight=0.4)
+def soon_after(duration: Duration, goal: Goal) -> Range | None:
+    """Less than three days after tomorrow: from then to then."""
+    return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
 
 
 @grammar.rule("said", "<preposition_at> the? <goal>", weight=0.1)
@@ -253,6 +267,8 @@ def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:  #
     """Within the day."""
     if isinstance(goal.time, (TimeWord, Offset)):
         return None
+    if isinstance(goal.time, Coming):
+        return replace(coming_deadline(goal), preposition="within")
     hedges = () if hedge is None else (hedge,)
     return Said(goal.time, Constraint.BEFORE, "within", (*hedges, *goal.hedges), Edge.LAST)
 
@@ -320,22 +336,70 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
     return first, last
 
 
-@grammar.rule("said", "between the? <goal> and|to|- the? <goal>", "from the? <goal> to|-|through|thru the? <goal>", "<goal> to|-|through|thru the? <goal>", "<goal> - <goal>", weight=0.5)
+@grammar.rule("said", "between the? <goal> and|to|- the? <goal>", "from the? <goal> to|-|through|thru the? <goal>", weight=1.1)
 def between(first: Goal, last: Goal) -> Said | None:
-    """Between 5 and 6 pm, from monday to friday, 9:30 - 11:00."""
-    found = _range(first, last, "between")
-    if found is None or not isinstance(found.time, Range):
+    """Between 5 and 6 pm, from monday to friday."""
+    return _range(first, last, "between")
+
+
+@grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
+def from_to(first: Goal, last: Goal) -> Said | None:
+    """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
+    if all(isinstance(goal.time, Wall) and goal.time.bare for goal in (first, last)):
         return None
-    ends = (found.time.first, found.time.last)
-    if all(isinstance(end, Wall) and end.bare for end in ends):
-        return replace(found, time=replace(found.time))
-    return found
+    return _range(first, last, "between")
 
 
-@grammar.rule("said", "from? the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=0.6)
+@grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)
+def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
+    """Monday 11-4."""
+    ends = [number(first), number(last)]
+    if wall.clock is not None or wall.weak or None in ends:
+        return None
+    said = _range(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
+    return None if said is None else refined(said, wall)
+
+
+@grammar.rule("said", "from? the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
     return _range(first, last, "between")
+
+
+@grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)
+def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
+    """From 2pm till tomorrow 4:30pm: a day before the clock time is its own."""
+    if not isinstance(first.time, Wall) or first.time.clock is None:
+        return None
+    return Said(Range(first.time, Wall(days, clock=clock)), Constraint.BETWEEN, "between", first.hedges)
+
+
+@grammar.rule("said", "from|starting|beginning|at? at? the? <goal> ,? for <duration>", "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>", "<duration> starting|beginning from|at|on|in? the? <goal>", weight=0.9)
+def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
+    """From 4pm for thirty minutes, for 2 hours from 2pm: a start, and how long."""
+    goal, duration = (second, first) if isinstance(first, Duration) else (first, second)
+    if not isinstance(goal, Goal) or not isinstance(duration, Duration) or not isinstance(goal.time, Wall):
+        return None
+    return Said(goal.time, None, "from", goal.hedges, lasting=duration)
+
+
+@grammar.rule("wall", "in <duration> ,? at|on? <wall>", weight=0.3)
+def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
+    """In seven days at 5pm, in three days on friday."""
+    away = from_anchor(duration, Relative(0), 1)
+    return None if away is None or wall.bare else joined(Wall(away), wall)
+
+
+@grammar.rule("said", "today in <duration>", weight=0.5)
+def today_in(duration: Duration) -> Said:
+    """Today in one hour."""
+    return in_duration(duration)
+
+
+@grammar.rule("said", "at <clock>", weight=0.15)
+def at_clock(clock: Clock) -> Said:
+    """At 1030."""
+    return Said(Wall(clock=clock), None, "at")
 
 
 @grammar.rule("said", "<preposition_after> <goal> but|and <preposition_before> <goal>", weight=0.8)
@@ -375,10 +439,3 @@ def refined(said: Said, wall: Wall) -> Said | None:
         return replace(said, time=Range(first, last))
     return None
 
-
-def strong(clock: Clock | None) -> bool:
-    """Whether a clock time is one beyond doubt."""
-    return clock is not None and not clock.bare
-
-
-_ = (Rest, Unit)

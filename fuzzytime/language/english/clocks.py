@@ -24,13 +24,17 @@ def number(hour: Integer) -> Clock | None:
     return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True)
 
 
-@grammar.rule("clock", "<integer> o'clock|oclock", "<integer> o ' clock", "<integer> o clock", "<integer> hundred? hours")
+@grammar.rule("clock", "<integer> o'clock|oclock", "<integer> o ' clock", "<integer> o clock", "<integer> hundred hours", "at <integer> hours")
 def oclock(hour: Integer) -> Clock | None:
-    """Six o'clock, fourteen hundred hours, five hours."""
-    if hour.value >= 100:
-        found = number(hour)
-        return replace(found, bare=False) if found is not None else None
+    """Six o'clock, fourteen hundred hours, at five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "<integer> hours|hrs")
+def military(hour: Integer) -> Clock | None:
+    """1730 hours; "two hours" is a length."""
+    found = number(hour)
+    return replace(found, bare=False, full_day=True) if found is not None and hour.value >= 100 else None
 
 
 @grammar.rule("clock", "<hh:mm>", "at <hh.mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
@@ -136,13 +140,13 @@ def quarter(fraction: float) -> float | None:
     return fraction * 60 if fraction in {0.25, 0.5, 0.75} else None
 
 
-@grammar.rule("clock", "<minutes of clock> past|after <clock>", weight=0.3)
+@grammar.rule("clock", "<minutes of clock> past|after <clock>", weight=0.2)
 def past(minutes: float, clock: Clock) -> Clock | None:
     """A quarter past three, ten after six pm."""
     return _moved(clock, minutes)
 
 
-@grammar.rule("clock", "<minutes of clock> to|till|before|of|'til|til <clock>", weight=0.3)
+@grammar.rule("clock", "<minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
 def to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven, a quarter to noon."""
     return _moved(clock, -minutes)

@@ -131,7 +131,8 @@ def dotted_date(weekday: int, date: Fields) -> Fields:
 @grammar.rule("year", "<integer>")
 def year(number: Integer) -> int | None:
     """2014."""
-    return number.value if len(number.digits) == 4 and 1000 <= number.value < 3000 else None
+    # 1030 is half past ten.
+    return number.value if len(number.digits) == 4 and 1600 <= number.value < 3000 else None
 
 
 @grammar.rule("year", "<spoken year>")

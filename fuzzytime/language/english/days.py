@@ -184,12 +184,13 @@ def stretch(first: object, second: object, third: object = None) -> Wall | Comin
     return Coming(duration, direction)
 
 
-@grammar.rule("stretch", "the? <deictic> <unit>", weight=0.15)
-def stretch_of_one(which: Which, unit: UnitWord) -> Coming | None:
-    """The next hour, the last minute."""
-    if unit.unit not in SUB_DAY or which is Which.THIS:
+@grammar.rule("stretch", "the? <deictic> <unit>", "the? <deictic> <unit> and <duration>", weight=0.15)
+def stretch_of_one(which: Which, unit: UnitWord, more: Duration | None = None) -> Coming | None:
+    """The next hour, the last minute, the next day and five hours."""
+    if (unit.unit not in SUB_DAY and more is None) or which is Which.THIS:
         return None
-    return Coming(Duration(((unit.count, unit.unit),)), -1 if which in PAST_WORDS else 1)
+    terms = ((unit.count, unit.unit), *(more.terms if more is not None else ()))
+    return Coming(Duration(terms), -1 if which in PAST_WORDS else 1)
 
 
 @grammar.rule("wall", "<days>")
@@ -201,13 +202,13 @@ def wall(days: Calendar) -> Wall:
 # -- parts -----------------------------------------------------------------------------------------------------------
 
 
-@grammar.rule("parted", "<part>", "<meal>")
+@grammar.rule("parted", "<part>")
 def part(found: Part) -> Part | None:
-    """Morning, evening, lunch."""
+    """Morning, evening, lunchtime."""
     return None if found.is_point else found
 
 
-@grammar.rule("parted", "<share> the? <part>|<meal>", "<share> this|that <part>", weight=0.1)
+@grammar.rule("parted", "<share> the? <part>", "<share> this|that <part>", weight=0.1)
 def part_share(share: tuple[float, float], found: Part) -> Part | None:
     """Early morning, late in the evening."""
     return None if found.is_point else found.share(*share)
@@ -217,6 +218,18 @@ def part_share(share: tuple[float, float], found: Part) -> Part | None:
 def wall_of_part(found: Part) -> Wall:
     """Morning, in the evening, at lunch."""
     return Wall(part=found)
+
+
+@grammar.rule("wall", "at|during|over the? <meal>")
+def at_meal(found: Part) -> Wall:
+    """At lunch, during dinner."""
+    return Wall(part=found)
+
+
+@grammar.rule("wall", "<meal>", weight=-0.1)
+def meal(found: Part) -> Wall:
+    """Lunch: a thing, unless a preposition makes it a time."""
+    return Wall(part=found, weak=True)
 
 
 @grammar.rule("wall", "<deictic> <parted>", "<share> <deictic> <part>", weight=0.1)
@@ -265,7 +278,7 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     return Ending(first, days or Relative(0))
 
 
-@grammar.rule("rest", "rest|remainder of? the|my? <days>|<series>", "the rest of? the|my? <days>|<series>", weight=0.2)
+@grammar.rule("rest", "rest|remainder|remaining of? the|my? <days>|<series>", "the rest of? the|my? <days>|<series>", weight=0.2)
 def rest(days: Calendar) -> Rest:
     """The rest of the day."""
     return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))

@@ -192,6 +192,8 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""
     from fuzzytime.language.meaning import UNIT_SECONDS
 
+    if unit is not None and len(unit.form) == 1:
+        return None
     length = UNIT_SECONDS[unit.unit] * unit.count if unit is not None else UNIT_SECONDS[Unit.DAY]
     if number == 1:
         return of_unit(unit or UnitWord(Unit.DAY, 1, "day"))
