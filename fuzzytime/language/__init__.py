@@ -1,7 +1,8 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
 from fuzzytime.language.answer import answer
-from fuzzytime.language.grammar import Times, phrases
+from fuzzytime.language.finding import Times, find_times
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -12,11 +13,10 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.model import ModelError, installed_model, model_files
-from fuzzytime.language.parse_cache import ParseCache
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
+from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
+from fuzzytime.language.sentence.parse_cache import ParseCache
 
 __all__ = [
     "Instruction",
@@ -34,7 +34,7 @@ __all__ = [
     "Times",
     "Token",
     "answer",
+    "find_times",
     "installed_model",
     "model_files",
-    "phrases",
 ]

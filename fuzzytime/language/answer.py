@@ -3,9 +3,9 @@
 from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
-from fuzzytime.language.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
 from fuzzytime.requirement import Recurrence, TimeRequirement
-from fuzzytime.times import DAY, instant_after
+from fuzzytime.times import instant_after
 
 NEXT = 3
 """How many coming occurrences of a repetition are listed."""
@@ -24,7 +24,7 @@ def answer(reading: Reading) -> dict[str, Any]:
     instructions = reading.instructions
     several = len(instructions) > 1
     operations = [_operation(instruction.operation) for instruction in instructions]
-    found = {
+    found: dict[str, Any] = {
         "text": reading.text,
         "now": reading.now.isoformat() if reading.now is not None else None,
         "operation": operations[0] if operations else None,
@@ -70,7 +70,7 @@ def _operation(operation: Operation | None) -> dict[str, Any] | None:
 
 
 def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, Any]:
-    found = {
+    found: dict[str, Any] = {
         "text": requirement.text,
         "span": list(requirement.span),
         "reference": requirement.reference.value,
@@ -127,6 +127,3 @@ def _repeats(instruction: Instruction, reading: Reading) -> dict[str, Any]:
         "interval_s": recurrence.interval if recurrence is not None else None,
         "next": [_instant(seconds, reading) if reading.now is not None else seconds for seconds in coming],
     }
-
-
-_ = DAY

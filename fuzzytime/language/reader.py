@@ -5,16 +5,16 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
 
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.compose import composed
-from fuzzytime.language.drafts import Draft, drafted
-from fuzzytime.language.grammar import check_length, shipped_grammar, shipped_lexicon
+from fuzzytime.language.finding import check_length, shipped_grammar, shipped_lexicon
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.model import ModelPackage, installed_model, parsed
-from fuzzytime.language.parse_cache import ParseCache
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.tree import Tree
+from fuzzytime.language.sentence.compose import composed
+from fuzzytime.language.sentence.drafts import Draft, drafted
+from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
+from fuzzytime.language.sentence.parse_cache import ParseCache
+from fuzzytime.language.sentence.tree import Tree
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,14 +57,18 @@ class Language:
         lexicon = shipped_lexicon()
         if policy is not None:
             lexicon = replace(lexicon, policy=policy)
-        return cls(lexicon, shipped_grammar(), ParseCache(cache / "parses.sqlite") if cache is not None else None)
+        return cls(
+            lexicon, shipped_grammar(), ParseCache(cache / "parses.sqlite") if cache is not None else None
+        )
 
     @property
     def policy(self) -> Policy:
         """What decides where words leave it open."""
         return self.lexicon.policy
 
-    def read(self, text: str, *, now: datetime | None = None, given: Sequence[Operation | None] = ()) -> Reading:
+    def read(
+        self, text: str, *, now: datetime | None = None, given: Sequence[Operation | None] = ()
+    ) -> Reading:
         """Read one text.
 
         Parameters

@@ -2,8 +2,8 @@
 
 from functools import cache
 
-from fuzzytime.language.chart import Grammar
 from fuzzytime.language.english import bounds, clocks, dates, days, durations, numbers, repetitions
+from fuzzytime.language.grammar.chart import Grammar
 
 
 @cache

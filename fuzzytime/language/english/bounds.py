@@ -2,12 +2,13 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.calendar import Calendar, Fields
-from fuzzytime.language.chart import Grammar
 from fuzzytime.language.english.clocks import minutes_of, number
 from fuzzytime.language.english.days import from_anchor
-from fuzzytime.language.lexicon import Preposition
-from fuzzytime.language.meaning import (
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.expressions import (
     Clock,
     Coming,
     Duration,
@@ -22,9 +23,8 @@ from fuzzytime.language.meaning import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.numerals import Integer
-from fuzzytime.language.relations import Relative, narrowed, same_day
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.language.meaning.relations import Relative, narrowed, same_day
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
@@ -32,7 +32,9 @@ grammar = Grammar()
 # -- stacked: "tomorrow morning at six am" ------------------------------------------------------------------------
 
 
-@grammar.rule("wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|- <wall>", "<wall> , at|on|in <wall>", weight=0.1)
+@grammar.rule(
+    "wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|- <wall>", "<wall> , at|on|in <wall>", weight=0.1
+)
 def stacked(first: Wall, second: Wall) -> Wall | None:
     """Tomorrow at six, friday march fifteenth nine am, morning of the 15th."""
     return joined(first, second)
@@ -101,13 +103,13 @@ def hedged_after(goal: Goal, hedge: str) -> Goal | None:
 
 
 @grammar.rule("offset", "<duration> <forward>", "<duration> ' <forward>", weight=0.1)
-def from_now(duration: Duration, preposition: Preposition) -> Said | None:
+def from_now(duration: Duration, preposition: Preposition) -> Offset | None:
     """Ten minutes from now, half an hour later."""
     return None if duration.until else Offset(duration)
 
 
 @grammar.rule("offset", "<duration> <back>", weight=0.1)
-def ago(duration: Duration, preposition: Preposition) -> Offset | None:  # noqa: ARG001
+def ago(duration: Duration, preposition: Preposition) -> Offset | None:
     """Two days ago."""
     return None if duration.until else Offset(duration, -1)
 
@@ -137,7 +139,9 @@ def _counts_from(goal: Goal) -> bool:
 # -- said: with a preposition -------------------------------------------------------------------------------------------
 
 
-def _said(goal: Goal, preposition: str | None, constraint: Constraint | None = None, edge: Edge = Edge.START) -> Said:
+def _said(
+    goal: Goal, preposition: str | None, constraint: Constraint | None = None, edge: Edge = Edge.START
+) -> Said:
     return Said(goal.time, constraint, preposition, goal.hedges, edge)
 
 
@@ -147,7 +151,9 @@ def plain(goal: Goal) -> Said:
     return _said(goal, None)
 
 
-@grammar.rule("offset", "less than <duration> after|from <goal>", "within <duration> after|from|of <goal>", weight=0.4)
+@grammar.rule(
+    "offset", "less than <duration> after|from <goal>", "within <duration> after|from|of <goal>", weight=0.4
+)
 def soon_after(duration: Duration, goal: Goal) -> Range | None:
     """Less than three days after tomorrow: from then to then."""
     return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
@@ -186,19 +192,37 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
 
 
-@grammar.rule("said", "<goal> or|and|at later|after|greater|onwards|onward|on", "<goal> onwards|onward", "<goal> at the earliest", weight=0.3)
+@grammar.rule(
+    "said",
+    "<goal> or|and|at later|after|greater|onwards|onward|on",
+    "<goal> onwards|onward",
+    "<goal> at the earliest",
+    weight=0.3,
+)
 def or_later(goal: Goal) -> Said:
     """3 pm or later, monday onwards, at noon at the earliest."""
     return _said(goal, "not before", Constraint.AFTER, Edge.START)
 
 
-@grammar.rule("said", "at|on|from|by <goal> or|and later|after|onwards|onward|on", "at|on|from <goal> onwards|onward|on", "at|on <goal> at the earliest", weight=0.4)
+@grammar.rule(
+    "said",
+    "at|on|from|by <goal> or|and later|after|onwards|onward|on",
+    "at|on|from <goal> onwards|onward|on",
+    "at|on <goal> at the earliest",
+    weight=0.4,
+)
 def at_or_later(goal: Goal) -> Said:
     """At 3 pm or later."""
     return _said(goal, "not before", Constraint.AFTER, Edge.START)
 
 
-@grammar.rule("said", "<goal> or|and before|earlier|sooner", "by|at|on|in? <goal> at the latest", "at|on|by <goal> or earlier|before|sooner", weight=0.4)
+@grammar.rule(
+    "said",
+    "<goal> or|and before|earlier|sooner",
+    "by|at|on|in? <goal> at the latest",
+    "at|on|by <goal> or earlier|before|sooner",
+    weight=0.4,
+)
 def or_earlier(goal: Goal) -> Said:
     """Noon at the latest, six or earlier."""
     return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
@@ -220,7 +244,14 @@ def _length(duration: Duration, constraint: Constraint, preposition: str) -> Sai
     return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
 
 
-@grammar.rule("said", "in the? <duration>", "in <duration> time", "in <duration> ' time", "in <duration> from now", weight=0.3)
+@grammar.rule(
+    "said",
+    "in the? <duration>",
+    "in <duration> time",
+    "in <duration> ' time",
+    "in <duration> from now",
+    weight=0.3,
+)
 def in_duration(duration: Duration) -> Said:
     """In ten minutes, in half an hour's time."""
     return _length(duration, Constraint.AT, "in")
@@ -229,7 +260,12 @@ def in_duration(duration: Duration) -> Said:
 @grammar.rule("said", "in <quantity>", weight=-0.2)
 def in_number(quantity: Quantity) -> Said | None:
     """In 15: minutes."""
-    if not 1 <= quantity.value <= 240 or quantity.indefinite or quantity.hedges or quantity.value != int(quantity.value):
+    if (
+        not 1 <= quantity.value <= 240
+        or quantity.indefinite
+        or quantity.hedges
+        or quantity.value != int(quantity.value)
+    ):
         return None
     return _length(minutes_of(quantity), Constraint.AT, "in")
 
@@ -244,7 +280,12 @@ def after_duration(first: str | Duration, second: Duration | None = None) -> Sai
     return _length(duration.hedged(*hedges), Constraint.AFTER, "after")
 
 
-@grammar.rule("said", "before|within|in <hedge>? the? next <duration>", "before|within|in the? <hedge>? next <duration>", weight=0.6)
+@grammar.rule(
+    "said",
+    "before|within|in <hedge>? the? next <duration>",
+    "before|within|in the? <hedge>? next <duration>",
+    weight=0.6,
+)
 def before_the_next(hedge: str | None, duration: Duration) -> Said:
     """Before the next ten minutes, before approximately the next ten minutes."""
     return _length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
@@ -263,7 +304,7 @@ def within(preposition: Preposition, duration: Duration) -> Said:
 
 
 @grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)
-def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:  # noqa: ARG001
+def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:
     """Within the day."""
     if isinstance(goal.time, (TimeWord, Offset)):
         return None
@@ -273,7 +314,16 @@ def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:  #
     return Said(goal.time, Constraint.BEFORE, "within", (*hedges, *goal.hedges), Edge.LAST)
 
 
-@grammar.rule("said", "for <duration>", "for the? next <duration>", "for another <duration>", "lasting|taking|of? <duration> long", "lasting|taking <duration>", "over|during the? next? <duration>", weight=0.35)
+@grammar.rule(
+    "said",
+    "for <duration>",
+    "for the? next <duration>",
+    "for another <duration>",
+    "lasting|taking|of? <duration> long",
+    "lasting|taking <duration>",
+    "over|during the? next? <duration>",
+    weight=0.35,
+)
 def for_duration(duration: Duration) -> Said:
     """For eight minutes, for the next hour."""
     return _length(duration, Constraint.FOR, "for")
@@ -285,14 +335,20 @@ def duration_alone(duration: Duration) -> Said:
     return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
 
 
-@grammar.rule("said", "<preposition_at> <duration> <forward>", "<preposition_at> <duration> ' <forward>", weight=0.3)
+@grammar.rule(
+    "said", "<preposition_at> <duration> <forward>", "<preposition_at> <duration> ' <forward>", weight=0.3
+)
 def at_offset(first: Preposition, duration: Duration, second: Preposition) -> Said | None:
     """For five minutes from now."""
-    return Said(Offset(replace(duration, hedges=())), None, first.name, duration.hedges) if second.name == "from now" else None
+    return (
+        Said(Offset(replace(duration, hedges=())), None, first.name, duration.hedges)
+        if second.name == "from now"
+        else None
+    )
 
 
 @grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
-def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:  # noqa: ARG001
+def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:
     """Before ten minutes from now."""
     return _length(duration, Constraint.BEFORE, first.name)
 
@@ -302,7 +358,9 @@ def deadline_offset(first: Preposition, duration: Duration, second: Preposition)
 
 def _range(first: Goal, last: Goal, preposition: str | None, *, inclusive: bool = False) -> Said | None:
     for time in (first.time, last.time):
-        if not isinstance(time, (Wall, Ending, Offset)) and not (isinstance(time, TimeWord) and time.word == "now"):
+        if not isinstance(time, (Wall, Ending, Offset)) and not (
+            isinstance(time, TimeWord) and time.word == "now"
+        ):
             return None
     if isinstance(first.time, Wall) and isinstance(last.time, Wall):
         apart = _lent(first.time, last.time)
@@ -336,7 +394,12 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
     return first, last
 
 
-@grammar.rule("said", "between the? <goal> and|to|- the? <goal>", "from the? <goal> to|-|through|thru the? <goal>", weight=1.1)
+@grammar.rule(
+    "said",
+    "between the? <goal> and|to|- the? <goal>",
+    "from the? <goal> to|-|through|thru the? <goal>",
+    weight=1.1,
+)
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return _range(first, last, "between")
@@ -374,7 +437,13 @@ def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
     return Said(Range(first.time, Wall(days, clock=clock)), Constraint.BETWEEN, "between", first.hedges)
 
 
-@grammar.rule("said", "from|starting|beginning|at? at? the? <goal> ,? for <duration>", "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>", "<duration> starting|beginning from|at|on|in? the? <goal>", weight=0.9)
+@grammar.rule(
+    "said",
+    "from|starting|beginning|at? at? the? <goal> ,? for <duration>",
+    "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>",
+    "<duration> starting|beginning from|at|on|in? the? <goal>",
+    weight=0.9,
+)
 def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     """From 4pm for thirty minutes, for 2 hours from 2pm: a start, and how long."""
     goal, duration = (second, first) if isinstance(first, Duration) else (first, second)
@@ -393,7 +462,7 @@ def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
 @grammar.rule("said", "today in <duration>", weight=0.5)
 def today_in(duration: Duration) -> Said:
     """Today in one hour."""
-    return in_duration(duration)
+    return _length(duration, Constraint.AT, "in")
 
 
 @grammar.rule("said", "at <clock>", weight=0.15)
@@ -403,7 +472,7 @@ def at_clock(clock: Clock) -> Said:
 
 
 @grammar.rule("said", "<preposition_after> <goal> but|and <preposition_before> <goal>", weight=0.8)
-def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:  # noqa: ARG001
+def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
     """Later than 3:30pm but before 6pm."""
     return _range(first, last, "between")
 
@@ -425,12 +494,19 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
 
 def refined(said: Said, wall: Wall) -> Said | None:
     """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
-    if said.constraint not in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN} or wall.clock is not None:
+    if (
+        said.constraint not in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+        or wall.clock is not None
+    ):
         return None
     if isinstance(said.time, Wall) and said.time.clock is not None:
         time = joined(said.time, wall)
         return None if time is None else replace(said, time=time)
-    if isinstance(said.time, Range) and isinstance(said.time.first, Wall) and isinstance(said.time.last, Wall):
+    if (
+        isinstance(said.time, Range)
+        and isinstance(said.time.first, Wall)
+        and isinstance(said.time.last, Wall)
+    ):
         first, last = joined(said.time.first, wall), said.time.last
         if first is None or said.time.first.days is not None:
             return None
@@ -438,4 +514,3 @@ def refined(said: Said, wall: Wall) -> Said | None:
             last = replace(last, part=wall.part)
         return replace(said, time=Range(first, last))
     return None
-

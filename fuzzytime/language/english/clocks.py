@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.meaning import Clock, Duration, Half, Part, Quantity, Wall
-from fuzzytime.language.numerals import Integer, Typed
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.expressions import Clock, Duration, Half, Part, Quantity, Wall
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -24,7 +24,14 @@ def number(hour: Integer) -> Clock | None:
     return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True)
 
 
-@grammar.rule("clock", "<integer> o'clock|oclock", "<integer> o ' clock", "<integer> o clock", "<integer> hundred hours", "at <integer> hours")
+@grammar.rule(
+    "clock",
+    "<integer> o'clock|oclock",
+    "<integer> o ' clock",
+    "<integer> o clock",
+    "<integer> hundred hours",
+    "at <integer> hours",
+)
 def oclock(hour: Integer) -> Clock | None:
     """Six o'clock, fourteen hundred hours, at five hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
@@ -75,7 +82,9 @@ def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
 @grammar.rule("clock", "<integer> h", weight=-0.2)
 def hour_with_h(hour: Integer) -> Clock | None:
     """15h; but 3h alone is a length."""
-    return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
+    return (
+        Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
+    )
 
 
 @grammar.rule("clock", "at <integer> h")
@@ -110,7 +119,9 @@ def with_minutes(hour: Clock, minute: Integer) -> Clock | None:
     return replace(hour, minute=minute.value, grain=Unit.MINUTE, bare=False)
 
 
-@grammar.rule("clock", "<clock> in? the? <meridiem>", "<clock> . <meridiem>", "<hh.mm> <meridiem>", weight=0.2)
+@grammar.rule(
+    "clock", "<clock> in? the? <meridiem>", "<clock> . <meridiem>", "<hh.mm> <meridiem>", weight=0.2
+)
 def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     """3 pm, 3:30 p.m., 3 in the AM, 8.30pm, 330 p.m."""
     found = typed(clock) if isinstance(clock, Typed) else clock

@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.calendar import Calendar, Cycle, Fields, Weekend, Yearly
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.meaning import UnitWord, Wall
-from fuzzytime.language.numerals import Integer, Typed
-from fuzzytime.language.relations import Away, Deictic, Following, Nth, Share, Which, WeekOf
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, Yearly
+from fuzzytime.language.meaning.expressions import UnitWord, Wall
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Nth, Share, WeekOf, Which
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -148,7 +148,7 @@ def short_year(number: Integer) -> int | None:
 
 
 @grammar.rule("date", "<date> ,? of|in? <year>", "<date> - <year>", weight=0.2)
-def with_year(date: Fields, number: int) -> Fields | None:
+def with_year(date: Calendar, number: int) -> Fields | None:
     """March 3 2015, April 14, 2015, fourth of july 1995."""
     return date.joined(Fields(year=number)) if isinstance(date, Fields) else None
 
@@ -226,7 +226,9 @@ def present_whole(series: Calendar) -> Calendar | None:
 @grammar.rule("date", "the? <ordinal> <series> of|in <whole>", "the? <ordinal> <series> <days>", weight=0.4)
 def nth(number: int, series: Calendar, outer: Calendar) -> Calendar | None:
     """First monday of march, third day of october."""
-    return None if series.grain is outer.grain and series.grain is not Unit.DAY else Nth(number, series, outer)
+    return (
+        None if series.grain is outer.grain and series.grain is not Unit.DAY else Nth(number, series, outer)
+    )
 
 
 @grammar.rule("date", "the? last <series> of|in <whole>", "the? last <series> <weak date>", weight=0.45)
@@ -244,13 +246,21 @@ def nth_last(number: int, series: Calendar, outer: Calendar) -> Calendar:
 @grammar.rule("date", "the? first <integer> <unit> of|in <whole>", weight=0.45)
 def first_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
     """The first two weeks of 2021."""
-    return Nth(1, Cycle(unit.unit, unit.count), outer, count.value) if 0 < count.value < 1000 and _is_days(unit) else None
+    return (
+        Nth(1, Cycle(unit.unit, unit.count), outer, count.value)
+        if 0 < count.value < 1000 and _is_days(unit)
+        else None
+    )
 
 
 @grammar.rule("date", "the? last <integer> <unit> of|in <whole>", weight=0.45)
 def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
     """The last three weeks of this year."""
-    return Nth(-1, Cycle(unit.unit, unit.count), outer, count.value) if 0 < count.value < 1000 and _is_days(unit) else None
+    return (
+        Nth(-1, Cycle(unit.unit, unit.count), outer, count.value)
+        if 0 < count.value < 1000 and _is_days(unit)
+        else None
+    )
 
 
 def _is_days(unit: UnitWord) -> bool:
@@ -348,4 +358,3 @@ def weak_wall(days: Calendar) -> Wall:
 def eve(feast: Yearly) -> Calendar:
     """The day before christmas."""
     return Away(-1, Unit.DAY, feast)
-

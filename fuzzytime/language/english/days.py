@@ -2,10 +2,20 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.calendar import Calendar, Cycle, Feast, Fields, Season, Weekend
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.meaning import Coming, Duration, Edge, Ending, Part, Quantity, Rest, UnitWord, Wall
-from fuzzytime.language.relations import Away, Deictic, Following, Relative, Share, Stretch, Which
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Feast, Fields, Season, Weekend
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Part,
+    Quantity,
+    Rest,
+    UnitWord,
+    Wall,
+)
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Share, Stretch, Which
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -106,7 +116,9 @@ def weekdays_from_now(number: object, weekday: int) -> Calendar | None:
     return Following(count, Fields(weekday=weekday), Relative(0)) if 0 < count < 100 else None
 
 
-@grammar.rule("days", "<weekday> <duration> from now|today", "<duration> from now|today on <weekday>", weight=0.2)
+@grammar.rule(
+    "days", "<weekday> <duration> from now|today", "<duration> from now|today on <weekday>", weight=0.2
+)
 def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | None:
     """Monday two weeks from now."""
     duration, number = (first, second) if isinstance(first, Duration) else (second, first)
@@ -167,7 +179,13 @@ def _feast_of_year(anchor: Feast, years: int) -> Calendar:
 # -- stretches of days --------------------------------------------------------------------------------------------------
 
 
-@grammar.rule("stretch", "the? <deictic> <duration>", "the? <duration> <deictic>", "<quantity> <deictic> <unit>", weight=0.15)
+@grammar.rule(
+    "stretch",
+    "the? <deictic> <duration>",
+    "the? <duration> <deictic>",
+    "<quantity> <deictic> <unit>",
+    weight=0.15,
+)
 def stretch(first: object, second: object, third: object = None) -> Wall | Coming | None:
     """The next three days, the last two hours, 5 coming minutes."""
     which = next(x for x in (first, second) if isinstance(x, Which))
@@ -253,7 +271,7 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
 @grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
 def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
     """Later today, early tomorrow."""
-    from fuzzytime.language.meaning import Half
+    from fuzzytime.language.meaning.expressions import Half
 
     low, high = share
     whole = Part("day", 0, 24 * 3600, Half.DAY)
@@ -278,7 +296,12 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     return Ending(first, days or Relative(0))
 
 
-@grammar.rule("rest", "rest|remainder|remaining of? the|my? <days>|<series>", "the rest of? the|my? <days>|<series>", weight=0.2)
+@grammar.rule(
+    "rest",
+    "rest|remainder|remaining of? the|my? <days>|<series>",
+    "the rest of? the|my? <days>|<series>",
+    weight=0.2,
+)
 def rest(days: Calendar) -> Rest:
     """The rest of the day."""
     return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))

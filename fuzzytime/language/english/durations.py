@@ -2,9 +2,9 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.meaning import UNIT_SECONDS, Duration, Quantity, UnitWord
-from fuzzytime.language.numerals import SMALLER, Integer, Typed
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -49,7 +49,13 @@ def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration 
 def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months."""
     units = {unit for _, unit in first.terms}
-    if first.bare_end or first.until or second.until or second.hedges or units & {unit for _, unit in second.terms}:
+    if (
+        first.bare_end
+        or first.until
+        or second.until
+        or second.hedges
+        or units & {unit for _, unit in second.terms}
+    ):
         return None
     # "a day an hour" is a frequency, no sum.
     if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:
@@ -61,7 +67,12 @@ def sum_of(first: Duration, second: Duration) -> Duration | None:
 def tail(first: Duration, number: Integer) -> Duration | None:
     """1 hour fifteen, 2 hours and 10."""
     _, unit = first.terms[-1]
-    if first.bare_end or unit not in SMALLER or unit not in {Unit.HOUR, Unit.MINUTE} or not 1 <= number.value < 60:
+    if (
+        first.bare_end
+        or unit not in SMALLER
+        or unit not in {Unit.HOUR, Unit.MINUTE}
+        or not 1 <= number.value < 60
+    ):
         return None
     return replace(first, terms=(*first.terms, (number.value, SMALLER[unit])), bare_end=True)
 
@@ -100,7 +111,12 @@ def whole_of(unit: UnitWord) -> Duration:
     return Duration(((unit.count, unit.unit),))
 
 
-@grammar.rule("duration", "<duration> to|or|- <duration>", "<quantity> to|or|- <duration>", "between <quantity> and <duration>")
+@grammar.rule(
+    "duration",
+    "<duration> to|or|- <duration>",
+    "<quantity> to|or|- <duration>",
+    "between <quantity> and <duration>",
+)
 def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     """Five to ten minutes, two or three hours, half an hour to an hour."""
     if isinstance(shorter, Quantity):
@@ -109,7 +125,12 @@ def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
         first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
     else:
         first = shorter
-    if first.until is not None or longer.until is not None or first.seconds >= longer.seconds or first.bare_end:
+    if (
+        first.until is not None
+        or longer.until is not None
+        or first.seconds >= longer.seconds
+        or first.bare_end
+    ):
         return None
     return replace(first, until=longer, ordinal_end=longer.ordinal_end)
 

@@ -1,8 +1,8 @@
 """How much of a unit: numbers, fractions, and both together."""
 
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.meaning import Quantity
-from fuzzytime.language.numerals import Integer, Typed
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.expressions import Quantity
 
 grammar = Grammar()
 

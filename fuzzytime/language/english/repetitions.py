@@ -2,17 +2,27 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.lexicon import Preposition
-from fuzzytime.language.meaning import Duration, Part, Repeat, Said, UnitWord, Wall
-from fuzzytime.language.numerals import Integer
-from fuzzytime.language.relations import Nth
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.expressions import Duration, Part, Repeat, Said, UnitWord, Wall
+from fuzzytime.language.meaning.relations import Nth
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-PERIODS = {"hourly": 1 / 24, "daily": 1, "nightly": 1, "weekly": 7, "fortnightly": 14, "monthly": 30, "quarterly": 91, "yearly": 365, "annually": 365}
+PERIODS = {
+    "hourly": 1 / 24,
+    "daily": 1,
+    "nightly": 1,
+    "weekly": 7,
+    "fortnightly": 14,
+    "monthly": 30,
+    "quarterly": 91,
+    "yearly": 365,
+    "annually": 365,
+}
 SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
 
@@ -20,7 +30,9 @@ def of_unit(unit: UnitWord, count: float = 1) -> Repeat:
     """Give every so many units."""
     if unit.unit in SMALL or count != int(count):
         return Repeat(Duration(((count * unit.count, unit.unit),)))
-    return Repeat(Duration(((count * unit.count, unit.unit),)), (Wall(Cycle(unit.unit)),), int(count) * unit.count)
+    return Repeat(
+        Duration(((count * unit.count, unit.unit),)), (Wall(Cycle(unit.unit)),), int(count) * unit.count
+    )
 
 
 @grammar.rule("repeat", "every|each|per single? <unit>", "every|each and every|each <unit>")
@@ -71,7 +83,13 @@ def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     return replace(repeat, walls=(*repeat.walls, Wall(Fields(weekday=number))))
 
 
-@grammar.rule("repeat", "on? weekdays|workdays", "every|each weekday|workday", "every|each working|work|business day", "on? business|working|work days")
+@grammar.rule(
+    "repeat",
+    "on? weekdays|workdays",
+    "every|each weekday|workday",
+    "every|each working|work|business day",
+    "on? business|working|work days",
+)
 def weekdays() -> Repeat:
     """On weekdays."""
     return Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in range(5)))
@@ -107,7 +125,9 @@ def every_month(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(month=number)),))
 
 
-@grammar.rule("repeat", "the? <ordinal> of every|each <unit>", "every|each <unit> on the <ordinal>", weight=0.3)
+@grammar.rule(
+    "repeat", "the? <ordinal> of every|each <unit>", "every|each <unit> on the <ordinal>", weight=0.3
+)
 def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None:
     """The fifteenth of every month."""
     number, unit = (first, second) if isinstance(first, int) else (second, first)
@@ -122,7 +142,9 @@ def weekday_of_every(number: int, weekday: int) -> Repeat:
     return Repeat(walls=(Wall(Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH))),))
 
 
-@grammar.rule("adverb", "hourly|daily|nightly|weekly|fortnightly|monthly|quarterly|yearly|annually|everyday|biweekly")
+@grammar.rule(
+    "adverb", "hourly|daily|nightly|weekly|fortnightly|monthly|quarterly|yearly|annually|everyday|biweekly"
+)
 def adverb() -> None:
     """Read below, a word each."""
 
@@ -190,7 +212,7 @@ def times(number: Integer) -> int | None:
 @grammar.rule("repeat", "<times> a|an|per|every|each <unit>", "<times> daily", weight=0.1)
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""
-    from fuzzytime.language.meaning import UNIT_SECONDS
+    from fuzzytime.language.meaning.expressions import UNIT_SECONDS
 
     if unit is not None and len(unit.form) == 1:
         return None
@@ -216,7 +238,7 @@ def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
 
 
 @grammar.rule("repeat", "<wall> <preposition_before>|<preposition_after> <repeat>")
-def refused(wall: Wall, preposition: Preposition, repeat: Repeat) -> None:  # noqa: ARG001
+def refused(wall: Wall, preposition: Preposition, repeat: Repeat) -> None:
     """No such thing."""
 
 
@@ -240,7 +262,7 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
 @grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
 def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     """Every day until friday, every ten minutes from noon to two."""
-    from fuzzytime.language.meaning import Range
+    from fuzzytime.language.meaning.expressions import Range
 
     time = said.time
     if isinstance(time, (Duration, Repeat)) or repeat.starting is not None or repeat.until is not None:

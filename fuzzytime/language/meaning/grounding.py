@@ -6,8 +6,8 @@ from datetime import date, datetime, time, timedelta
 from itertools import islice
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.calendar import Calendar, Days, Fields, Today
-from fuzzytime.language.meaning import (
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
+from fuzzytime.language.meaning.expressions import (
     DAY_SECONDS,
     Clock,
     Coming,
@@ -23,8 +23,8 @@ from fuzzytime.language.meaning import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.relations import Relative, Stretch
 from fuzzytime.language.policy import Policy, SameWeekday
-from fuzzytime.language.relations import Relative, Stretch, moved
 from fuzzytime.requirement import Unit
 
 SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
@@ -142,7 +142,11 @@ class Grounding:
         behind = next(calendar.past(today, today.day), None)
         found = [days for days in (ahead, behind) if days is not None]
         limit = timedelta(days=366 * FAR)
-        near = [d for d in found if abs(d.first - today.day) <= limit and not (d is behind and calendar.month is None)]
+        near = [
+            d
+            for d in found
+            if abs(d.first - today.day) <= limit and not (d is behind and calendar.month is None)
+        ]
         if near:
             yield min(near, key=lambda days: abs(days.first - today.day))
             return
@@ -207,7 +211,9 @@ class Grounding:
         """Whether people are up, for as long as what is asked for is said to last."""
         first, last = self.policy.plausible_from, self.policy.plausible_to
         end = moment + timedelta(seconds=self.lasting)
-        return first <= moment.time() < last and (not self.lasting or (end.date() == moment.date() and end.time() <= last))
+        return first <= moment.time() < last and (
+            not self.lasting or (end.date() == moment.date() and end.time() <= last)
+        )
 
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
         night = wall.part is not None and wall.part.half is Half.NIGHT
@@ -273,9 +279,14 @@ class Grounding:
 
     def _range(self, said: Range) -> Instants:
         first, last = said.first, said.last
-        if _clocked(first) and _clocked(last):
+        if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
             return self._clock_range(first, last)
-        if isinstance(first, Wall) and isinstance(last, Wall) and first.days is not None and last.days is not None:
+        if (
+            isinstance(first, Wall)
+            and isinstance(last, Wall)
+            and first.days is not None
+            and last.days is not None
+        ):
             return self._day_range(first, last)
         start = self._instants(first)
         end = self._instants(last)
@@ -320,7 +331,10 @@ class Grounding:
             end_clock = _halved(end_clock, last.part.half)
         known_end = not end_clock.is_open
         if start_clock.is_open and known_end:
-            begins = min(start_clock.candidates(), key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS)
+            begins = min(
+                start_clock.candidates(),
+                key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS,
+            )
             settled = _settled(start_clock, begins)
             start = self.wall(replace(first, clock=settled, part=None))
         else:
@@ -362,4 +376,3 @@ def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:
         else:
             found += timedelta(seconds=direction * Duration(((amount, unit),)).seconds)
     return found
-

@@ -3,10 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Span
-from fuzzytime.language.lexicon import Lexicon, longest_match
-from fuzzytime.language.tree import Tree
-from fuzzytime.language.words import words_of
+from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
 from fuzzytime.skills import FuzzyParameter
 
@@ -14,7 +14,9 @@ COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 PLACES = ("prep", "advmod")
-PEOPLE = frozenset({"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"})
+PEOPLE = frozenset(
+    {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +55,11 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             break
         if lemma in lexicon.forgetting:
             negated = False
-        elif lemma in lexicon.wanting or (lemma == "let" and _lets(tree, root)) or (lemma == "have" and _has_to(tree, below)):
+        elif (
+            lemma in lexicon.wanting
+            or (lemma == "let" and _lets(tree, root))
+            or (lemma == "have" and _has_to(tree, below))
+        ):
             pass
         elif (named := lexicon.indicators.get(lemma)) is not None:
             reference = Reference(named)
@@ -78,7 +84,11 @@ def _order_before(tree: Tree, root: int) -> int:
 
 def _is_order(tree: Tree, place: int) -> bool:
     node = tree.nodes[place]
-    return node.tag in {"VB", "VBP"} and node.relation not in {"relcl", "acl", "advcl"} and not tree.children(place, *SUBJECTS)
+    return (
+        node.tag in {"VB", "VBP"}
+        and node.relation not in {"relcl", "acl", "advcl"}
+        and not tree.children(place, *SUBJECTS)
+    )
 
 
 def _complement(tree: Tree, place: int, lemma: str) -> int | None:
@@ -117,7 +127,10 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
     if named is not None:
         return Reference(named)
     if lemma in lexicon.causing:
-        results = (tree.nodes[p].lower for p in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"))
+        results = (
+            tree.nodes[p].lower
+            for p in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj")
+        )
         if any(result in lexicon.results for result in results):
             return Reference.FINISH
     return Reference.START
@@ -166,7 +179,13 @@ class Reader:
 
     def _place(self, verb: int) -> str | None:
         parts = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self._timed(p)]
-        kept = [p for p in parts if self.tree.nodes[p].relation == "prep" or self.tree.nodes[p].lower in {"there", "here", "outside", "inside", "upstairs", "downstairs", "home"}]
+        kept = [
+            p
+            for p in parts
+            if self.tree.nodes[p].relation == "prep"
+            or self.tree.nodes[p].lower
+            in {"there", "here", "outside", "inside", "upstairs", "downstairs", "home"}
+        ]
         words = self._words(kept, verb)
         words = [p for p in words if self._has_content(p, words)]
         return self._said(words) if words else None
@@ -210,7 +229,9 @@ class Reader:
         words = words_of(self.tree.text)
         found = []
         for at, word in enumerate(words):
-            if word.start < self.tree.nodes[action.place].start or any(a <= word.start < b for a, b in self.times):
+            if word.start < self.tree.nodes[action.place].start or any(
+                a <= word.start < b for a, b in self.times
+            ):
                 continue
             form = longest_match(words, at, self.lexicon.amounts)
             if form is None or at + len(form) >= len(words):

@@ -4,14 +4,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
-from fuzzytime.language.chart import Grammar
-from fuzzytime.language.corrections import corrected
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Chart, phrases_of
 from fuzzytime.language.instruction import Remark
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.operations import is_doubtful
-from fuzzytime.language.sentences import Segment, further_verbs, segments_of
-from fuzzytime.language.spans import Chart, Phrase, phrases_of
-from fuzzytime.language.tree import Tree
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.corrections import corrected
+from fuzzytime.language.sentence.operations import is_doubtful
+from fuzzytime.language.sentence.segments import Segment, further_verbs, segments_of
+from fuzzytime.language.sentence.tree import Tree
 
 CARRIERS = ("please ", "you should ")
 """Words that make a parser see the verb behind them."""
@@ -60,7 +61,10 @@ def drafted(
 
 
 def _parted(
-    charts: Sequence[Chart], phrases: Sequence[Sequence[Phrase]], segments: Sequence[Sequence[Segment]], trees: Trees
+    charts: Sequence[Chart],
+    phrases: Sequence[Sequence[Phrase]],
+    segments: Sequence[Sequence[Segment]],
+    trees: Trees,
 ) -> list[list[Part]]:
     """Parse every segment, and cut it again where its tree shows a further instruction."""
     done: list[dict[int, Part]] = [{} for _ in charts]
@@ -100,7 +104,9 @@ def _trees(texts: Sequence[str], trees: Trees) -> list[Tree]:
     found = trees(texts)
     for carrier in CARRIERS:
         again = [place for place, tree in enumerate(found) if tree.nodes and is_doubtful(tree)]
-        for place, tree in zip(again, trees([_carried(carrier, texts[place]) for place in again]), strict=True):
+        for place, tree in zip(
+            again, trees([_carried(carrier, texts[place]) for place in again]), strict=True
+        ):
             bare = tree.without_first(carrier, texts[place])
             if bare.nodes and not is_doubtful(bare):
                 found[place] = bare

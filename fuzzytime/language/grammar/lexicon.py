@@ -5,10 +5,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from fuzzytime.language.chart import Piece
-from fuzzytime.language.meaning import Edge
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.words import Word, joins, words_of
+from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.words import Word, joins, words_of
 from fuzzytime.requirement import Constraint
 from fuzzytime.resources import rules_directory
 
@@ -99,7 +99,7 @@ class Lexicon:
         DocumentError
             If a table breaks rules: every mistake with file, line and column.
         """
-        from fuzzytime.language.word_tables import read_lexicon
+        from fuzzytime.language.grammar.word_tables import read_lexicon
 
         return read_lexicon(words, calendar)
 

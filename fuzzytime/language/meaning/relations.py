@@ -6,7 +6,17 @@ from datetime import date, timedelta
 from enum import StrEnum
 from itertools import islice
 
-from fuzzytime.language.calendar import Calendar, Cycle, Days, Feast, Fields, Season, Today, Weekend, moved
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Days,
+    Feast,
+    Fields,
+    Season,
+    Today,
+    Weekend,
+    moved,
+)
 from fuzzytime.requirement import Unit
 
 

@@ -5,18 +5,17 @@ from datetime import datetime
 from functools import cache
 
 from fuzzytime.errors import InstructionError
-from fuzzytime.language.chart import Grammar
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Chart, phrases_of
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
-from fuzzytime.language.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.requirements import Grounded, Moment, UngroundedError, grounded
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.requirements import Grounded, Moment, UngroundedError, grounded
-from fuzzytime.language.spans import Chart, Phrase, phrases_of
 from fuzzytime.requirement import TimeRequirement
 
 LONGEST_TEXT = 4000
 """Characters that one instruction may have at most."""
-
-LANGUAGES = ("en",)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,7 +63,7 @@ def check_length(text: str) -> None:
         raise InstructionError(message, shown, (0, 0))
 
 
-def phrases(
+def find_times(
     text: str, now: datetime | None, lexicon: Lexicon | None = None, policy: Policy | None = None
 ) -> Times:
     """Give the times that a text says, by the grammar alone.
@@ -75,7 +74,7 @@ def phrases(
         If the text is too long.
 
     >>> from datetime import datetime
-    >>> found = phrases("in about two minutes", datetime(2026, 3, 4, 9))
+    >>> found = find_times("in about two minutes", datetime(2026, 3, 4, 9))
     >>> found.requirements[0].t_spec, found.requirements[0].fuzziness
     (120.0, ('about',))
     """
@@ -88,7 +87,8 @@ def phrases(
 
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     """Ground phrases; those that name no time become remarks."""
-    found, remarks = [], []
+    found: list[Grounded] = []
+    remarks: list[Remark] = []
     for phrase in phrases:
         try:
             some = grounded(phrase, text, moment)

@@ -8,28 +8,34 @@ together explain most words in the fewest pieces.
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from fuzzytime.language.chart import Cell, Grammar, Piece
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.meaning import Duration, Range, Repeat, Said, Wall
-from fuzzytime.language.numerals import numeral_pieces
-from fuzzytime.language.words import Word, joins, words_of
+from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.numerals import numeral_pieces
+from fuzzytime.language.grammar.words import Word, joins, words_of
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.requirement import Constraint
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
-BINDING = frozenset({"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "no later than", "not before", "between"})
+BINDING = frozenset(
+    {
+        "at",
+        "by",
+        "until",
+        "till",
+        "before",
+        "after",
+        "from",
+        "around",
+        "about",
+        "since",
+        "for",
+        "no later than",
+        "not before",
+        "between",
+    }
+)
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
-
-
-@dataclass(frozen=True, slots=True)
-class Phrase:
-    """A stretch of words that is a time: what it says, and where it stands, in words and in characters."""
-
-    said: Said
-    first: int
-    end: int
-    span: tuple[int, int]
-    rule: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,10 +67,18 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     found: list[Word] = []
     for place, word in enumerate(words):
         base = word.text.removesuffix("ish")
-        if base != word.text and (base in lexicon.numbers or base in lexicon.entries) and word.text not in lexicon.entries:
+        if (
+            base != word.text
+            and (base in lexicon.numbers or base in lexicon.entries)
+            and word.text not in lexicon.entries
+        ):
             middle = word.end - 3
             found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, True)]
-        elif not (joins(words, place) and _numeral(words, place - 1, lexicon) and _numeral(words, place + 1, lexicon)):
+        elif not (
+            joins(words, place)
+            and _numeral(words, place - 1, lexicon)
+            and _numeral(words, place + 1, lexicon)
+        ):
             found.append(word)
     return tuple(found)
 
@@ -96,12 +110,12 @@ def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
                 worth[start], chosen[start] = value, piece
     found, at = [], 0
     while at < length:
-        piece = chosen[at]
-        if piece is None:
+        best = chosen[at]
+        if best is None:
             at += 1
         else:
-            found.append(piece)
-            at = piece.end
+            found.append(best)
+            at = best.end
     return found
 
 
@@ -138,7 +152,12 @@ class _Judge:
         if isinstance(time, Range):
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
-                return said.preposition == "between" and self._binds(piece) and not self.measured and self._may_end(piece)
+                return (
+                    said.preposition == "between"
+                    and self._binds(piece)
+                    and not self.measured
+                    and self._may_end(piece)
+                )
             return True
         if isinstance(time, Repeat):
             return True
@@ -158,7 +177,9 @@ class _Judge:
         if piece.start and first.glued and first.is_digits:
             before = self.words[piece.start - 1]
             return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
-        return bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        return (
+            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        )
 
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""
@@ -198,7 +219,12 @@ class _Judge:
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
         if wall.bare:
             if self.measured or said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
-                return bool(said.hedges) and said.preposition is None and self._may_end(piece) and not self.measured
+                return (
+                    bool(said.hedges)
+                    and said.preposition is None
+                    and self._may_end(piece)
+                    and not self.measured
+                )
             return self._may_end(piece)
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
@@ -211,4 +237,20 @@ class _Judge:
         return True
 
 
-_TIMELY = frozenset({"preposition_at", "preposition_before", "preposition_after", "part", "day", "weekday", "month", "word", "day_part", "unit", "zone", "hedge", "hedge_after"})
+_TIMELY = frozenset(
+    {
+        "preposition_at",
+        "preposition_before",
+        "preposition_after",
+        "part",
+        "day",
+        "weekday",
+        "month",
+        "word",
+        "day_part",
+        "unit",
+        "zone",
+        "hedge",
+        "hedge_after",
+    }
+)

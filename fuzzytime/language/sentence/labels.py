@@ -6,9 +6,9 @@ paper's the preposition below the noun. One table and one turn bring the one to 
 
 from collections.abc import Collection
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import StrictReading, Token
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.tree import Tree
+from fuzzytime.language.sentence.tree import Tree
 
 UNIVERSAL = {
     "npadvmod": "obl:tmod",
@@ -28,7 +28,9 @@ UNIVERSAL = {
 }
 """Relations of the model by their name in the paper; the others have the same."""
 
-_TIMELY = frozenset({"unit", "day", "part", "meal", "day_part", "weekday", "month", "feast", "season", "word"})
+_TIMELY = frozenset(
+    {"unit", "day", "part", "meal", "day_part", "weekday", "month", "feast", "season", "word"}
+)
 
 
 def paper_tokens(tree: Tree, timely: Collection[int] = ()) -> tuple[Token, ...]:
@@ -70,7 +72,9 @@ def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], Str
     modifiers = [
         place
         for place, token in enumerate(tokens)
-        if token.head == root and place != root and (token.relation == "obl:tmod" or place in timely)
+        if token.head == root
+        and place != root
+        and (token.relation == "obl:tmod" or place in timely)
         and token.relation in {"obl:tmod", "obl", "advmod"}
     ]
     if not modifiers:
@@ -85,9 +89,7 @@ def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], Str
 
 def is_timely(word: str, lexicon: Lexicon) -> bool:
     """Whether a word alone is about time."""
-    return any(
-        entry.category in _TIMELY and len(entry.words) == 1 for entry in lexicon.entries.get(word, ())
-    )
+    return any(entry.category in _TIMELY and len(entry.words) == 1 for entry in lexicon.entries.get(word, ()))
 
 
 def _below(tokens: tuple[Token, ...], place: int) -> list[int]:

@@ -9,13 +9,13 @@ from datetime import timedelta
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.calendar import Calendar, Cycle, Fields, Today
-from fuzzytime.language.grounding import SUB_DAY, UngroundedError, midnight
-from fuzzytime.language.meaning import DAY_SECONDS, Half, Repeat, Time, Wall
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Today
+from fuzzytime.language.meaning.expressions import DAY_SECONDS, Half, Repeat, Time, Wall
+from fuzzytime.language.meaning.grounding import SUB_DAY, UngroundedError, midnight
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:
-    from fuzzytime.language.requirements import Moment
+    from fuzzytime.language.meaning.requirements import Moment
 
 MOST = 10_000
 """Occurrences that are given at most."""
@@ -46,7 +46,6 @@ class EvenRecurrence:
             return ()
         count = min(MOST, math.floor((end - start) / self.step + 1e-9) + 1)
         return tuple(start + i * self.step for i in range(count))
-
 
     def coming(self, count: int) -> tuple[float, ...]:
         """Give the next occurrences, at most so many."""
@@ -163,7 +162,7 @@ def _is_even(repeat: Repeat) -> bool:
 def _bound(time: Time | None, moment: Moment, *, last: bool) -> float | None:
     if time is None:
         return None
-    from fuzzytime.language.meaning import TimeWord
+    from fuzzytime.language.meaning.expressions import TimeWord
 
     if isinstance(time, TimeWord):
         return 0.0

@@ -207,7 +207,11 @@ class Fields(Calendar):
             yield from self.in_month(year, month, step)
 
     def _months(self, near: date, step: int) -> Iterator[tuple[int, int]]:
-        years = [self.year] if self.year is not None else range(near.year, near.year + step * SEARCHED_YEARS, step)
+        years = (
+            [self.year]
+            if self.year is not None
+            else range(near.year, near.year + step * SEARCHED_YEARS, step)
+        )
         for year in years:
             months = [self.month] if self.month is not None else list(range(1, 13))[::step]
             for month in months:

@@ -6,7 +6,7 @@ Nothing here knows a language or the time now; `grounding` turns these into inst
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
-from fuzzytime.language.calendar import Calendar
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.requirement import Constraint, Unit
 
 UNIT_SECONDS = {
@@ -272,3 +272,14 @@ class Said:
     edge: Edge = Edge.START
     beside: bool = False
     lasting: Duration | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """A stretch of words that is a time: what it says, and where it stands, in words and in characters."""
+
+    said: Said
+    first: int
+    end: int
+    span: tuple[int, int]
+    rule: str

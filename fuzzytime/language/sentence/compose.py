@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.clauses import Clause, clauses_of, inside
-from fuzzytime.language.drafts import Draft, Part
-from fuzzytime.language.grammar import ground_all
+from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -17,21 +17,24 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.labels import strict_reading
-from fuzzytime.language.leftovers import leftovers
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.meaning import Part as DayPart
-from fuzzytime.language.meaning import Wall
-from fuzzytime.language.operations import Action, Reader, action_of
-from fuzzytime.language.references import content_words, resolved_object, target_of
-from fuzzytime.language.requirements import Grounded, Moment
-from fuzzytime.language.spans import Phrase
-from fuzzytime.language.words import Word
+from fuzzytime.language.meaning.expressions import Part as DayPart
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.requirements import Grounded, Moment
+from fuzzytime.language.sentence.clauses import Clause, clauses_of, inside
+from fuzzytime.language.sentence.drafts import Draft, Part
+from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.leftovers import leftovers
+from fuzzytime.language.sentence.operations import Action, Reader, action_of
+from fuzzytime.language.sentence.references import content_words, resolved_object, target_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
+from fuzzytime.skills import FuzzyParameter
 
 __all__ = ["Draft", "composed"]
 
-TURNED = {Constraint.BEFORE: (Constraint.AFTER, "not before"), Constraint.AFTER: (Constraint.BEFORE, "not after")}
+TURNED = {
+    Constraint.BEFORE: (Constraint.AFTER, "not before"),
+    Constraint.AFTER: (Constraint.BEFORE, "not after"),
+}
 """What "don't … before" asks for."""
 
 
@@ -60,7 +63,8 @@ class _Composer:
                 sketch.operation = replace(sketch.operation, object=resolved)
             operations.append(sketch.operation)
         instructions = tuple(
-            self._instruction(sketch, len(self.given) + place, operations) for place, sketch in enumerate(drafts)
+            self._instruction(sketch, len(self.given) + place, operations)
+            for place, sketch in enumerate(drafts)
         )
         self.remarks += leftovers(self.draft.chart, self.explained, self.lexicon)
         tokens, strict = self._tokens()
@@ -82,7 +86,9 @@ class _Composer:
 
     def _sketch(self, part: Part) -> "_Sketch":
         first, end = part.segment.span
-        phrases = [phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+        phrases = [
+            phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end
+        ]
         words = [word for word in self.draft.chart.words if first <= word.start < end]
         clauses = self._clauses(part, phrases, words) if part.tree.nodes else []
         kept = [phrase for phrase in phrases if not inside(phrase.span, clauses)]
@@ -104,7 +110,9 @@ class _Composer:
         start = next((i for i, word in enumerate(self.draft.chart.words) if word.start >= offset), 0)
         local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
         local = [
-            replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
             for p in phrases
         ]
         found = clauses_of(part.tree, local_words, local, self.lexicon)
@@ -163,7 +171,9 @@ class _Composer:
             anchor=Anchor(text=text, target=position - 1, edge=edge),
         )
 
-    def _of_clause(self, clause: Clause, position: int, operations: Sequence[Operation | None]) -> TimeRequirement:
+    def _of_clause(
+        self, clause: Clause, position: int, operations: Sequence[Operation | None]
+    ) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
         others = [None if place == position else operation for place, operation in enumerate(operations)]
         target = target_of(clause, others, self.lexicon)
@@ -218,7 +228,11 @@ class _Composer:
         """Give "before dinner" as a reference where an instruction before this one makes that dinner."""
         time = phrase.said.time
         part: DayPart | None = time.part if isinstance(time, Wall) and time.days is None else None
-        if part is None or not part.meal or phrase.said.constraint not in {Constraint.BEFORE, Constraint.AFTER}:
+        if (
+            part is None
+            or not part.meal
+            or phrase.said.constraint not in {Constraint.BEFORE, Constraint.AFTER}
+        ):
             return None
         words = content_words(part.name)
         targets = [
@@ -230,7 +244,9 @@ class _Composer:
             return None
         edge = Edge.START if phrase.said.constraint is Constraint.BEFORE else Edge.END
         anchor = Anchor(text=part.name, object=part.name, target=targets[-1], edge=edge)
-        return replace(grounded.requirement, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None)
+        return replace(
+            grounded.requirement, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
+        )
 
     # -- the tree, for explanations ---------------------------------------------------------------------------------------
 
@@ -259,7 +275,7 @@ class _Sketch:
         self.clauses = clauses
         self.action = action
         self.operation: Operation | None = None
-        self.parameters: tuple = ()
+        self.parameters: tuple[FuzzyParameter, ...] = ()
 
 
 def _with_phrases(phrases: Sequence[Phrase], found: Sequence[Grounded]) -> list[tuple[Phrase, Grounded]]:
@@ -295,6 +311,9 @@ def _turned(
 
 def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if requirement.constraint in {Constraint.FOR, Constraint.EVERY, Constraint.WHEN} or reference is Reference.START:
+    if (
+        requirement.constraint in {Constraint.FOR, Constraint.EVERY, Constraint.WHEN}
+        or reference is Reference.START
+    ):
         return requirement
     return replace(requirement, reference=reference)

@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from fuzzytime.language.words import Word, joins
+from fuzzytime.language.grammar.words import Word, joins
 
 LONGEST = 28
 """Words that one piece may span at most: longer ones are not said."""
@@ -138,7 +138,12 @@ class Grammar:
                 self._extend(chart, rule, (piece,), agenda, words)
 
     def _extend(
-        self, chart: list[Cell], rule: Rule, found: tuple[Piece, ...], agenda: list[Piece], words: Sequence[Word]
+        self,
+        chart: list[Cell],
+        rule: Rule,
+        found: tuple[Piece, ...],
+        agenda: list[Piece],
+        words: Sequence[Word],
     ) -> None:
         """Match the rest of a rule's symbols behind the pieces found."""
         end = found[-1].end

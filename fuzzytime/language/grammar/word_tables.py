@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.calendar import Feast, Reckoning, Season
-from fuzzytime.language.lexicon import Entry, Lexicon, Preposition, form_of
-from fuzzytime.language.meaning import Edge, Ending, Half, Part, Quantity, TimeWord, UnitWord
+from fuzzytime.language.grammar.lexicon import Entry, Lexicon, Preposition, form_of
+from fuzzytime.language.meaning.calendar import Feast, Reckoning, Season
+from fuzzytime.language.meaning.expressions import Edge, Ending, Half, Part, Quantity, TimeWord, UnitWord
+from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.language.policy import DateOrder, Policy, SameWeekday
-from fuzzytime.language.relations import Relative, Which
 from fuzzytime.requirement import Constraint, Unit
 from fuzzytime.times import parse_clock, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
@@ -74,7 +74,9 @@ class Tables:
             for category, value in make(name.text, fields):
                 self.add(name, key, category, value, said)
 
-    def plain(self, section: str, make: Callable[[Scalar], Iterable[tuple[str, Any]]], *, named: bool) -> None:
+    def plain(
+        self, section: str, make: Callable[[Scalar], Iterable[tuple[str, Any]]], *, named: bool
+    ) -> None:
         """Add the entries of a section whose rows are lists of forms; ``named``: the key is a form too."""
         for name, node in self.rows(section):
             said = [form_of(name.text)] if named else []
@@ -144,7 +146,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     return Lexicon(
         entries={first: tuple(found) for first, found in entries.items()},
         numbers=_numbers(days, "numbers"),
-        magnitudes={form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")},
+        magnitudes={
+            form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")
+        },
         ordinals=_numbers(days, "ordinals"),
         short_units=frozenset(form[0] for form in days.words("short_units")),
         ambiguous=frozenset(form[0] for form in days.words("ambiguous")),
@@ -184,7 +188,11 @@ def _read_prepositions(tables: Tables) -> None:
         sides = (Constraint.AT, Constraint.BEFORE, Constraint.AFTER)
         constraint = reader.choice(fields["constraint"], f"{key}.constraint", sides) or Constraint.AT
         edge = reader.choice(fields["edge"], f"{key}.edge", tuple(Edge)) if "edge" in fields else ""
-        counts = reader.choice(fields["counts"], f"{key}.counts", ("forward", "back")) if "counts" in fields else ""
+        counts = (
+            reader.choice(fields["counts"], f"{key}.counts", ("forward", "back"))
+            if "counts" in fields
+            else ""
+        )
         value = Preposition(name, Constraint(constraint), Edge(edge or Edge.START))
         if counts and constraint == Constraint.BEFORE:
             return [("within", value)]
@@ -200,7 +208,12 @@ def _read_hedges(tables: Tables) -> None:
         if "number" in fields:
             number = reader.number(fields["number"], f"hedges.{name}.number", 0, 1000)
             return [("quantity", Quantity(number, (name,)))]
-        sides = {"before": ("hedge",), "after": ("hedge_after",), "either": ("hedge", "hedge_after"), "anchor": ("beside",)}
+        sides = {
+            "before": ("hedge",),
+            "after": ("hedge_after",),
+            "either": ("hedge", "hedge_after"),
+            "anchor": ("beside",),
+        }
         if "side" not in fields:
             return []
         side = reader.choice(fields["side"], f"hedges.{name}.side", sides)
@@ -228,7 +241,13 @@ def _read_units(tables: Tables) -> None:
             tables.reader.mistake(name, key, f"a unit must be a number of known units, got {name.text!r}")
             continue
         for form in tables.forms(node, key):
-            tables.add(node, key, "unit", UnitWord(Unit(unit), int(count or 1), " ".join(form)), [form, *_stopped(form)])
+            tables.add(
+                node,
+                key,
+                "unit",
+                UnitWord(Unit(unit), int(count or 1), " ".join(form)),
+                [form, *_stopped(form)],
+            )
 
     def fraction(name: Scalar) -> Iterable[tuple[str, Any]]:
         return [("fraction", tables.reader.number(name, f"fractions.{name.text}", 0, 1))]
@@ -290,7 +309,7 @@ def _read_parts(tables: Tables) -> None:
     )
 
     def edge(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        from fuzzytime.language.calendar import Cycle
+        from fuzzytime.language.meaning.calendar import Cycle
 
         chosen = reader.choice(fields["edge"], f"abbreviated_edges.{name}.edge", ("start", "end")) or "end"
         unit = reader.choice(fields["unit"], f"abbreviated_edges.{name}.unit", tuple(Unit)) or Unit.DAY
@@ -336,7 +355,12 @@ def _read_feasts(tables: Tables) -> None:
 def _month_day(tables: Tables, node: Node, key: str) -> tuple[int, int]:
     text = tables.reader.string(node, key)
     month, _, day = text.partition("-")
-    if month.isdecimal() and day.isdecimal() and 1 <= int(month) <= 12 and 1 <= int(day) <= 28 + 3 * (month != "02"):
+    if (
+        month.isdecimal()
+        and day.isdecimal()
+        and 1 <= int(month) <= 12
+        and 1 <= int(day) <= 28 + 3 * (month != "02")
+    ):
         return int(month), int(day)
     tables.reader.mistake(node, key, f"a day of the year must look like 12-24, got {text!r}")
     return 1, 1
@@ -399,7 +423,10 @@ def _amounts(
                 if corners != sorted(corners):
                     tables.reader.mistake(node, key, f"corners must not decrease, got {corners}")
                 quantity = (corners[0], corners[1], corners[2], corners[3])
-        said = [form_of(name.text), *(tables.forms(fields["also"], f"{key}.also") if "also" in fields else [])]
+        said = [
+            form_of(name.text),
+            *(tables.forms(fields["also"], f"{key}.also") if "also" in fields else []),
+        ]
         for form in said:
             yield form, (name.text, quantity)
 
@@ -426,7 +453,8 @@ def _policy(tables: Tables) -> Policy:
         plausible_from=clock(tables.clock(plausible["from"], "policy.plausible.from")),
         plausible_to=clock(tables.clock(plausible["to"], "policy.plausible.to")),
         same_weekday=SameWeekday(
-            reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday)) or SameWeekday.NEXT
+            reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))
+            or SameWeekday.NEXT
         ),
         week_starts=weekdays.get(reader.choice(fields["week_starts"], "policy.week_starts", weekdays), 0),
         weekend_from=weekdays.get(reader.choice(weekend["from"], "policy.weekend.from", weekdays), 5),

@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from fuzzytime.language.chart import Piece
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.words import Word, joins
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.requirement import Unit
 
 LONGEST_DIGITS = 9
@@ -62,10 +62,14 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
     word = words[start]
     if word.is_digits:
         yield from _typed(words, start)
-    elif word.text == "." and start + 1 < len(words) and words[start + 1].is_digits and words[start + 1].glued:
+    elif (
+        word.text == "." and start + 1 < len(words) and words[start + 1].is_digits and words[start + 1].glued
+    ):
         digits = words[start + 1].text
         if len(digits) <= LONGEST_DIGITS:
-            yield Piece("decimal", start, start + 2, Typed((f"0.{int(digits):0{len(digits)}d}",)), 0.0, "shape")
+            yield Piece(
+                "decimal", start, start + 2, Typed((f"0.{int(digits):0{len(digits)}d}",)), 0.0, "shape"
+            )
     else:
         yield from _spoken(words, start, lexicon)
 
@@ -190,5 +194,11 @@ class _Scan:
 
 
 PieceSource = Callable[[Sequence[Word], int, Lexicon], Iterator[Any]]
-SMALLER = {Unit.HOUR: Unit.MINUTE, Unit.MINUTE: Unit.SECOND, Unit.DAY: Unit.HOUR, Unit.WEEK: Unit.DAY, Unit.YEAR: Unit.MONTH}
+SMALLER = {
+    Unit.HOUR: Unit.MINUTE,
+    Unit.MINUTE: Unit.SECOND,
+    Unit.DAY: Unit.HOUR,
+    Unit.WEEK: Unit.DAY,
+    Unit.YEAR: Unit.MONTH,
+}
 """The unit that a number behind an amount of a unit counts: "an hour thirty"."""

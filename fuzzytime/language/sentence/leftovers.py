@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Chart
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.spans import Chart
 
-TELLING = frozenset({"unit", "day", "weekday", "weekdays", "part", "day_part", "hh:mm", "hh:mm:ss", "y-m-d", "month"})
+TELLING = frozenset(
+    {"unit", "day", "weekday", "weekdays", "part", "day_part", "hh:mm", "hh:mm:ss", "y-m-d", "month"}
+)
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 

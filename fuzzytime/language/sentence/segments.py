@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.lexicon import Lexicon, longest_match
-from fuzzytime.language.spans import Phrase
-from fuzzytime.language.tree import Tree
-from fuzzytime.language.words import Word
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.tree import Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
@@ -87,7 +87,9 @@ def _between(
     for first, end, name in (*cuts, (len(words), len(words), "")):
         begin = start
         # "Hey robot, please": who is spoken to is no part of what is to be done.
-        while begin < first - 1 and (words[begin].text in addresses or (begin > start and words[begin].text == ",")):
+        while begin < first - 1 and (
+            words[begin].text in addresses or (begin > start and words[begin].text == ",")
+        ):
             begin += 1
         segment = _segment(text, words, begin, first, connective, said)
         if segment is not None:

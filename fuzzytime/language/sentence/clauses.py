@@ -3,12 +3,11 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.lexicon import Lexicon, longest_match
-from fuzzytime.language.meaning import Duration
-from fuzzytime.language.spans import Phrase
-from fuzzytime.language.tree import Tree
-from fuzzytime.language.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition
 
 BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
@@ -60,7 +59,12 @@ def clauses_of(
 
 class _Clauses:
     def __init__(
-        self, tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon, covered: set[int]
+        self,
+        tree: Tree,
+        words: Sequence[Word],
+        phrases: Sequence[Phrase],
+        lexicon: Lexicon,
+        covered: set[int],
     ) -> None:
         self.tree = tree
         self.words = words
@@ -76,14 +80,16 @@ class _Clauses:
         if end <= marker_end:
             return None
         content = (self.words[marker_end].start, self.words[end - 1].end)
-        nodes = [p for p in self.tree.at(*content)]
+        nodes = list(self.tree.at(*content))
         if not nodes:
             return None
         start = self.words[place].start
         distance = self._distance(place)
         if distance is not None:
             start = distance.span[0]
-        duration = distance.said.time if distance is not None and isinstance(distance.said.time, Duration) else None
+        duration = (
+            distance.said.time if distance is not None and isinstance(distance.said.time, Duration) else None
+        )
         if duration is not None and distance is not None:
             from dataclasses import replace
 
@@ -116,7 +122,11 @@ class _Clauses:
         main = self.tree.nodes[root]
         if place == 0 and comma == len(self.words):
             # A clause in front without a comma: up to where the tree says that it ends.
-            inner = next(iter(self.tree.at(self.words[first].start, self.words[first].end)), None) if first < len(self.words) else None
+            inner = (
+                next(iter(self.tree.at(self.words[first].start, self.words[first].end)), None)
+                if first < len(self.words)
+                else None
+            )
             if inner is not None and main.start > self.words[place].start:
                 before = [p for p, word in enumerate(self.words) if word.start >= main.start]
                 return before[0] if before else comma
@@ -131,7 +141,12 @@ class _Clauses:
 
     def _verb(self, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""
-        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and self.tree.nodes[p].relation not in {"aux", "auxpass", "amod", "relcl", "acl", "compound"}]
+        verbs = [
+            p
+            for p in nodes
+            if self.tree.nodes[p].is_verb
+            and self.tree.nodes[p].relation not in {"aux", "auxpass", "amod", "relcl", "acl", "compound"}
+        ]
         if not verbs:
             return None
         inside = set(nodes)
@@ -140,9 +155,14 @@ class _Clauses:
 
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
         inside = set(nodes)
-        for place in (*self.tree.children(verb, "dobj", "nsubjpass"), *self.tree.children(verb, "nsubj", "attr")):
+        for place in (
+            *self.tree.children(verb, "dobj", "nsubjpass"),
+            *self.tree.children(verb, "nsubj", "attr"),
+        ):
             if place in inside:
-                text = " ".join(self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside)
+                text = " ".join(
+                    self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
+                )
                 if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
                     return text
         return None
@@ -160,14 +180,15 @@ class _Clauses:
             if p in inside and self.tree.nodes[p].tag not in DETERMINERS
         )
         node = self.tree.nodes[verb]
-        said = [p for p in self.tree.children(verb, "acomp", "oprd", "advmod", "attr", "prt", "xcomp") if p in inside and p > verb]
+        predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
+        said = [p for p in self.tree.children(verb, *predicates) if p in inside and p > verb]
         if node.lemma not in BE or not said:
-            word = node.lower if node.lemma not in BE else None
-            return Condition(text=text, subject=subject or None, word=word, negated=negated)
-        word = said[-1]
-        hedges = tuple(self.tree.nodes[p].lower for p in sorted(self.tree.below(word)) if p != word and p < word)
+            action = node.lower if node.lemma not in BE else None
+            return Condition(text=text, subject=subject or None, word=action, negated=negated)
+        last = said[-1]
+        hedges = tuple(self.tree.nodes[p].lower for p in sorted(self.tree.below(last)) if p < last)
         return Condition(
-            text=text, subject=subject or None, word=self.tree.nodes[word].lower, hedges=hedges, negated=negated
+            text=text, subject=subject or None, word=self.tree.nodes[last].lower, hedges=hedges, negated=negated
         )
 
     def _event(
@@ -203,7 +224,12 @@ class _Clauses:
         for place in nodes:
             node = self.tree.nodes[place]
             timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
-            if place > nodes[0] and (timed or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"} or node.is_verb or node.relation == "nsubj"):
+            if place > nodes[0] and (
+                timed
+                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
+                or node.is_verb
+                or node.relation == "nsubj"
+            ):
                 break
             last = place
         return last

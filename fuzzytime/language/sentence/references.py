@@ -2,10 +2,10 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.clauses import Clause
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.lexicon import Lexicon
-from fuzzytime.language.words import words_of
+from fuzzytime.language.sentence.clauses import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 EMPTY = frozenset(

@@ -12,8 +12,8 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
-from fuzzytime.language.model import ModelPackage
-from fuzzytime.language.tree import Node, Tree
+from fuzzytime.language.sentence.model import ModelPackage
+from fuzzytime.language.sentence.tree import Node, Tree
 
 FORMAT = 1
 """Number of the format of the rows; part of their keys."""

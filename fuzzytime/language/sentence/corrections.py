@@ -3,18 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Chart
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.lexicon import Lexicon, longest_match
-from fuzzytime.language.meaning import Clock, Duration, Offset, Quantity, Said, Wall
-from fuzzytime.language.spans import Chart, Phrase
+from fuzzytime.language.meaning.expressions import Clock, Duration, Offset, Phrase, Quantity, Said, Wall
 from fuzzytime.requirement import Constraint
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
 
-def corrected(
-    chart: Chart, phrases: Sequence[Phrase], lexicon: Lexicon
-) -> tuple[list[Phrase], list[Remark]]:
+def corrected(chart: Chart, phrases: Sequence[Phrase], lexicon: Lexicon) -> tuple[list[Phrase], list[Remark]]:
     """Replace times that are taken back, and say so."""
     kept: list[Phrase] = []
     remarks: list[Remark] = []
@@ -61,23 +59,40 @@ def _replaced(old: Said, new: object) -> Said | None:
     if isinstance(new, Said):
         bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
         if new.preposition is not None or not bare:
-            return replace(new, preposition=new.preposition or _fitting(old, new)) if new.preposition or new.constraint is None else new
+            return (
+                replace(new, preposition=new.preposition or _fitting(old, new))
+                if new.preposition or new.constraint is None
+                else new
+            )
         return _replaced(old, new.time)
     if isinstance(new, Wall) and isinstance(old.time, Wall):
         clock = new.clock
         if clock is not None and old.time.clock is not None:
-            return replace(old, time=replace(old.time, clock=_in_half(clock, old.time.clock), part=new.part or old.time.part))
+            return replace(
+                old,
+                time=replace(old.time, clock=_in_half(clock, old.time.clock), part=new.part or old.time.part),
+            )
         return replace(old, time=new)
     if isinstance(new, Duration):
         return replace(old, time=new) if isinstance(old.time, Duration) else _offset(old, new)
     if isinstance(new, Clock):
-        return _replaced(old, Wall(clock=new)) if isinstance(old.time, Wall) and old.time.clock is not None else None
+        return (
+            _replaced(old, Wall(clock=new))
+            if isinstance(old.time, Wall) and old.time.clock is not None
+            else None
+        )
     if isinstance(new, Quantity) and not new.indefinite:
-        time = old.time.duration if isinstance(old.time, Offset) else old.time
-        if isinstance(time, Duration) and len(time.terms) == 1:
-            duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
-            return replace(old, time=duration if isinstance(old.time, Duration) else replace(old.time, duration=duration)) if not isinstance(old.time, Wall) else None
+        return _counted(old, new)
     return None
+
+
+def _counted(old: Said, new: Quantity) -> Said | None:
+    """Give another number of the same unit."""
+    time = old.time.duration if isinstance(old.time, Offset) else old.time
+    if not isinstance(time, Duration) or len(time.terms) != 1:
+        return None
+    duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
+    return _offset(old, duration) or replace(old, time=duration)
 
 
 def _offset(old: Said, new: Duration) -> Said | None:
@@ -88,8 +103,16 @@ def _offset(old: Said, new: Duration) -> Said | None:
 
 def _fitting(old: Said, new: Said) -> str | None:
     """The old preposition stays before a new time of the same kind."""
-    return old.preposition if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT} else None
+    return (
+        old.preposition
+        if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT}
+        else None
+    )
 
 
 def _in_half(clock: Clock, old: Clock) -> Clock:
-    return replace(clock, half=old.half, bare=False) if clock.is_open and old.half is not None else replace(clock, bare=False)
+    return (
+        replace(clock, half=old.half, bare=False)
+        if clock.is_open and old.half is not None
+        else replace(clock, bare=False)
+    )

@@ -4,14 +4,14 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.grounding import CALENDAR_UNITS, SUB_DAY, Grounding, Instants, UngroundedError, shifted
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
-from fuzzytime.language.meaning import (
+from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
     Edge,
     Ending,
     Offset,
+    Phrase,
     Range,
     Repeat,
     Rest,
@@ -20,9 +20,16 @@ from fuzzytime.language.meaning import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.grounding import (
+    CALENDAR_UNITS,
+    SUB_DAY,
+    Grounding,
+    Instants,
+    UngroundedError,
+    shifted,
+)
+from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.recurrence import recurrence_of
-from fuzzytime.language.spans import Phrase
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
@@ -154,7 +161,9 @@ class _Grounder:
         grain: Unit | None = None,
         recurrence: Recurrence | None = None,
     ) -> TimeRequirement:
-        t_spec = {Constraint.AT: earliest, Constraint.AFTER: earliest, Constraint.BEFORE: latest}.get(constraint)
+        t_spec = {Constraint.AT: earliest, Constraint.AFTER: earliest, Constraint.BEFORE: latest}.get(
+            constraint
+        )
         return TimeRequirement(
             text=self.text,
             span=self.phrase.span,
@@ -269,14 +278,18 @@ class _Grounder:
         remarks, questions = [], []
         if zone is not None and self.moment.now is not None and self.moment.now.tzinfo is None:
             remarks.append(
-                Remark(RemarkKind.POLICY, span, f"{self.text!r}: the zone is not used, as the time now has none")
+                Remark(
+                    RemarkKind.POLICY, span, f"{self.text!r}: the zone is not used, as the time now has none"
+                )
             )
         if found.choices:
             chosen = found.choices.index(found.start)
             said = found.start.strftime("%H:%M")
             others = " or ".join(c.strftime("%H:%M") for c in found.choices if c != found.start)
             remarks.append(
-                Remark(RemarkKind.POLICY, span, f"{self.text!r} is taken as {said}, not {others}: say am or pm")
+                Remark(
+                    RemarkKind.POLICY, span, f"{self.text!r} is taken as {said}, not {others}: say am or pm"
+                )
             )
             if self.moment.policy.ask:
                 questions.append(Question(span, self._with_zone(found.choices), chosen))
