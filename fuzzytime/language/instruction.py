@@ -3,12 +3,18 @@
 These values know nothing of spaCy; the rest of the program sees only them.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 from fuzzytime.requirement import Recurrence, TimeRequirement
-from fuzzytime.skills import FuzzyParameter
+
+if TYPE_CHECKING:
+    # Skills bring numpy along, which reading does without.
+    from fuzzytime.skills import FuzzyParameter
 
 Span = tuple[int, int]
 """First and one past last character in the text as typed."""

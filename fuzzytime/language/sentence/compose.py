@@ -1,7 +1,10 @@
 """The second pass: what a draft says, grounded and put together as a reading."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -27,7 +30,9 @@ from fuzzytime.language.sentence.leftovers import leftovers
 from fuzzytime.language.sentence.operations import Action, Reader, action_of
 from fuzzytime.language.sentence.references import content_words, resolved_object, target_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
-from fuzzytime.skills import FuzzyParameter
+
+if TYPE_CHECKING:
+    from fuzzytime.skills import FuzzyParameter
 
 __all__ = ["Draft", "composed"]
 

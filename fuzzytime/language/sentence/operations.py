@@ -1,14 +1,19 @@
 """What is to be done: the verb of an instruction, its object and place, and which moment of it a time is about."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
-from fuzzytime.skills import FuzzyParameter
+
+if TYPE_CHECKING:
+    from fuzzytime.skills import FuzzyParameter
 
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
@@ -242,6 +247,9 @@ class Reader:
                 continue
             noun = self._noun(nodes[0])
             if noun is not None and not self._timed(noun):
+                # Skills bring numpy along: only where there is an amount.
+                from fuzzytime.skills import FuzzyParameter
+
                 node = self.tree.nodes[noun]
                 _, quantity = self.lexicon.amounts[form]
                 found.append(FuzzyParameter(self.tree.text[word.start : node.end], node.lower, quantity))
