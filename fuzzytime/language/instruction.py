@@ -118,6 +118,11 @@ class StrictReading:
     fuzziness: int | None = None
     preposition: int | None = None
 
+    def moved(self, by: int) -> StrictReading:
+        """Give the same positions that many tokens further on."""
+        places = (self.verb, self.modifier, self.number, self.fuzziness, self.preposition)
+        return StrictReading(*(None if place is None else place + by for place in places))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reading:

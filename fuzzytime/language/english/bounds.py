@@ -102,16 +102,22 @@ def hedged_after(goal: Goal, hedge: str) -> Goal | None:
     return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
 
 
-@grammar.rule("offset", "<duration> <forward>", "<duration> ' <forward>", weight=0.1)
-def from_now(duration: Duration, preposition: Preposition) -> Offset | None:
+@grammar.rule("said", "<duration> <forward>", "<duration> ' <forward>", weight=0.3)
+def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
-    return None if duration.until else Offset(duration)
+    return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
 
 
-@grammar.rule("offset", "<duration> <back>", weight=0.1)
-def ago(duration: Duration, preposition: Preposition) -> Offset | None:
+@grammar.rule("said", "<duration> <back>", weight=0.3)
+def ago(duration: Duration, preposition: Preposition) -> Said:
     """Two days ago."""
-    return None if duration.until else Offset(duration, -1)
+    return Said(Offset(replace(duration, hedges=()), -1), None, preposition.name, duration.hedges)
+
+
+@grammar.rule("offset", "<duration> <forward>|<back>")
+def counted(duration: Duration, preposition: Preposition) -> Offset:
+    """Ten minutes from now, as the end of a range or behind a preposition."""
+    return Offset(duration, -1 if preposition.name == "ago" else 1)
 
 
 @grammar.rule("offset", "<duration> before|'til|to|prior <goal>", "<duration> prior to <goal>", weight=0.1)
@@ -255,6 +261,19 @@ def _length(duration: Duration, constraint: Constraint, preposition: str) -> Sai
 def in_duration(duration: Duration) -> Said:
     """In ten minutes, in half an hour's time."""
     return _length(duration, Constraint.AT, "in")
+
+
+@grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
+def starting_in(duration: Duration) -> Said:
+    """Starting in a quarter of an hour."""
+    return _length(duration, Constraint.AT, "in")
+
+
+@grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
+def starting_at(goal: Goal) -> Said | None:
+    """Starting at three pm: then, not some time after it; but "starting tomorrow" is from then on."""
+    clock = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return _said(goal, "starting") if clock else None
 
 
 @grammar.rule("said", "in <quantity>", weight=-0.2)

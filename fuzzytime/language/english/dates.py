@@ -47,15 +47,9 @@ def ides(month: int) -> Fields:
     return Fields(month=month, day=15 if month in {3, 5, 7, 10} else 13)
 
 
-@grammar.rule("date", "the <ordinal>", weight=-0.1)
-def day_alone(day: int) -> Fields | None:
-    """The 15th."""
-    return Fields(day=day) if day <= LONGEST_MONTH else None
-
-
-@grammar.rule("weak date", "<ordinal>", "the <integer>", weight=-0.3)
-def day_alone_weak(day: int | Integer) -> Fields | None:
-    """15th; the 24: sure only with a preposition."""
+@grammar.rule("weak date", "the? <ordinal>", "the <integer>", weight=-0.3)
+def day_alone(day: int | Integer) -> Fields | None:
+    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none."""
     number = day.value if isinstance(day, Integer) else day
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 

@@ -13,7 +13,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 BINDING = frozenset(
@@ -34,6 +34,9 @@ BINDING = frozenset(
         "between",
     }
 )
+NEAR = 8
+"""Words before a number that decide whether it is an amount."""
+
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
 
@@ -135,7 +138,6 @@ class _Judge:
         self.words = words
         self.lexicon = lexicon
         self.texts = [word.text for word in words]
-        self.measured = any(t in lexicon.measure_verbs or t in lexicon.measure_nouns for t in self.texts)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -152,15 +154,8 @@ class _Judge:
         if isinstance(time, Range):
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
-                return (
-                    said.preposition == "between"
-                    and self._binds(piece)
-                    and not self.measured
-                    and self._may_end(piece)
-                )
-            return True
-        if isinstance(time, Repeat):
-            return True
+                between = said.preposition == "between" and self._binds(piece)
+                return between and not self._measured(piece) and self._may_end(piece)
         return True
 
     def _runs_on(self, piece: Piece) -> bool:
@@ -204,6 +199,15 @@ class _Judge:
             return True
         return any(e.category in _TIMELY for e in self.lexicon.entries.get(follower, ()))
 
+    def _measured(self, piece: Piece) -> bool:
+        """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
+        for text in reversed(self.texts[max(0, piece.start - NEAR) : piece.start]):
+            if text in {".", ";", "!", "?", "then"}:
+                return False
+            if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
+                return True
+        return False
+
     def _binds(self, piece: Piece) -> bool:
         return self.texts[piece.start] in BINDING
 
@@ -218,14 +222,7 @@ class _Judge:
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
         if wall.bare:
-            if self.measured or said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
-                return (
-                    bool(said.hedges)
-                    and said.preposition is None
-                    and self._may_end(piece)
-                    and not self.measured
-                )
-            return self._may_end(piece)
+            return self._accepts_number(piece, said, wall)
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
         if wall.weak:
@@ -234,6 +231,18 @@ class _Judge:
             return bound and self._may_end(piece)
         if piece.end - piece.start == 1 and self.texts[piece.start] in self.lexicon.ambiguous:
             return False
+        return True
+
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number alone is a clock time: "at six"; not "by 10" of a volume, not "at 180" of an oven."""
+        if not self._may_end(piece):
+            return False
+        sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
+        if not sure and self._measured(piece):
+            return False
+        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
+            return said.preposition is None and bool(said.hedges)
         return True
 
 

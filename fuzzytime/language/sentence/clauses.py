@@ -135,7 +135,7 @@ class _Clauses:
     def _distance(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker: "five minutes before"."""
         for phrase in self.phrases:
-            if phrase.end == place and isinstance(phrase.said.time, Duration):
+            if phrase.end == place and phrase.said.preposition is None and isinstance(phrase.said.time, Duration):
                 return phrase
         return None
 

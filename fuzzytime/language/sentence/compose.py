@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.finding import ground_all
@@ -21,14 +21,15 @@ from fuzzytime.language.instruction import (
     Token,
 )
 from fuzzytime.language.meaning.expressions import Part as DayPart
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
 from fuzzytime.language.meaning.requirements import Grounded, Moment
 from fuzzytime.language.sentence.clauses import Clause, clauses_of, inside
 from fuzzytime.language.sentence.drafts import Draft, Part
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.leftovers import leftovers
-from fuzzytime.language.sentence.operations import Action, Reader, action_of
+from fuzzytime.language.sentence.operations import Reader, action_of
 from fuzzytime.language.sentence.references import content_words, resolved_object, target_of
+from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 
 if TYPE_CHECKING:
@@ -57,6 +58,7 @@ class _Composer:
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.explained: list[Span] = [phrase.span for phrase in draft.phrases]
+        self.explained += [remark.span for remark in draft.remarks]
 
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""
@@ -89,38 +91,41 @@ class _Composer:
 
     # -- one part ------------------------------------------------------------------------------------------------------
 
-    def _sketch(self, part: Part) -> "_Sketch":
+    def _sketch(self, part: Part) -> _Sketch:
         first, end = part.segment.span
-        phrases = [
-            phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end
-        ]
-        words = [word for word in self.draft.chart.words if first <= word.start < end]
-        clauses = self._clauses(part, phrases, words) if part.tree.nodes else []
+        phrases = [phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+        clauses = []
+        if part.front is not None:
+            clauses += self._clauses(part.front, first, part.offset, phrases)
+        if part.tree.nodes:
+            clauses += self._clauses(part.tree, part.offset, end, phrases)
         kept = [phrase for phrase in phrases if not inside(phrase.span, clauses)]
         self.explained += [clause.span for clause in clauses]
-        times = [(a - first, b - first) for a, b in (*(p.span for p in kept), *(c.span for c in clauses))]
-        action = action_of(part.tree, self.lexicon) if part.tree.nodes else None
-        sketch = _Sketch(part, kept, clauses, action)
+        sketch = _Sketch(part, kept, clauses)
+        action = action_of(part.tree, self.lexicon)
         if action is not None:
+            spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses))
+            times = [(a - part.offset, b - part.offset) for a, b in spans]
             reader = Reader(part.tree, self.lexicon, times)
             operation = reader.operation(action)
             a, b = operation.span
-            sketch.operation = replace(operation, span=(a + first, b + first))
+            sketch.operation = replace(operation, span=(a + part.offset, b + part.offset))
             sketch.parameters = reader.parameters(action)
+            sketch.reference = action.reference
         return sketch
 
-    def _clauses(self, part: Part, phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Clause]:
-        """Give the clauses, with places in the whole text."""
-        offset = part.segment.span[0]
-        start = next((i for i, word in enumerate(self.draft.chart.words) if word.start >= offset), 0)
+    def _clauses(self, tree: Tree, offset: int, end: int, phrases: Sequence[Phrase]) -> list[Clause]:
+        """Give the clauses in a tree's stretch of text, with places in the whole text."""
+        places = [p for p, word in enumerate(self.draft.chart.words) if offset <= word.start < end]
+        start = places[0] if places else 0
+        words = [self.draft.chart.words[place] for place in places]
         local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
         local = [
-            replace(
-                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
-            )
+            replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
             for p in phrases
+            if offset <= p.span[0] < end
         ]
-        found = clauses_of(part.tree, local_words, local, self.lexicon)
+        found = clauses_of(tree, local_words, local, self.lexicon)
         return [
             replace(
                 clause,
@@ -141,12 +146,13 @@ class _Composer:
         requirements: list[TimeRequirement] = []
         for phrase, grounded in _with_phrases(sketch.phrases, times.found):
             anchored = self._meal(phrase, grounded, position, operations)
+            anchored = anchored or self._later(phrase, grounded, position)
             requirements.append(anchored or grounded.requirement)
         requirements += [self._of_clause(clause, position, operations) for clause in sketch.clauses]
         connected = self._of_connective(sketch, position)
         requirements += [connected] if connected is not None else []
         requirements.sort(key=lambda requirement: requirement.span)
-        reference = sketch.action.reference if sketch.action is not None else Reference.START
+        reference = sketch.reference
         operation = sketch.operation
         if operation is not None and operation.negated:
             requirements, operation = _turned(requirements, operation)
@@ -166,7 +172,7 @@ class _Composer:
             return None
         span = segment.connective_span
         self.explained.append(span)
-        text = self.draft.text[slice(*span)].strip(" ,")
+        text = self.draft.text[slice(*span)].strip(" ,:")
         edge = Edge.END if segment.connective == "then" else Edge.START
         return TimeRequirement(
             text=text,
@@ -253,34 +259,46 @@ class _Composer:
             grounded.requirement, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
         )
 
+    def _later(self, phrase: Phrase, grounded: Grounded, position: int) -> TimeRequirement | None:
+        """Give "ten minutes later" as a distance from the instruction before in the same text."""
+        time = phrase.said.time
+        later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
+        if not later or position == len(self.given):
+            return None
+        lag = grounded.requirement.t_spec or 0.0
+        anchor = Anchor(text=grounded.requirement.text, target=position - 1, edge=Edge.END, lag=lag, exact=True)
+        found = replace(grounded.requirement, constraint=Constraint.AFTER, anchor=anchor)
+        return replace(found, t_spec=None, earliest=None, latest=None)
+
     # -- the tree, for explanations ---------------------------------------------------------------------------------------
 
     def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
         tokens: list[Token] = []
         strict = StrictReading()
+        found = False
         for part in self.draft.parts:
-            own, reading = strict_reading(part.tree, self.lexicon)
-            base, offset = len(tokens), part.segment.span[0]
-            tokens += [
-                replace(t, span=(t.span[0] + offset, t.span[1] + offset), head=t.head + base) for t in own
-            ]
-            if base == 0:
-                strict = reading
+            trees = [(part.front, part.segment.span[0], False)] if part.front is not None else []
+            for tree, offset, main in (*trees, (part.tree, part.offset, True)):
+                own, reading = strict_reading(tree, self.lexicon)
+                base = len(tokens)
+                tokens += [
+                    replace(t, span=(t.span[0] + offset, t.span[1] + offset), head=t.head + base) for t in own
+                ]
+                if main and own and not found:
+                    strict, found = reading.moved(base), True
         return tuple(tokens), strict
 
 
+@dataclass
 class _Sketch:
     """One instruction before its references are resolved."""
 
-    def __init__(
-        self, part: Part, phrases: list[Phrase], clauses: list[Clause], action: Action | None
-    ) -> None:
-        self.part = part
-        self.phrases = phrases
-        self.clauses = clauses
-        self.action = action
-        self.operation: Operation | None = None
-        self.parameters: tuple[FuzzyParameter, ...] = ()
+    part: Part
+    phrases: list[Phrase]
+    clauses: list[Clause]
+    operation: Operation | None = None
+    parameters: tuple[FuzzyParameter, ...] = ()
+    reference: Reference = Reference.START
 
 
 def _with_phrases(phrases: Sequence[Phrase], found: Sequence[Grounded]) -> list[tuple[Phrase, Grounded]]:

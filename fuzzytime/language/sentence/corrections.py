@@ -21,7 +21,8 @@ def corrected(chart: Chart, phrases: Sequence[Phrase], lexicon: Lexicon) -> tupl
         phrase = waiting.pop(0)
         while (found := _correction(chart, phrase, lexicon)) is not None:
             old, new = chart.text[slice(*phrase.span)], chart.text[slice(*found.span)]
-            remarks.append(Remark(RemarkKind.CORRECTED, phrase.span, f"{old!r} is corrected by {new!r}"))
+            taken_back = (phrase.span[0], found.span[0])
+            remarks.append(Remark(RemarkKind.CORRECTED, taken_back, f"{old!r} is corrected by {new!r}"))
             waiting = [other for other in waiting if other.first >= found.end]
             phrase = found
         kept.append(phrase)

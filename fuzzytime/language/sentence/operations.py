@@ -131,6 +131,8 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
     named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
     if named is not None:
         return Reference(named)
+    if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
+        return Reference.FINISH
     if lemma in lexicon.causing:
         results = (
             tree.nodes[p].lower
@@ -160,7 +162,7 @@ class Reader:
             verb=node.lower,
             lemma=node.lemma,
             span=(node.start, node.end),
-            object=self._object(place) or self._subject(place),
+            object=self._object(action) or self._subject(place),
             place=self._place(place),
             particle=particle,
             negated=action.negated,
@@ -170,9 +172,13 @@ class Reader:
         node = self.tree.nodes[place]
         return any(first <= node.start < end for first, end in self.times)
 
-    def _object(self, verb: int) -> str | None:
+    def _object(self, action: Action) -> str | None:
+        verb = action.place
         parts = [p for p in self.tree.children(verb, *OBJECTS) if p > verb and not self._timed(p)]
         words = self._words(parts, verb)
+        # "Have the rice ready": what it results in says which moment is meant, not what is done.
+        while action.reference is Reference.FINISH and words and self.tree.nodes[words[-1]].lower in self.lexicon.results:
+            words.pop()
         return self._said(words) if words else None
 
     def _subject(self, verb: int) -> str | None:
@@ -232,15 +238,17 @@ class Reader:
     def parameters(self, action: Action) -> tuple[FuzzyParameter, ...]:
         """Give the vague amounts among what the verb governs: "some food", "a few screws"."""
         words = words_of(self.tree.text)
-        found = []
+        found: list[FuzzyParameter] = []
+        behind = 0
         for at, word in enumerate(words):
-            if word.start < self.tree.nodes[action.place].start or any(
+            if at < behind or word.start < self.tree.nodes[action.place].start or any(
                 a <= word.start < b for a, b in self.times
             ):
                 continue
             form = longest_match(words, at, self.lexicon.amounts)
             if form is None or at + len(form) >= len(words):
                 continue
+            behind = at + len(form)
             following = words[at + len(form)]
             nodes = [p for p in self.tree.at(following.start, following.end)]
             if not nodes:
