@@ -78,7 +78,9 @@ def exit_of(error: BaseException) -> Exit:
     if os.environ.get("FUZZYTIME_DEBUG"):
         raise error
     kind = type(error).__name__
-    report(f"fuzzytime: this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where. Please report it.")
+    report(
+        f"fuzzytime: this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where. Please report it."
+    )
     return Exit.FAILURE
 
 

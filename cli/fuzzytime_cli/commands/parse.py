@@ -12,7 +12,8 @@ from fuzzytime_cli.options import Moment, flattened
 def parse(
     file: Annotated[str, typer.Argument(help="Texts a line, or - for standard input.")] = "-",
     jsonl: Annotated[  # noqa: FBT002 - a flag
-        bool, typer.Option("--jsonl", help='Lines may be {"text": …, "now": …} objects; answers are JSON lines.')
+        bool,
+        typer.Option("--jsonl", help='Lines may be {"text": …, "now": …} objects; answers are JSON lines.'),
     ] = False,
     instruction: Annotated[
         list[str] | None, typer.Option("--instruction", "-i", metavar="TEXT", help="A text; repeatable.")

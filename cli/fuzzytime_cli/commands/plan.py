@@ -23,7 +23,8 @@ def plan(
         str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
     ] = None,
     instruction: Annotated[
-        list[str] | None, typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable.")
+        list[str] | None,
+        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
     ] = None,
     output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
     output: Annotated[

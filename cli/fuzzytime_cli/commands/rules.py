@@ -15,7 +15,8 @@ app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_h
 @app.command()
 def check(
     files: Annotated[
-        list[Path] | None, typer.Argument(help="Tables; none checks the shipped ones and those of the settings.")
+        list[Path] | None,
+        typer.Argument(help="Tables; none checks the shipped ones and those of the settings."),
     ] = None,
 ) -> None:
     """Check rule tables: every mistake at once, with file, line and column."""

@@ -12,7 +12,6 @@ MAX_BYTES = 16 << 20
 STDIN = "-"
 
 
-
 @dataclass(frozen=True, slots=True)
 class Source:
     """Where text came from, as a person would name it, and the text."""
