@@ -96,8 +96,8 @@ class Reader:
         self.lines = self.text.splitlines()
 
     @classmethod
-    def of_file(cls, path: Path) -> "Reader":
-        """Read a file, at most one byte more than `MAX_BYTES` of it.
+    def of_file(cls, path: Path, shown: str | None = None) -> "Reader":
+        """Read a file, at most one byte more than `MAX_BYTES` of it; messages call it ``shown``.
 
         Raises
         ------
@@ -107,7 +107,7 @@ class Reader:
             If it is too large or is not UTF-8.
         """
         with path.open("rb") as stream:
-            return cls(str(path), stream.read(MAX_BYTES + 1))
+            return cls(shown or str(path), stream.read(MAX_BYTES + 1))
 
     def _decoded(self, source: bytes | str) -> str:
         raw = source.encode("utf-8", "surrogatepass") if isinstance(source, str) else source

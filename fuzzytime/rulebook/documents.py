@@ -1,0 +1,149 @@
+"""Rule files to tables: all files together, all mistakes at once."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from fuzzytime.errors import DocumentError, Mistake
+from fuzzytime.resources import rules_directory
+from fuzzytime.rulebook.profile import Profile
+from fuzzytime.rulebook.sections.durations import read_durations
+from fuzzytime.rulebook.sections.models import read_models
+from fuzzytime.rulebook.sections.rows import (
+    read_constraints,
+    read_entries,
+    read_grains,
+    read_rows,
+    read_time_hedges,
+)
+from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.rulebook.sections.widths import (
+    read_actors,
+    read_clock,
+    read_plateau,
+    read_roundness,
+    read_width,
+)
+from fuzzytime.rulebook.tables import Tables
+from fuzzytime.rulebook.vocabulary import Vocabulary
+from fuzzytime.yaml_nodes import Node, Reader
+
+VERSION = "1"
+SHIPPED = ("lookup.yaml", "durations.yaml")
+"""The shipped rule files, in rising precedence."""
+
+_SECTIONS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
+    "width": read_width,
+    "plateau": read_plateau,
+    "clock": read_clock,
+    "roundness": read_roundness,
+    "actors": read_actors,
+    "models": read_models,
+    "prepositions": read_rows,
+    "words": read_rows,
+    "clauses": read_rows,
+    "grains": read_grains,
+    "constraints": read_constraints,
+    "entries": read_entries,
+}
+"""Sections of the lookup, which a profile may hold as well; each fills the field of `Tables` of its name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A rule file: where it is, and how messages and explanations call it."""
+
+    path: Path
+    shown: str
+
+    @classmethod
+    def shipped(cls, name: str) -> "Document":
+        """Give one of the shipped files, called by a short path."""
+        return cls(rules_directory() / name, f"rules/{name}")
+
+    @classmethod
+    def given(cls, path: Path) -> "Document":
+        """Give a user's file, called as it was given."""
+        return cls(path, str(path))
+
+
+def load(documents: Sequence[Document], profile: Profile) -> Tables:
+    """Read files in rising precedence into tables for a profile.
+
+    Raises
+    ------
+    DocumentError
+        With every mistake of every file.
+    """
+    tables, mistakes = _read(documents, profile)
+    if mistakes:
+        raise DocumentError(mistakes)
+    return tables
+
+
+def mistakes_in(documents: Sequence[Document]) -> tuple[Mistake, ...]:
+    """Give every mistake of every file, in the order of their places."""
+    return tuple(sorted(_read(documents, Profile.EVERYDAY)[1]))
+
+
+def _read(documents: Sequence[Document], profile: Profile) -> tuple[Tables, tuple[Mistake, ...]]:
+    opened: list[tuple[Reader, Node]] = []
+    mistakes: list[Mistake] = []
+    for document in documents:
+        try:
+            reader = _opened(document)
+            opened.append((reader, reader.root()))
+        except DocumentError as error:
+            mistakes += error.mistakes
+    names = Vocabulary.of(root for _, root in opened)
+    tables = Tables()
+    for reader, root in opened:
+        tables = tables.overridden(_tables(reader, root, names, profile))
+        mistakes += reader.mistakes
+    return tables, tuple(mistakes)
+
+
+def _opened(document: Document) -> Reader:
+    try:
+        return Reader.of_file(document.path, document.shown)
+    except OSError as error:
+        reason = error.strerror or type(error).__name__
+        raise DocumentError(
+            (Mistake(document.shown, 1, 1, "", f"the file cannot be read: {reason}"),)
+        ) from error
+
+
+def _tables(reader: Reader, root: Node, names: Vocabulary, profile: Profile) -> Tables:
+    allowed = ("fuzzytime", "source", "profiles", "hedges", "durations", *_SECTIONS)
+    found = reader.mapping(root, "", allowed, ("fuzzytime",))
+    if "fuzzytime" in found:
+        version = reader.string(found["fuzzytime"], "fuzzytime")
+        if version != VERSION:
+            reader.mistake(found["fuzzytime"], "fuzzytime", f"the version must be {VERSION}, got {version!r}")
+    scope = Scope(reader, names)
+    tables = _lookup_tables(scope, found, "")
+    if "durations" in found:
+        durations = read_durations(scope, found["durations"], "durations")
+        tables = tables.overridden(Tables(durations=durations))
+    if "profiles" in found:
+        for name, node in reader.mapping(found["profiles"], "profiles", tuple(Profile)).items():
+            path = f"profiles.{name}"
+            sections = reader.mapping(node, path, ("source", "hedges", *_SECTIONS))
+            own = _lookup_tables(scope, sections, f"{path}.")
+            if name == profile:
+                tables = tables.overridden(own)
+    return tables
+
+
+def _lookup_tables(scope: Scope, found: Mapping[str, Node], prefix: str) -> Tables:
+    read = {
+        section: reader(scope, found[section], f"{prefix}{section}")
+        for section, reader in _SECTIONS.items()
+        if section in found
+    }
+    if "hedges" in found:
+        hedges = scope.reader.mapping(found["hedges"], f"{prefix}hedges", ("time", "term"))
+        if "time" in hedges:
+            read["time_hedges"] = read_time_hedges(scope, hedges["time"], f"{prefix}hedges.time")
+    return Tables(**read)

@@ -1,0 +1,62 @@
+"""The names that a set of rule files declare, gathered before any of them is read in full.
+
+So a file may speak of what another declares, and every unknown name is a mistake with its place.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+from fuzzytime.yaml_nodes import Mapping as MappingNode
+from fuzzytime.yaml_nodes import Node
+
+CLAUSE_MODELS = ("when", "while", "until")
+"""Models of clauses, which need no breakpoints: they follow a condition's trace."""
+
+
+@dataclass(frozen=True, slots=True)
+class Vocabulary:
+    """Declared names; ``terms`` are by variable."""
+
+    models: frozenset[str]
+    time_hedges: frozenset[str]
+    term_hedges: frozenset[str]
+    signals: frozenset[str]
+    terms: Mapping[str, frozenset[str]]
+
+    @classmethod
+    def of(cls, roots: Iterable[Node]) -> "Vocabulary":
+        """Gather the names of documents; what is malformed is passed over here and reported later."""
+        models, time_hedges, term_hedges, signals = set[str](), set[str](), set[str](), set[str]()
+        terms: dict[str, frozenset[str]] = {}
+        for root in roots:
+            for part in (root, *_children(_child(root, "profiles"))):
+                models.update(_names(_child(part, "models")))
+                hedges = _child(part, "hedges")
+                time_hedges.update(_names(_child(hedges, "time")))
+                term_hedges.update(_names(_child(hedges, "term")))
+            signals.update(_names(_child(root, "signals")))
+            variables = _child(root, "variables")
+            for name in _names(variables):
+                terms[name] = frozenset(_names(_child(_child(variables, name), "terms")))
+        return cls(
+            frozenset(models),
+            frozenset(time_hedges),
+            frozenset(term_hedges),
+            frozenset(signals),
+            MappingProxyType(terms),
+        )
+
+
+def _child(node: Node | None, name: str) -> Node | None:
+    if not isinstance(node, MappingNode):
+        return None
+    return next((value for key, value in node.entries if key.text == name), None)
+
+
+def _children(node: Node | None) -> list[Node]:
+    return [value for _, value in node.entries] if isinstance(node, MappingNode) else []
+
+
+def _names(node: Node | None) -> list[str]:
+    return [key.text for key, _ in node.entries] if isinstance(node, MappingNode) else []
