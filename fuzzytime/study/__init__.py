@@ -6,19 +6,25 @@ the store and the plots is a pure function over arrays.
 """
 
 from fuzzytime.study.answers import Answers, Origin, Participant, SetAside
+from fuzzytime.study.calibrate import Calibration, calibrate
 from fuzzytime.study.characteristics import Characteristics, characterise, histogram
 from fuzzytime.study.compare import Comparison, compare
 from fuzzytime.study.density import Flanks, flanks, variance
-from fuzzytime.study.design import Design, StudyInstruction, Timeline
+from fuzzytime.study.design import Design
 from fuzzytime.study.fitting import Fit, Model, fit, fit_models
+from fuzzytime.study.questions import StudyInstruction, Timeline
 from fuzzytime.study.scale import ScaleComparison, compare_answers
 from fuzzytime.study.simulate import Hand, Population, simulate
 from fuzzytime.study.start_times import StartTimeInfluence, influence_of_start_times
+from fuzzytime.study.store import AnswerStore
 from fuzzytime.study.subgroups import Subgroups, subgroups
 from fuzzytime.study.subjective import SubjectiveSatisfaction
+from fuzzytime.study.table import rule_table
 
 __all__ = [
+    "AnswerStore",
     "Answers",
+    "Calibration",
     "Characteristics",
     "Comparison",
     "Design",
@@ -36,6 +42,7 @@ __all__ = [
     "Subgroups",
     "SubjectiveSatisfaction",
     "Timeline",
+    "calibrate",
     "characterise",
     "compare",
     "compare_answers",
@@ -44,6 +51,7 @@ __all__ = [
     "flanks",
     "histogram",
     "influence_of_start_times",
+    "rule_table",
     "simulate",
     "subgroups",
     "variance",

@@ -15,7 +15,8 @@ import numpy as np
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
 from fuzzytime.study.answers import Answers, Origin, Participant
-from fuzzytime.study.design import Design, Question, StudyInstruction
+from fuzzytime.study.design import Design
+from fuzzytime.study.questions import Question, StudyInstruction
 
 Truth = Callable[[StudyInstruction, str], SatisfactionFunction]
 """ψ of the median participant, for an instruction and a group."""
@@ -206,7 +207,7 @@ class _Draw:
         margins = self.generator.uniform(0.0, self.hand.margin, 2)
         late = self.hand.time * self._wobble()
         lift = self.hand.satisfaction * self._wobble()
-        drawn = np.clip(self._meant(instruction, times + late) + lift, 0.0, 1.0)
+        drawn = np.clip(self._meant(instruction, np.maximum(times + late, times[0])) + lift, 0.0, 1.0)
         there = np.flatnonzero(self._meant(instruction, times) > 0)
         if not there.size:
             return np.full(times.shape, self.design.default)
