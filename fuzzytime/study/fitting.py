@@ -23,6 +23,12 @@ STARTS = 3
 EVALUATIONS = 60
 """Evaluations from one guess: trapezoids take about ten, a bell that becomes a jump would never end."""
 
+FIRST_LEG = 8
+"""Evaluations that every guess gets before only the best is followed."""
+
+TOLERANCE = 1e-6
+"""Relative changes of error and parameters below which a fit has settled: a millisecond in twenty minutes."""
+
 DEGREE = 8
 """Degree of a fitted polynomial unless another is asked for: nine parameters."""
 
@@ -157,20 +163,25 @@ def _least_squares(shape: Shape, curve: Curve, starts: int) -> Floats:
 
     low, high = shape.bounds(curve)
     margin = 1e-9 * (high - low)
-    best, least = np.empty(0), np.inf
-    for guess in shape.guesses(curve)[:starts]:
+
+    def descend(start: Floats, evaluations: int) -> tuple[float, Floats]:
         result = least_squares(
             residuals,
-            np.clip(guess, low + margin, high - margin),
+            np.clip(start, low + margin, high - margin),
             jac=derivatives,
             bounds=(low, high),
             method="trf",
             x_scale="jac",
-            max_nfev=EVALUATIONS,
+            max_nfev=evaluations,
+            ftol=TOLERANCE,
+            xtol=TOLERANCE,
         )
-        if result.cost < least:
-            best, least = np.asarray(result.x, float), float(result.cost)
-    return best
+        return float(result.cost), np.asarray(result.x, float)
+
+    # All run a first leg, and the best one runs on: by then it is plain which valley is the deepest.
+    legs = [descend(guess, FIRST_LEG) for guess in shape.guesses(curve)[:starts]]
+    _, ahead = min(legs, key=lambda leg: leg[0])
+    return descend(ahead, EVALUATIONS)[1]
 
 
 def _without_unseen_flank(parameters: Floats, curve: Curve, starts: int) -> tuple[Shape, Floats]:

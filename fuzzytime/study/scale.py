@@ -88,7 +88,7 @@ def _cliff(first: np.ndarray, second: np.ndarray) -> tuple[float, tuple[float, f
     rows = ((dominance.mean(axis=1) - delta) ** 2).sum() / (n - 1)
     columns = ((dominance.mean(axis=0) - delta) ** 2).sum() / (m - 1)
     cells = ((dominance - delta) ** 2).sum() / (n * m - 1)
-    spread = max(((m - 1) * rows + (n - 1) * columns + cells) / (n * m), (1 - delta**2) / (n * m - 1))
+    spread = float(max(((m - 1) * rows + (n - 1) * columns + cells) / (n * m), (1 - delta**2) / (n * m - 1)))
     if abs(delta) == 1:
         # No pair contradicts the difference: the interval is that of a proportion without a failure.
         reach = 1 - 2 * (1 - 0.025 ** (1 / min(n, m)))
@@ -96,4 +96,4 @@ def _cliff(first: np.ndarray, second: np.ndarray) -> tuple[float, tuple[float, f
     z = 1.959964
     centre, half = delta - delta**3, z * spread**0.5 * ((1 - delta**2) ** 2 + z**2 * spread) ** 0.5
     whole = 1 - delta**2 + z**2 * spread
-    return delta, (max((centre - half) / whole, -1.0), min((centre + half) / whole, 1.0))
+    return delta, (max(float(centre - half) / whole, -1.0), min(float(centre + half) / whole, 1.0))
