@@ -25,7 +25,9 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     ends = [0.0]
     for interpreted in skills:
         window = interpreted.skill.satisfaction.acceptable(THRESHOLD)
-        ends += [window.high] if math.isfinite(window.high) else [window.low] if math.isfinite(window.low) else []
+        ends += (
+            [window.high] if math.isfinite(window.high) else [window.low] if math.isfinite(window.low) else []
+        )
     ends += [busy.end for busy in request.busy if busy.end <= MAX_HORIZON]
     last = max(end for end in ends if end <= MAX_HORIZON)
     work = sum(interpreted.skill.time_until_done for interpreted in skills)

@@ -8,8 +8,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
+from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval, product
@@ -53,7 +55,15 @@ def link(
             targets = [target for target in links.skills_of(requirement.anchor.target) if target != position]
             if not targets:
                 message = f"refers to {requirement.anchor.text!r}, which is not planned"
-                problems.append(_problem(interpreted, message, requirement.span))
+                problems.append(
+                    problem_of(
+                        interpreted.wish,
+                        ProblemKind.UNRESOLVED,
+                        message,
+                        requirement.span,
+                        interpreted.identifier,
+                    )
+                )
                 continue
             # Of a repetition, the first occurrence is meant.
             tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
@@ -76,7 +86,9 @@ def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Preced
                 raise FuzzytimeError(
                     f"{where}'after' must name the id of a skill, got {name!r}{suggestion(name, by_identifier)}"
                 )
-            found += [(position, Precedence(first, position)) for first in by_identifier[name] if first != position]
+            found += [
+                (position, Precedence(first, position)) for first in by_identifier[name] if first != position
+            ]
     return found
 
 
@@ -123,7 +135,7 @@ class _Tie:
             latest=distance,
             anchor=None,
         )
-        inside = self.rulebook.resolve(as_from_now, _NO_CONTEXT).satisfaction.acceptable()
+        inside = self.rulebook.resolve(as_from_now, Context.empty).satisfaction.acceptable()
         return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
 
     def precedence(self, target: int, this: int) -> Precedence:
@@ -145,7 +157,11 @@ class _Tie:
         follows = self.target.skill.satisfaction.shifted(self.moment + self.anchor.lag)
         own = self.this.skill.satisfaction
         alone = len([r for r in self.this.requirements if r.anchor is None]) == 0
-        factor = 1 + leeway.length / max(follows.support.length, 1.0) if math.isfinite(follows.support.length) else 1.0
+        factor = (
+            1 + leeway.length / max(follows.support.length, 1.0)
+            if math.isfinite(follows.support.length)
+            else 1.0
+        )
         wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
         joined = wide if alone else product(own, wide)
         return replace(self.this, skill=replace(self.this.skill, satisfaction=joined))
@@ -167,16 +183,6 @@ def _without_circles(
             kept.append(precedence)
         except FuzzytimeError:
             message = "cannot come before what must come before it: this order is not kept"
-            problems.append(_problem(skills[position], message, None))
+            wish, identifier = skills[position].wish, skills[position].identifier
+            problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
     return tuple(kept)
-
-
-def _problem(interpreted: Interpreted, message: str, span: tuple[int, int] | None) -> Problem:
-    return Problem(
-        kind=ProblemKind.UNRESOLVED,
-        message=message,
-        line=interpreted.wish.line,
-        text=getattr(interpreted.wish, "text", interpreted.skill.name),
-        span=span,
-        identifier=interpreted.identifier,
-    )
