@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, Yearly
 from fuzzytime.language.meaning.expressions import UnitWord, Wall
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Nth, Share, WeekOf, Which
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Nth, WeekOf, Which
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -73,13 +73,13 @@ def century(year: int, digits: str) -> int:
     return year if len(digits) > 2 else year + (2000 if year < 50 else 1900)
 
 
-@grammar.rule("date", "<y-m-d>", weight=0.3)
+@grammar.rule("date", "<y-m-d>", weight=1.3)
 def iso(numbers: Typed) -> Fields | None:
     """2015-03-03."""
     return _valid(numbers[0], numbers[1], numbers[2]) or _valid(numbers[0], numbers[2], numbers[1])
 
 
-@grammar.rule("date", "<n-n-n>", weight=0.3)
+@grammar.rule("date", "<n-n-n>", weight=1.3)
 def typed(numbers: Typed) -> Fields | None:
     """3/3/2015, 31.10.1974."""
     return _either(numbers[0], numbers[1], century(numbers[2], numbers.parts[2]))
@@ -147,7 +147,7 @@ def with_year(date: Calendar, number: int) -> Fields | None:
     return date.joined(Fields(year=number)) if isinstance(date, Fields) else None
 
 
-@grammar.rule("date", "<month day> - <month> - <integer>", "<month day> <month> of <integer>", weight=0.2)
+@grammar.rule("date", "<month day> - <month> - <integer>", "<month day> <month> of <integer>", weight=1.3)
 def with_short_year(day: int, month: int, number: Integer) -> Fields | None:
     """31-Oct-74."""
     return Fields(century(number.value, number.digits), month, day) if len(number.digits) == 2 else None
@@ -165,19 +165,19 @@ def year_and_month(number: int, month: int) -> Fields:
     return Fields(number, month)
 
 
-@grammar.rule("date", "<year> - <month> - <month day>", "<year> / <month> / <month day>", weight=0.4)
+@grammar.rule("date", "<year> - <month> - <month day>", "<year> / <month> / <month day>", weight=2.5)
 def year_month_day(number: int, month: int, day: int) -> Fields:
     """2019-aug-01."""
     return Fields(number, month, day)
 
 
-@grammar.rule("date", "<month> - <month day> - <year>", weight=0.4)
+@grammar.rule("date", "<month> - <month day> - <year>", "<month> / <month day> / <year>", weight=2.5)
 def month_day_year(month: int, day: int, number: int) -> Fields:
     """Sep-23-2020."""
     return Fields(number, month, day)
 
 
-@grammar.rule("weak date", "<y/n>", "<n/y>", weight=0.1)
+@grammar.rule("weak date", "<y/n>", "<n/y>", weight=1.1)
 def numbered_month(numbers: Typed) -> Fields | None:
     """2014-10, 12/2015."""
     first, second = numbers[0], numbers[1]
@@ -310,7 +310,7 @@ def half_year(number: Integer, outer: Calendar | None) -> Calendar | None:
     """H1 2016."""
     if number.value not in {1, 2} or outer is None or outer.grain is not Unit.YEAR:
         return None
-    return Share((number.value - 1) / 2, number.value / 2, outer)
+    return Nth(6 * number.value - 5, Cycle(Unit.MONTH), outer, 6)
 
 
 @grammar.rule("date", "the? <ordinal> <series> after <whole>", weight=0.4)
@@ -348,7 +348,7 @@ def weak_wall(days: Calendar) -> Wall:
     return Wall(days, weak=True)
 
 
-@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.1)
+@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)
 def eve(feast: Yearly) -> Calendar:
     """The day before christmas."""
     return Away(-1, Unit.DAY, feast)

@@ -109,7 +109,7 @@ def after_next(series: Calendar) -> Calendar:
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
-@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.2)
+@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
 def weekdays_from_now(number: object, weekday: int) -> Calendar | None:
     """Three fridays from now."""
     count = getattr(number, "value", 0)
@@ -305,3 +305,11 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
 def rest(days: Calendar) -> Rest:
     """The rest of the day."""
     return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))
+
+
+@grammar.rule(
+    "rest", "rest|remainder of? the|this|my? <part>", "the rest of? the|this|my? <part>", weight=0.25
+)
+def rest_of_part(part: Part) -> Rest:
+    """The rest of the morning."""
+    return Rest(Wall(Relative(0), part))

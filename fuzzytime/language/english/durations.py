@@ -77,7 +77,7 @@ def tail(first: Duration, number: Integer) -> Duration | None:
     return replace(first, terms=(*first.terms, (number.value, SMALLER[unit])), bare_end=True)
 
 
-@grammar.rule("duration", "<15h30>", weight=-0.5)
+@grammar.rule("duration", "<15h30>", weight=-0.15)
 def typed(numbers: Typed) -> Duration | None:
     """1h30."""
     hours, minutes = numbers[0], numbers[1]

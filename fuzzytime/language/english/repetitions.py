@@ -12,17 +12,6 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-PERIODS = {
-    "hourly": 1 / 24,
-    "daily": 1,
-    "nightly": 1,
-    "weekly": 7,
-    "fortnightly": 14,
-    "monthly": 30,
-    "quarterly": 91,
-    "yearly": 365,
-    "annually": 365,
-}
 SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
 
@@ -51,13 +40,19 @@ def every_so_long(duration: Duration) -> Repeat | None:
     return Repeat(duration) if duration.seconds > 0 and duration.until is None else None
 
 
+@grammar.rule("repeat", "every|each <unit> and <fraction>", weight=0.1)
+def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
+    """Every hour and a half."""
+    return of_unit(unit, 1 + fraction)
+
+
 @grammar.rule("repeat", "every|each other|second <unit>", weight=0.1)
 def every_other(unit: UnitWord) -> Repeat:
     """Every other day."""
     return of_unit(unit, 2)
 
 
-@grammar.rule("repeat", "every|each <ordinal> <unit>")
+@grammar.rule("repeat", "every|each <ordinal> <unit>", weight=0.4)
 def every_nth(number: int, unit: UnitWord) -> Repeat | None:
     """Every third day."""
     return of_unit(unit, number) if number > 0 else None
@@ -140,13 +135,6 @@ def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None
 def weekday_of_every(number: int, weekday: int) -> Repeat:
     """The first monday of every month."""
     return Repeat(walls=(Wall(Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH))),))
-
-
-@grammar.rule(
-    "adverb", "hourly|daily|nightly|weekly|fortnightly|monthly|quarterly|yearly|annually|everyday|biweekly"
-)
-def adverb() -> None:
-    """Read below, a word each."""
 
 
 @grammar.rule("repeat", "a? daily", "a? nightly", "everyday", "day in day out", "each day of the week")
@@ -235,11 +223,6 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, 9am on sundays."""
     return narrowed_repeat(repeat, wall)
-
-
-@grammar.rule("repeat", "<wall> <preposition_before>|<preposition_after> <repeat>")
-def refused(wall: Wall, preposition: Preposition, repeat: Repeat) -> None:
-    """No such thing."""
 
 
 def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:

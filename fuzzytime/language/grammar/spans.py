@@ -12,7 +12,7 @@ from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -42,7 +42,7 @@ WIDTH = 0.35
 
 
 @dataclass(frozen=True, slots=True)
-class Chart:
+class Scanned:
     """A text's words and everything the grammar finds in them."""
 
     text: str
@@ -50,7 +50,7 @@ class Chart:
     cells: list[Cell]
 
     @classmethod
-    def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Chart":
+    def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
         words = _parted(words_of(text), lexicon)
         lexical = {}
@@ -91,11 +91,11 @@ def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     return text in lexicon.numbers or text in lexicon.ordinals or text in lexicon.magnitudes
 
 
-def phrases_of(chart: Chart, lexicon: Lexicon) -> tuple[Phrase, ...]:
+def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
-    judge = _Judge(chart.words, lexicon)
-    kept = [piece for piece in chart.pieces("said") if judge.accepts(piece)]
-    return tuple(_phrase(chart, piece) for piece in _best(kept, len(chart.words)))
+    judge = _Judge(scanned.words, lexicon)
+    kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
+    return tuple(_phrase(scanned, piece) for piece in _best(kept, len(scanned.words)))
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
@@ -122,9 +122,9 @@ def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
     return found
 
 
-def _phrase(chart: Chart, piece: Piece) -> Phrase:
-    start, end = chart.words[piece.start].start, chart.words[piece.end - 1].end
-    words = chart.words[piece.start : piece.end]
+def _phrase(scanned: Scanned, piece: Piece) -> Phrase:
+    start, end = scanned.words[piece.start].start, scanned.words[piece.end - 1].end
+    words = scanned.words[piece.start : piece.end]
     # The full stop of an abbreviation at the end of a sentence ends both.
     if words[-1].text == "." and len(words) > 1 and len(words[-2].text) > 1:
         end = words[-2].end
@@ -229,10 +229,13 @@ class _Judge:
             unbinding = {None, "to", "at", "for", "of", "on"} if wall.part is not None else {None, "to", "at"}
             bound = said.preposition not in unbinding or bool(said.hedges)
             return bound and self._may_end(piece)
-        if piece.end - piece.start == 1 and self.texts[piece.start] in self.lexicon.ambiguous:
+        if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
             return False
-        return True
-
+        # "The sun", "in the sun": a weekday never stands with "in".
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
+        return not (
+            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        )
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six"; not "by 10" of a volume, not "at 180" of an oven."""

@@ -18,6 +18,9 @@ from fuzzytime.yaml_nodes import Node, Reader, Scalar
 FULL_STOP_BELOW = 6
 """Words shorter than this may be typed with a full stop, as abbreviations are."""
 
+MORE_WORDS = 0.1
+"""What each further word of a form weighs: "sometime around" is one preposition, not one and a hedge."""
+
 Form = tuple[str, ...]
 
 
@@ -87,7 +90,7 @@ class Tables:
     def add(self, node: Node, key: str, category: str, value: Any, forms: Iterable[Form]) -> None:
         """Add entries; the same words must not have two meanings in one category."""
         for form in forms:
-            self.entries.append(Entry(form, category, value))
+            self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
             if self.seen.setdefault((form, category), len(self.entries)) != len(self.entries):
                 self.reader.mistake(
                     node, key, f"words must have one meaning in a table, got {' '.join(form)!r} twice"

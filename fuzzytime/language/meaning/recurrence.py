@@ -95,6 +95,13 @@ class CalendarRecurrence:
         return tuple(sorted(found))[:count]
 
     def _times(self, wall: Wall) -> Iterator[float]:
+        """Give the times of one wall-clock expression, up to the end of the calendar."""
+        try:
+            yield from self._all_times(wall)
+        except (OverflowError, ValueError, UngroundedError):
+            return
+
+    def _all_times(self, wall: Wall) -> Iterator[float]:
         now = self.moment.grounding().now
         today = Today(now.date(), self.moment.policy)
         clock = _seconds_of_day(wall)

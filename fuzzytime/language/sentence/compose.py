@@ -20,8 +20,8 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.expressions import Part as DayPart
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
+from fuzzytime.language.meaning.expressions import Part as DayPart
 from fuzzytime.language.meaning.requirements import Grounded, Moment
 from fuzzytime.language.sentence.clauses import Clause, clauses_of, inside
 from fuzzytime.language.sentence.drafts import Draft, Part
@@ -73,7 +73,7 @@ class _Composer:
             self._instruction(sketch, len(self.given) + place, operations)
             for place, sketch in enumerate(drafts)
         )
-        self.remarks += leftovers(self.draft.chart, self.explained, self.lexicon)
+        self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
         return Reading(
             text=self.draft.text,
@@ -93,7 +93,9 @@ class _Composer:
 
     def _sketch(self, part: Part) -> _Sketch:
         first, end = part.segment.span
-        phrases = [phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+        phrases = [
+            phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end
+        ]
         clauses = []
         if part.front is not None:
             clauses += self._clauses(part.front, first, part.offset, phrases)
@@ -116,12 +118,14 @@ class _Composer:
 
     def _clauses(self, tree: Tree, offset: int, end: int, phrases: Sequence[Phrase]) -> list[Clause]:
         """Give the clauses in a tree's stretch of text, with places in the whole text."""
-        places = [p for p, word in enumerate(self.draft.chart.words) if offset <= word.start < end]
+        places = [p for p, word in enumerate(self.draft.scanned.words) if offset <= word.start < end]
         start = places[0] if places else 0
-        words = [self.draft.chart.words[place] for place in places]
+        words = [self.draft.scanned.words[place] for place in places]
         local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
         local = [
-            replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
             for p in phrases
             if offset <= p.span[0] < end
         ]
@@ -266,7 +270,9 @@ class _Composer:
         if not later or position == len(self.given):
             return None
         lag = grounded.requirement.t_spec or 0.0
-        anchor = Anchor(text=grounded.requirement.text, target=position - 1, edge=Edge.END, lag=lag, exact=True)
+        anchor = Anchor(
+            text=grounded.requirement.text, target=position - 1, edge=Edge.END, lag=lag, exact=True
+        )
         found = replace(grounded.requirement, constraint=Constraint.AFTER, anchor=anchor)
         return replace(found, t_spec=None, earliest=None, latest=None)
 

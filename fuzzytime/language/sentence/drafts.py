@@ -7,7 +7,7 @@ from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.spans import Chart, phrases_of
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.corrections import corrected
@@ -47,7 +47,7 @@ class Draft:
 
     text: str
     now: datetime | None
-    chart: Chart
+    scanned: Scanned
     phrases: tuple[Phrase, ...]
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
@@ -57,20 +57,22 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts."""
-    charts = [Chart.of(text, grammar, lexicon) for text, _ in texts]
-    corrections = [corrected(chart, phrases_of(chart, lexicon), lexicon) for chart in charts]
+    texts_scanned = [Scanned.of(text, grammar, lexicon) for text, _ in texts]
+    corrections = [corrected(scanned, phrases_of(scanned, lexicon), lexicon) for scanned in texts_scanned]
     segments = [
-        segments_of(chart.text, chart.words, phrases, lexicon)
-        for chart, (phrases, _) in zip(charts, corrections, strict=True)
+        segments_of(scanned.text, scanned.words, phrases, lexicon)
+        for scanned, (phrases, _) in zip(texts_scanned, corrections, strict=True)
     ]
     sound = [
-        replace(chart, text=_without(chart.text, [remark.span for remark in remarks]))
-        for chart, (_, remarks) in zip(charts, corrections, strict=True)
+        replace(scanned, text=_without(scanned.text, [remark.span for remark in remarks]))
+        for scanned, (_, remarks) in zip(texts_scanned, corrections, strict=True)
     ]
     parts = _parted(sound, [phrases for phrases, _ in corrections], segments, lexicon, trees)
     return [
-        Draft(text, now, chart, tuple(phrases), tuple(own), tuple(remarks))
-        for (text, now), chart, (phrases, remarks), own in zip(texts, charts, corrections, parts, strict=True)
+        Draft(text, now, scanned, tuple(phrases), tuple(own), tuple(remarks))
+        for (text, now), scanned, (phrases, remarks), own in zip(
+            texts, texts_scanned, corrections, parts, strict=True
+        )
     ]
 
 
@@ -82,70 +84,72 @@ def _without(text: str, spans: Sequence[Span]) -> str:
 
 
 def _parted(
-    charts: Sequence[Chart],
+    texts_scanned: Sequence[Scanned],
     phrases: Sequence[Sequence[Phrase]],
     segments: Sequence[Sequence[Segment]],
     lexicon: Lexicon,
     trees: Trees,
 ) -> list[list[Part]]:
     """Parse every segment, and cut it again where its tree shows a further instruction."""
-    done: list[dict[int, Part]] = [{} for _ in charts]
+    done: list[dict[int, Part]] = [{} for _ in texts_scanned]
     open_segments = [(i, segment) for i, own in enumerate(segments) for segment in own]
     for _ in range(ROUNDS):
         if not open_segments:
             break
-        fronts = [front_of(charts[i], phrases[i], segment, lexicon) for i, segment in open_segments]
+        fronts = [front_of(texts_scanned[i], phrases[i], segment, lexicon) for i, segment in open_segments]
         mains = [front or segment.span[0] for front, (_, segment) in zip(fronts, open_segments, strict=True)]
         wanted = [
-            _words_of(charts[i], phrases[i], (main, segment.span[1]))
+            _words_of(texts_scanned[i], phrases[i], (main, segment.span[1]))
             for main, (i, segment) in zip(mains, open_segments, strict=True)
         ]
         clauses = [
-            charts[i].text[segment.span[0] : front] if front else ""
+            texts_scanned[i].text[segment.span[0] : front] if front else ""
             for front, (i, segment) in zip(fronts, open_segments, strict=True)
         ]
         found, before = _trees(wanted, trees), trees(clauses)
         following: list[tuple[int, Segment]] = []
         for (i, segment), tree, main, front in zip(open_segments, found, mains, before, strict=True):
             part = Part(segment, tree, main, front if front.nodes else None)
-            cut = _cut(charts[i], phrases[i], part)
+            cut = _cut(texts_scanned[i], phrases[i], part)
             if cut is None:
                 done[i][segment.span[0]] = part
             else:
                 following += [(i, piece) for piece in cut]
         open_segments = following
     for i, segment in open_segments:
-        done[i][segment.span[0]] = Part(segment, Tree(charts[i].text[slice(*segment.span)], ()), segment.span[0])
+        done[i][segment.span[0]] = Part(
+            segment, Tree(texts_scanned[i].text[slice(*segment.span)], ()), segment.span[0]
+        )
     return [[own[start] for start in sorted(own)] for own in done]
 
 
-def front_of(chart: Chart, phrases: Sequence[Phrase], segment: Segment, lexicon: Lexicon) -> int:
+def front_of(scanned: Scanned, phrases: Sequence[Phrase], segment: Segment, lexicon: Lexicon) -> int:
     """Give where the words behind a clause in front begin, 0 where there is none.
 
     A clause in front begins with a marker, or with a length of time and a marker, and ends at a comma.
     """
-    places = [p for p, word in enumerate(chart.words) if segment.span[0] <= word.start < segment.span[1]]
+    places = [p for p, word in enumerate(scanned.words) if segment.span[0] <= word.start < segment.span[1]]
     if not places:
         return 0
     first = next((p.end for p in phrases if p.first == places[0]), places[0])
-    if first not in places or longest_match(chart.words, first, lexicon.clauses) is None:
+    if first not in places or longest_match(scanned.words, first, lexicon.clauses) is None:
         return 0
     if any(p.first <= first < p.end for p in phrases):
         return 0
-    comma = next((p for p in places if p > first and chart.words[p].text == ","), None)
-    return chart.words[comma + 1].start if comma is not None and comma + 1 in places else 0
+    comma = next((p for p in places if p > first and scanned.words[p].text == ","), None)
+    return scanned.words[comma + 1].start if comma is not None and comma + 1 in places else 0
 
 
-def _words_of(chart: Chart, phrases: Sequence[Phrase], span: Span) -> str:
+def _words_of(scanned: Scanned, phrases: Sequence[Phrase], span: Span) -> str:
     """Give a stretch of text, or nothing where it is all time: such a fragment needs no tree."""
     first, end = span
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
     rest = [
         word
-        for place, word in enumerate(chart.words)
+        for place, word in enumerate(scanned.words)
         if first <= word.start < end and place not in covered and (word.is_letters or word.is_digits)
     ]
-    return chart.text[first:end] if any(word.text != "please" for word in rest) else ""
+    return scanned.text[first:end] if any(word.text != "please" for word in rest) else ""
 
 
 def _trees(texts: Sequence[str], trees: Trees) -> list[Tree]:
@@ -167,7 +171,7 @@ def _carried(carrier: str, text: str) -> str:
     return carrier + text[0].lower() + text[1:] if len(text[0].lower()) == 1 else carrier + text
 
 
-def _cut(chart: Chart, phrases: Sequence[Phrase], part: Part) -> list[Segment] | None:
+def _cut(scanned: Scanned, phrases: Sequence[Phrase], part: Part) -> list[Segment] | None:
     """Cut a segment before its first further verb; None where there is none."""
     root = part.tree.root
     if root is None:
@@ -177,7 +181,7 @@ def _cut(chart: Chart, phrases: Sequence[Phrase], part: Part) -> list[Segment] |
         start = part.tree.nodes[place].start + part.offset
         if any(a < start < b for a, b in (phrase.span for phrase in phrases)):
             continue
-        end = first + len(JOINT.sub("", chart.text[first:start]))
+        end = first + len(JOINT.sub("", scanned.text[first:start]))
         if end > part.offset:
             return [replace(part.segment, span=(first, end)), Segment((start, last))]
     return None
