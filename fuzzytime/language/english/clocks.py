@@ -101,11 +101,11 @@ def hours(hour: Integer) -> Clock | None:
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
 
 
-@grammar.rule("clock behind at", "<hh.mm>", weight=0.1)
+@grammar.rule("clock", "<hh.mm>", weight=-0.3)
 def dotted(numbers: Typed) -> Clock | None:
-    """(at) 2.30."""
-    found: Clock | None = typed(numbers)
-    return found
+    """2.30, behind a preposition."""
+    found = typed(numbers)
+    return found if found is None else replace(found, pair=True)
 
 
 @grammar.rule("clock", "<integer> <integer>", weight=-0.15)

@@ -12,9 +12,10 @@ from fuzzytime.language.meaning.expressions import (
     Offset,
     Quantity,
     Said,
+    UnitWord,
     Wall,
 )
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -104,16 +105,37 @@ def within(preposition: Preposition, duration: Duration) -> Said:
 @grammar.rule(
     "said",
     "for <duration>",
-    "for the? next <duration>",
     "for another <duration>",
     "lasting|taking|of? <duration> long",
     "lasting|taking <duration>",
-    "over|during the? next? <duration>",
     weight=0.35,
 )
 def for_duration(duration: Duration) -> Said:
     """For eight minutes, for the next hour."""
     return _length(duration, Constraint.FOR, "for")
+
+
+@grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
+def over_the_next(duration: Duration) -> Said:
+    """Over the next two hours: any time in them."""
+    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+
+
+@grammar.rule("said", "within|in the <unit>", weight=0.3)
+def within_the_hour(unit: UnitWord) -> Said | None:
+    """Within the hour."""
+    if unit.unit not in {Unit.HOUR, Unit.MINUTE} or len(unit.form) == 1:
+        return None
+    return _length(Duration(((unit.count, unit.unit),)), Constraint.BEFORE, "within")
+
+
+@grammar.rule("said", "<preposition_after> in <duration>", "not for another? <duration>", weight=0.5)
+def not_for(first: Preposition | Duration, second: Duration | None = None) -> Said | None:
+    """No sooner than in ten minutes, not for another ten minutes."""
+    if isinstance(first, Preposition) and first.name != "not before":
+        return None
+    duration = first if isinstance(first, Duration) else second
+    return None if duration is None else _length(duration, Constraint.AFTER, "not before")
 
 
 @grammar.rule("said", "for the? <stretch>", weight=0.45)

@@ -214,7 +214,7 @@ def whole(days: Calendar) -> Calendar:
 @grammar.rule("whole", "the? <series>")
 def present_whole(series: Calendar) -> Calendar | None:
     """The month, in "first monday of the month"."""
-    return Deictic(Which.THIS, series) if isinstance(series, Cycle) else None
+    return series if isinstance(series, Cycle) else None
 
 
 @grammar.rule("date", "the? <ordinal> <series> of|in <whole>", "the? <ordinal> <series> <days>", weight=0.4)
@@ -259,6 +259,12 @@ def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None
 
 def _is_days(unit: UnitWord) -> bool:
     return unit.unit not in {Unit.SECOND, Unit.MINUTE, Unit.HOUR}
+
+
+@grammar.rule("date", "<month day> of the month", weight=0.5)
+def day_of_the_month(day: int) -> Calendar:
+    """The first of the month: the next one."""
+    return Fields(day=day)
 
 
 @grammar.rule("date", "<month day> of <days>", weight=0.2)

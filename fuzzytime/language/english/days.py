@@ -9,13 +9,23 @@ from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
     Ending,
+    Half,
     Part,
     Quantity,
     Rest,
     UnitWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Share, Stretch, Which
+from fuzzytime.language.meaning.relations import (
+    Away,
+    Deictic,
+    Following,
+    Relative,
+    Share,
+    Stretch,
+    WeekOf,
+    Which,
+)
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -226,7 +236,7 @@ def part(found: Part) -> Part | None:
     return None if found.is_point else found
 
 
-@grammar.rule("parted", "<share> the? <part>", "<share> this|that <part>", weight=0.1)
+@grammar.rule("parted", "<share> the? <part>|<parts>", "<share> this|that <part>", weight=0.1)
 def part_share(share: tuple[float, float], found: Part) -> Part | None:
     """Early morning, late in the evening."""
     return None if found.is_point else found.share(*share)
@@ -236,6 +246,12 @@ def part_share(share: tuple[float, float], found: Part) -> Part | None:
 def wall_of_part(found: Part) -> Wall:
     """Morning, in the evening, at lunch."""
     return Wall(part=found)
+
+
+@grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
+def all_part(found: Part) -> Wall | None:
+    """All morning, through the night."""
+    return None if found.is_point else Wall(part=found)
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
@@ -271,19 +287,34 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
 @grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
 def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
     """Later today, early tomorrow."""
-    from fuzzytime.language.meaning.expressions import Half
-
     low, high = share
     whole = Part("day", 0, 24 * 3600, Half.DAY)
     return Wall(days or Relative(0), whole.share(low, high))
 
 
-@grammar.rule("days", "<share> the? <days>", weight=0.1)
-def share_of_days(share: tuple[float, float], days: Calendar) -> Calendar | None:
+@grammar.rule("wall", "<share> <days> <part>", weight=0.3)
+def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -> Wall | None:
+    """Early tomorrow morning, first thing monday morning."""
+    return None if found.is_point else Wall(days, found.share(*share))
+
+
+@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", weight=0.3)
+def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
     """Early next week, mid november."""
-    if days.grain in {Unit.DAY, *SUB_DAY}:
-        return None
-    return Share(*share, days)
+    whole = Fields(month=days) if isinstance(days, int) else days
+    return None if whole.grain is Unit.DAY else Share(*share, whole)
+
+
+@grammar.rule("days", "the week before <days>|<date>", weight=0.4)
+def week_before(days: Calendar) -> Calendar | None:
+    """The week before christmas."""
+    return WeekOf(Away(-1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the week after <days>|<date>", weight=0.4)
+def week_after(days: Calendar) -> Calendar | None:
+    """The week after easter."""
+    return WeekOf(Away(1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
 
 
 @grammar.rule("end", "the? <edge> of? the? <days>|<series>", "the? <ending>", weight=0.2)

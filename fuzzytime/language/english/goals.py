@@ -4,12 +4,15 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Ending,
     Goal,
+    HourMark,
     Offset,
     Range,
+    SameTime,
     Time,
     TimeWord,
     Wall,
@@ -21,6 +24,44 @@ grammar = Grammar()
 @grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<offset>|<word>")
 def goal(time: Time) -> Goal:
     """Any time."""
+    return Goal(time)
+
+
+@grammar.rule(
+    "same", "this|same time <days>", "at? the? same time <days>", "<days> at? this|the same? time", weight=0.3
+)
+def same_time(days: Calendar) -> SameTime:
+    """This time tomorrow."""
+    return SameTime(days)
+
+
+@grammar.rule("same", "the? top|end of the hour", "on the hour", weight=0.2)
+def on_the_hour() -> HourMark:
+    """On the hour."""
+    return HourMark(0)
+
+
+@grammar.rule("same", "half past", weight=0.1)
+def half_past() -> HourMark:
+    """(at) half past."""
+    return HourMark(30)
+
+
+@grammar.rule("same", "a? quarter past", weight=0.1)
+def quarter_past() -> HourMark:
+    """(at) a quarter past."""
+    return HourMark(15)
+
+
+@grammar.rule("same", "a? quarter to", weight=0.1)
+def quarter_to() -> HourMark:
+    """(at) a quarter to."""
+    return HourMark(45)
+
+
+@grammar.rule("goal", "<same>")
+def goal_like_now(time: SameTime | HourMark) -> Goal:
+    """A time of day that depends on the one now."""
     return Goal(time)
 
 

@@ -136,6 +136,12 @@ def just_off(hedge: str, goal: Goal) -> Said | None:
     return Said(goal.time, None, None, (hedge, *goal.hedges), edge, beside=True)
 
 
+@grammar.rule("said", "<preposition_at> <said>", weight=0.05)
+def sometime(preposition: Preposition, said: Said) -> Said | None:
+    """Sometime between 3 and 4."""
+    return said if preposition.name == "sometime" and said.preposition is not None else None
+
+
 @grammar.rule("said", "<hedge> <said>", weight=0.05)
 def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""

@@ -136,7 +136,7 @@ def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     goal, duration = (second, first) if isinstance(first, Duration) else (first, second)
     if not isinstance(goal, Goal) or not isinstance(duration, Duration) or not isinstance(goal.time, Wall):
         return None
-    return Said(goal.time, None, "from", goal.hedges, lasting=duration)
+    return Said(goal.time, None, "at", goal.hedges, lasting=duration)
 
 
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)

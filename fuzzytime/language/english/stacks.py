@@ -48,6 +48,12 @@ def stacked(first: Wall, second: Wall) -> Wall | None:
     return joined(first, second)
 
 
+@grammar.rule("wall", "<date> t <clock> z?", weight=0.5)
+def iso(days: Calendar, clock: Clock) -> Wall:
+    """2026-03-05T14:30."""
+    return Wall(days, clock=replace(clock, full_day=True, bare=False))
+
+
 @grammar.rule("wall", "<wall> the <date>|<weak date>", "<wall> ( <date> )", weight=0.15)
 def stacked_date(first: Wall, second: Calendar) -> Wall | None:
     """Tuesday the 19th."""

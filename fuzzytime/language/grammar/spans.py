@@ -142,7 +142,7 @@ class _Judge:
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self._runs_on(piece):
+        if self._runs_on(piece) or self._is_excepted(piece):
             return False
         if self._is_whole(piece):
             return self._accepts_alone(piece, said)
@@ -157,6 +157,15 @@ class _Judge:
                 between = said.preposition == "between" and self._binds(piece)
                 return between and not self._measured(piece) and self._may_end(piece)
         return True
+
+    def _is_excepted(self, piece: Piece) -> bool:
+        """Whether it is what is left out: "every day except sundays" is not understood, and must not turn into its opposite."""
+        before = self.texts[max(0, piece.start - 3) : piece.start]
+        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
+            ["except", "for"],
+            ["except", "on"],
+            ["but", "not"],
+        )
 
     def _runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""

@@ -291,6 +291,10 @@ def _read_parts(tables: Tables) -> None:
         half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
         meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
         parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal)
+        if not meal and parts[name].start != parts[name].end:
+            tables.add(
+                fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
+            )
         return [("meal" if meal else "part", parts[name])]
 
     tables.table("parts", {"from": True, "to": True, "half": True, "meal": False}, part)

@@ -232,7 +232,21 @@ class Rest:
     of: Wall
 
 
-Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest
+@dataclass(frozen=True, slots=True)
+class SameTime:
+    """The time of day that it is now, on another day: "this time tomorrow"."""
+
+    days: Calendar
+
+
+@dataclass(frozen=True, slots=True)
+class HourMark:
+    """A minute of whichever hour comes next: "on the hour", "at half past"."""
+
+    minute: int
+
+
+Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | HourMark
 
 
 @dataclass(frozen=True, slots=True)

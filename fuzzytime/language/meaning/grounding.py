@@ -15,10 +15,12 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     Ending,
     Half,
+    HourMark,
     Offset,
     Part,
     Range,
     Rest,
+    SameTime,
     Time,
     TimeWord,
     Wall,
@@ -112,6 +114,14 @@ class Grounding:
         if isinstance(said, Rest):
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
+        if isinstance(said, SameTime):
+            days = next(self.days(said.days))
+            moment = datetime.combine(days.first, self.now.time())
+            return Instants(moment, moment, Unit.MINUTE)
+        if isinstance(said, HourMark):
+            moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
+            moment += timedelta(hours=moment <= self.now)
+            return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
     # -- days ----------------------------------------------------------------------------------------------------

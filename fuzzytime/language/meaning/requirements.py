@@ -29,6 +29,7 @@ from fuzzytime.language.meaning.grounding import (
     shifted,
 )
 from fuzzytime.language.meaning.recurrence import recurrence_of
+from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
@@ -235,7 +236,7 @@ class _Grounder:
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         found = replace(self.moment.grounding(zone), lasting=lasting).instants(time)
         start, end = self._bounds(time, found, zone)
-        constraint = self.said.constraint
+        constraint = self.said.constraint or self._distance_bound(time)
         if constraint is None:
             constraint = Constraint.AT if start == end else Constraint.BETWEEN
         if constraint is Constraint.BETWEEN and start == end:
@@ -250,6 +251,17 @@ class _Grounder:
         )
         remarks, questions = self._decisions(found, zone)
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
+
+    def _distance_bound(self, time: Time) -> Constraint | None:
+        """Give the bound that "at least an hour before noon" is; None for other times."""
+        hedges, direction = set(self.said.hedges), 0
+        if isinstance(time, Offset):
+            hedges, direction = hedges | set(time.duration.hedges), time.direction
+        elif isinstance(time, Wall) and isinstance(time.days, Away) and time.clock is None:
+            direction = time.days.count
+        if not direction or not LOWER & hedges:
+            return None
+        return Constraint.BEFORE if direction < 0 else Constraint.AFTER
 
     def _bounds(self, time: Time, found: Instants, zone: str | None) -> tuple[float, float]:
         """Give the seconds of the edges that count: of an interval that a bound names, the one it means."""
