@@ -121,6 +121,12 @@ def over_the_next(duration: Duration) -> Said:
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
 
 
+@grammar.rule("said", "during|in|within|for the? first <duration>", weight=0.5)
+def in_the_first(duration: Duration) -> Said:
+    """During the first twenty minutes."""
+    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+
+
 @grammar.rule("said", "within|in the <unit>", weight=0.3)
 def within_the_hour(unit: UnitWord) -> Said | None:
     """Within the hour."""

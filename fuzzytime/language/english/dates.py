@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend, Yearly
 from fuzzytime.language.meaning.expressions import UnitWord, Wall
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Nth, WeekOf, Which
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Nth, Share, WeekOf, Which
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -177,6 +177,12 @@ def month_day_year(month: int, day: int, number: int) -> Fields:
     return Fields(number, month, day)
 
 
+@grammar.rule("date", "<month day> - <month> - <year>", "<month day> / <month> / <year>", weight=2.5)
+def day_month_year(day: int, month: int, number: int) -> Fields:
+    """23/sep/2020."""
+    return Fields(number, month, day)
+
+
 @grammar.rule("weak date", "<y/n>", "<n/y>", weight=1.1)
 def numbered_month(numbers: Typed) -> Fields | None:
     """2014-10, 12/2015."""
@@ -194,6 +200,18 @@ def month(number: int) -> Fields:
 def year_alone(number: int) -> Fields:
     """2014: sure with a preposition."""
     return Fields(year=number)
+
+
+@grammar.rule("date", "<share> of? <year>", weight=0.3)
+def share_of_year(share: tuple[float, float], number: int) -> Calendar:
+    """Mid 1989."""
+    return Share(*share, Fields(year=number))
+
+
+@grammar.rule("date", "<year> -? h <integer>", weight=1.2)
+def half_of_year(outer: int, number: Integer) -> Calendar | None:
+    """2019 H2."""
+    return half_year(number, Fields(year=outer))
 
 
 @grammar.rule("date", "the? year <year>", "cy <year>")
@@ -331,7 +349,7 @@ def feast_of_year(feast: Yearly, number: int) -> Calendar:
     return Nth(1, feast, Fields(year=number))
 
 
-@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "weekend of <feast>", weight=0.3)
+@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of <feast>", weight=0.3)
 def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
     """Labor day weekend."""
     anchor: Calendar = feast if number is None else Nth(1, feast, Fields(year=number))

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Feast, Fields, Season, Weekend
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -25,6 +26,7 @@ from fuzzytime.language.meaning.relations import (
     Stretch,
     WeekOf,
     Which,
+    Within,
 )
 from fuzzytime.requirement import Unit
 
@@ -120,10 +122,15 @@ def after_next(series: Calendar) -> Calendar:
 
 
 @grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
-def weekdays_from_now(number: object, weekday: int) -> Calendar | None:
+def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
     """Three fridays from now."""
-    count = getattr(number, "value", 0)
-    return Following(count, Fields(weekday=weekday), Relative(0)) if 0 < count < 100 else None
+    return Following(number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
+def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
+    """Two thursdays ago."""
+    return Following(-number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
 
 
 @grammar.rule(
@@ -135,11 +142,7 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
     if not isinstance(duration, Duration) or not isinstance(number, int):
         return None
     away = from_anchor(duration, Relative(0), 1)
-    return None if away is None else Following(1, Fields(weekday=number), _day_before(away))
-
-
-def _day_before(days: Calendar) -> Calendar:
-    return Away(-1, Unit.DAY, days)
+    return None if away is None else Within(Fields(weekday=number), WeekOf(away))
 
 
 @grammar.rule("days", "<weekday> week", "a week on|from <weekday>", "a week <weekday>", weight=0.2)
@@ -200,6 +203,8 @@ def stretch(first: object, second: object, third: object = None) -> Wall | Comin
     """The next three days, the last two hours, 5 coming minutes."""
     which = next(x for x in (first, second) if isinstance(x, Which))
     if isinstance(third, UnitWord) and isinstance(first, Quantity):
+        if third.form == "night":
+            return None
         duration = Duration(((first.value * third.count, third.unit),), first.hedges)
     else:
         duration = next((x for x in (first, second) if isinstance(x, Duration)), Duration(()))
@@ -292,6 +297,12 @@ def later_today(share: tuple[float, float], days: Relative | None = None) -> Wal
     return Wall(days or Relative(0), whole.share(low, high))
 
 
+@grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
+def day_half(days: Calendar, half: Part) -> Wall:
+    """Tuesday am."""
+    return Wall(days, half)
+
+
 @grammar.rule("wall", "<share> <days> <part>", weight=0.3)
 def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -> Wall | None:
     """Early tomorrow morning, first thing monday morning."""
@@ -317,7 +328,7 @@ def week_after(days: Calendar) -> Calendar | None:
     return WeekOf(Away(1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("end", "the? <edge> of? the? <days>|<series>", "the? <ending>", weight=0.2)
+@grammar.rule("end", "the? <edge> of? the? <days>|<series>|<date>|<weak date>", "the? <ending>", weight=0.2)
 def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     """End of the month, the beginning of next week, eod."""
     if isinstance(first, Ending):

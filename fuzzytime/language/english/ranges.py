@@ -24,7 +24,7 @@ from fuzzytime.requirement import Constraint, Unit
 grammar = Grammar()
 
 
-def _range(first: Goal, last: Goal, preposition: str | None, *, inclusive: bool = False) -> Said | None:
+def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
     for time in (first.time, last.time):
         if not isinstance(time, (Wall, Ending, Offset)) and not (
             isinstance(time, TimeWord) and time.word == "now"
@@ -35,16 +35,12 @@ def _range(first: Goal, last: Goal, preposition: str | None, *, inclusive: bool 
         if apart is None or not _comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
-    time = Range(first.time, last.time, inclusive=inclusive)
+    time = Range(first.time, last.time)
     return Said(time, Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
 
 
 def _comparable(first: Wall, last: Wall) -> bool:
     """Whether two can be the ends of one range: a year and a clock time cannot."""
-    grains = [wall.days.grain for wall in (first, last) if wall.days is not None and wall.clock is None]
-    if Unit.DAY not in grains and Unit.YEAR in grains and Unit.MONTH in grains:
-        # "Aug-01-2019" is a date; a month and a year are no two ends.
-        return first.days is not None and first.days.fixed
     for one, other in ((first, last), (last, first)):
         coarse = one.days is not None and one.days.grain is not Unit.DAY and one.clock is None
         if coarse and other.clock is not None and other.days is None:
@@ -89,7 +85,12 @@ def between(first: Goal, last: Goal) -> Said | None:
 @grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
 def from_to(first: Goal, last: Goal) -> Said | None:
     """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
-    if all(isinstance(goal.time, Wall) and goal.time.bare for goal in (first, last)):
+    walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
+    if len(walls) == 2 and all(wall.bare for wall in walls):
+        return None
+    grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}
+    if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:
+        # "Q1-2019" and "aug-01-2019" are one date each.
         return None
     return _range(first, last, "between")
 

@@ -20,6 +20,9 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
     if (first.bare and second.bare) or (first.weak and first.part is not None):
         return None
+    # "The first twenty minutes" is no day at eight in the evening.
+    if (first.weak and second.bare) or (first.bare and second.weak):
+        return None
     days: Calendar | None = first.days or second.days
     if first.days is not None and second.days is not None:
         # A day said again is taken at its word: the date.

@@ -95,7 +95,9 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
     judge = _Judge(scanned.words, lexicon)
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
-    return tuple(_phrase(scanned, piece) for piece in _best(kept, len(scanned.words)))
+    chosen = _best(kept, len(scanned.words))
+    chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
+    return tuple(_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start))
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
@@ -167,6 +169,21 @@ class _Judge:
             ["but", "not"],
         )
 
+    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
+        time = piece.value.time
+        place = piece.end + 1
+        if not isinstance(time, Wall) or time.clock is None or place >= len(self.words):
+            return []
+        joint = self.texts[piece.end]
+        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
+            return []
+        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        found = [p for p in numbers if p.value.time.bare and self._may_end(p) and not self._runs_on(p)][:1]
+        if joint == "," and found and self._follower(found[0]) not in {",", "and", "or"}:
+            return []
+        return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
     def _runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
         if piece.end < len(self.words):
@@ -208,6 +225,11 @@ class _Judge:
             return True
         return any(e.category in _TIMELY for e in self.lexicon.entries.get(follower, ()))
 
+    def _describes(self, piece: Piece) -> bool:
+        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
+        before = self.texts[piece.start - 1] if piece.start else ""
+        return before in {"a", "an", "the", "my", "our", "your"} and not self._may_end(piece)
+
     def _measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         for text in reversed(self.texts[max(0, piece.start - NEAR) : piece.start]):
@@ -230,6 +252,8 @@ class _Judge:
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        if said.preposition is None and self._describes(piece):
+            return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:

@@ -178,7 +178,7 @@ _SPEECH = (
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "short_units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
+    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "policy",
 )  # fmt: skip
 
@@ -266,7 +266,7 @@ def _read_days(tables: Tables) -> None:
             number = reader.whole(name, key, 0, last)
             for form in tables.forms(node, key):
                 tables.add(node, key, category, number, [form, *_stopped(form)])
-                if category == "weekday":
+                if category == "weekday" and len(form[0]) >= FULL_STOP_BELOW:
                     tables.add(node, key, "weekdays", number, [(form[0] + "s",)])
     tables.plain("days", lambda n: [("day", Relative(reader.whole(n, "days", -9, 9)))], named=False)
     tables.plain(
@@ -298,6 +298,11 @@ def _read_parts(tables: Tables) -> None:
         return [("meal" if meal else "part", parts[name])]
 
     tables.table("parts", {"from": True, "to": True, "half": True, "meal": False}, part)
+
+    for name, node in tables.rows("day_halves"):
+        chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
+        if chosen:
+            tables.add(node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves"))
 
     def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)

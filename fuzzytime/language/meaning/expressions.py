@@ -212,9 +212,6 @@ class Range:
 
     first: "Time"
     last: "Time"
-    days: Calendar | None = None
-    part: Part | None = None
-    inclusive: bool = False
 
 
 @dataclass(frozen=True, slots=True)

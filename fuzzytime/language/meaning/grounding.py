@@ -25,7 +25,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import Relative, Stretch
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
@@ -235,8 +235,8 @@ class Grounding:
                 moments = [self._of_night(moment, days.first) for moment in moments]
             # A weekday or a date that is today means today only while its clock time is ahead.
             ahead = [moment for moment in moments if moment >= self.now]
-            recurring = not calendar.fixed
-            if recurring and not ahead:
+            dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
+            if not ahead and not calendar.fixed and not dated:
                 continue
             if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:
                 # "This morning at three", said at half past four, is the morning to come.
@@ -303,7 +303,7 @@ class Grounding:
         if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
             return self._since(start)
         if end.start < start.start and isinstance(last, Wall):
-            end = Grounding(start.start, self.policy)._instants(last)
+            end = self._after(start.start).instants(last)
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
     def _since(self, start: Instants) -> Instants:
@@ -313,22 +313,49 @@ class Grounding:
         return Instants(begun, self.now, start.grain)
 
     def _day_range(self, first: Wall, last: Wall) -> Instants:
-        """Days lend each other the month or the year that only one names."""
+        """Ground a range of days, which lend each other the month or the year that only one names."""
         first_days, last_days = first.days, last.days
+        lent = False
         if isinstance(first_days, Fields) and isinstance(last_days, Fields):
+            lent = first_days.year is None and last_days.year is not None
             first_days = first_days.filled(last_days)
             if last_days.month is None and last_days.weekday is None:
                 last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
             elif last_days.year is None and first_days.year is not None and last_days.month is not None:
                 last_days = replace(last_days, year=first_days.year)
-        start = self.wall(replace(first, days=first_days))
-        later = Grounding(start.start, replace(self.policy, same_weekday=SameWeekday.NEXT))
-        wall = replace(last, days=last_days)
-        relative = isinstance(last_days, (Relative, Stretch)) or (last_days is not None and last_days.fixed)
-        end = self.wall(wall) if relative else later.wall(wall)
+        first, last = replace(first, days=first_days), replace(last, days=last_days)
+        start = self.wall(first)
+        if last_days is not None and last_days.fixed:
+            end = self.wall(last)
+            if end.end < start.start and lent and isinstance(first_days, Fields):
+                # "November to february 2017" begins the year before.
+                year = (first_days.year or 1) - 1
+                start = self.wall(replace(first, days=replace(first_days, year=year)))
+        else:
+            start = self._begun(first, last, start)
+            end = self._after(start.start).wall(last)
         if end.end < start.start:
             raise UngroundedError("a range must not end before it starts")
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+    def _after(self, moment: datetime) -> "Grounding":
+        """Give the grounding of what comes after a moment."""
+        return Grounding(moment, replace(self.policy, same_weekday=SameWeekday.NEXT))
+
+    def _begun(self, first: Wall, last: Wall, start: Instants) -> Instants:
+        """Give the start of a range of dates that has begun and is not over: "august to october", in september."""
+        days = first.days
+        if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
+            return start
+        before = next(days.past(self.today, self.now.date()), None)
+        if before is None:
+            return start
+        end = Grounding(midnight(before.first), self.policy).wall(last)
+        return (
+            Instants(midnight(before.first), midnight(before.end), days.grain)
+            if end.end > self.now
+            else start
+        )
 
     def _clock_range(self, first: Wall, last: Wall) -> Instants:
         """The shorter of the stretches that clock times without am or pm can mean; the start as said alone."""

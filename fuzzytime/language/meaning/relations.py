@@ -10,9 +10,7 @@ from fuzzytime.language.meaning.calendar import (
     Calendar,
     Cycle,
     Days,
-    Feast,
     Fields,
-    Season,
     Today,
     Weekend,
     moved,
@@ -367,5 +365,8 @@ def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
 
 def same_day(first: Calendar, second: Calendar) -> bool:
     """Whether one of two may say again which day the other means: "tomorrow, the 13th", "in three days on friday"."""
-    dates = (Fields, Feast, Season)
-    return isinstance(first, (Relative, Away)) and isinstance(second, dates) and second.grain is Unit.DAY
+    if isinstance(first, Deictic):
+        # "Next friday, 5/12": the date is believed.
+        weekly = isinstance(first.of, Fields) and first.of.weekly
+        return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
+    return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

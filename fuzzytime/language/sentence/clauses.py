@@ -1,7 +1,7 @@
 """Clauses about time: "when the pan is hot", "after you have set the table", "five minutes before you serve the soup"."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
@@ -32,6 +32,11 @@ class Clause:
     condition: Condition | None = None
     distance: Duration | None = None
     is_event: bool = False
+
+    def moved(self, by: int) -> "Clause":
+        """Give the same clause that many characters further on."""
+        (a, b), (c, d) = self.span, self.content
+        return replace(self, span=(a + by, b + by), content=(c + by, d + by))
 
 
 def clauses_of(
@@ -91,8 +96,6 @@ class _Clauses:
             distance.said.time if distance is not None and isinstance(distance.said.time, Duration) else None
         )
         if duration is not None and distance is not None:
-            from dataclasses import replace
-
             duration = replace(duration, hedges=(*distance.said.hedges, *duration.hedges))
         span = (start, content[1])
         verb = self._verb(nodes)
@@ -242,12 +245,3 @@ class _Clauses:
             last = place
         return last
 
-
-def inside(span: Span, clauses: Sequence[Clause]) -> bool:
-    """Whether a stretch lies in a clause."""
-    return any(first < span[1] and span[0] < end for first, end in (clause.span for clause in clauses))
-
-
-def spans(clauses: Sequence[Clause]) -> Iterator[Span]:
-    """Give the stretches of clauses."""
-    return (clause.span for clause in clauses)

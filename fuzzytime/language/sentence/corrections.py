@@ -1,6 +1,6 @@
 """Taken back: "at five, no, six", "in ten minutes, I mean twenty": the later words replace the earlier time."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -18,10 +18,11 @@ def corrected(
     """Replace times that are taken back, and say so."""
     kept: list[Phrase] = []
     remarks: list[Remark] = []
+    starts = {phrase.first for phrase in phrases}
     waiting = list(phrases)
     while waiting:
         phrase = waiting.pop(0)
-        while (found := _correction(scanned, phrase, lexicon)) is not None:
+        while (found := _correction(scanned, phrase, starts, lexicon)) is not None:
             old, new = scanned.text[slice(*phrase.span)], scanned.text[slice(*found.span)]
             taken_back = (phrase.span[0], found.span[0])
             remarks.append(Remark(RemarkKind.CORRECTED, taken_back, f"{old!r} is corrected by {new!r}"))
@@ -31,11 +32,12 @@ def corrected(
     return kept, remarks
 
 
-def _correction(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Phrase | None:
+def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:
     """Give the time that replaces a phrase, if words right behind it take it back."""
     place = _behind_pauses(scanned, phrase.end)
     marker = longest_match(scanned.words, place, lexicon.corrections) if place < len(scanned.words) else None
-    if marker is None:
+    # "By six, no later than seven": the marker begins a time itself.
+    if marker is None or place in starts:
         return None
     start = _behind_pauses(scanned, place + len(marker))
     if start >= len(scanned.words):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -133,14 +133,16 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
         return Reference(named)
     if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
-    if lemma in lexicon.causing:
-        results = (
-            tree.nodes[p].lower
-            for p in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj")
-        )
-        if any(result in lexicon.results for result in results):
-            return Reference.FINISH
+    if lemma in lexicon.causing and any(tree.nodes[p].lower in lexicon.results for p in _results(tree, place)):
+        return Reference.FINISH
     return Reference.START
+
+
+def _results(tree: Tree, place: int) -> Iterator[int]:
+    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
+    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
+        yield below
+        yield from _results(tree, below)
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,11 +179,8 @@ class Reader:
         parts = [p for p in self.tree.children(verb, *OBJECTS) if p > verb and not self._timed(p)]
         words = self._words(parts, verb)
         # "Have the rice ready": what it results in says which moment is meant, not what is done.
-        while (
-            action.reference is Reference.FINISH
-            and words
-            and self.tree.nodes[words[-1]].lower in self.lexicon.results
-        ):
+        direct = self.tree.children(verb, *OBJECTS)
+        while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:
             words.pop()
         return self._said(words) if words else None
 
