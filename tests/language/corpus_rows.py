@@ -8,6 +8,7 @@ from typing import Any
 import yaml
 
 from fuzzytime.language import Times
+from fuzzytime.requirement import Constraint
 from fuzzytime.times import seconds_between
 
 FOLDER = Path(__file__).parent / "corpus"
@@ -42,12 +43,12 @@ def texts_without_time() -> list[str]:
     return list(yaml.safe_load((FOLDER / "no_times.yaml").read_text("utf-8"))["texts"])
 
 
-def instant(value: Any) -> datetime:
+def instant(value: object) -> datetime:
     """Give an instant that YAML read as a date, an instant or a text."""
     return datetime.fromisoformat(str(value))
 
 
-def seconds(row: Row, value: Any) -> float:
+def seconds(row: Row, value: object) -> float:
     """Give an instant of a row in seconds from its now."""
     return seconds_between(row.now, instant(value))
 
@@ -56,49 +57,50 @@ def meant(row: Row, times: Times) -> list[str]:
     """Give what is wrong with the times found for a row: nothing, or one line a fault."""
     if not times.found:
         return ["no time was found"]
+    pairs = ((key, _said(key, row, times), _wanted(key, value, row)) for key, value in row.meaning.items())
+    return [f"{key}: {said!r} instead of {wanted!r}" for key, said, wanted in pairs if said != wanted]
+
+
+def _wanted(key: str, value: Any, row: Row) -> object:  # noqa: ANN401 - as YAML has it
+    """Give what a row says, in the terms of a requirement."""
+    match key:
+        case "at":
+            return "at", seconds(row, value), seconds(row, value)
+        case "before":
+            return "before", None, seconds(row, value)
+        case "after":
+            return "after", seconds(row, value), None
+        case "between":
+            return ("between", *(seconds(row, end) for end in value))
+        case "hedges":
+            return tuple(value)
+        case "next":
+            return tuple(seconds(row, moment) for moment in value)
+        case _:
+            return value
+
+
+def _said(key: str, row: Row, times: Times) -> object:
+    """Give the same of the time that was found."""
     first = times.found[0]
     requirement = first.requirement
-    faults = []
-
-    def compare(name: str, said: object, wanted: object) -> None:
-        if said != wanted:
-            faults.append(f"{name}: {said!r} instead of {wanted!r}")
-
-    bounds = (requirement.earliest, requirement.latest)
-    for key, value in row.meaning.items():
-        match key:
-            case "at":
-                compare("at", bounds, (seconds(row, value),) * 2)
-                compare("constraint", requirement.constraint.value, "at")
-            case "before":
-                compare("before", bounds, (None, seconds(row, value)))
-                compare("constraint", requirement.constraint.value, "before")
-            case "after":
-                compare("after", bounds, (seconds(row, value), None))
-                compare("constraint", requirement.constraint.value, "after")
-            case "between":
-                compare("between", bounds, tuple(seconds(row, end) for end in value))
-                compare("constraint", requirement.constraint.value, "between")
-            case "for":
-                compare("for", first.duration, float(value))
-            case "vague":
-                compare("vague", (requirement.constraint.value, requirement.word), ("vague", value))
-            case "word" | "preposition" | "number":
-                compare(key, getattr(requirement, key), value)
-            case "unit":
-                compare("unit", requirement.unit, value)
-            case "hedges":
-                compare("hedges", requirement.fuzziness, tuple(value))
-            case "duration":
-                compare("duration", [g.duration for g in times.found if g.duration], [float(value)])
-            case "every":
-                compare("every", first.recurrence.interval if first.recurrence else 0, value)
-            case "next":
-                until = seconds(row, value[-1]) + (86400 if row.meaning.get("ends") else 0)
-                said = first.recurrence.occurrences(until) if first.recurrence else ()
-                compare("next", said, tuple(seconds(row, moment) for moment in value))
-            case "ends":
-                pass
-            case _:
-                faults.append(f"unknown key {key!r}")
-    return faults
+    match key:
+        case "at" | "before" | "after" | "between":
+            return requirement.constraint.value, requirement.earliest, requirement.latest
+        case "for":
+            return first.duration
+        case "duration":
+            return next((found.duration for found in times.found if found.duration is not None), None)
+        case "vague":
+            return requirement.word if requirement.constraint is Constraint.VAGUE else None
+        case "hedges":
+            return requirement.fuzziness
+        case "every":
+            return first.recurrence.interval if first.recurrence is not None else 0
+        case "next":
+            last = seconds(row, row.meaning["next"][-1]) + (86400 if row.meaning.get("ends") else 0)
+            return first.recurrence.occurrences(last) if first.recurrence is not None else ()
+        case "ends":
+            return True
+        case _:
+            return getattr(requirement, key)

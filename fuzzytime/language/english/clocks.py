@@ -145,7 +145,7 @@ def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     return replace(found, half=half, bare=False, pair=False, full_day=found.full_day and found.hour > 12)
 
 
-# -- minutes past and to -----------------------------------------------------------------------------------------
+# -- minutes past and to --------------------------------------------------------------------------------
 
 
 def _moved(clock: Clock, minutes: float) -> Clock | None:
@@ -203,7 +203,7 @@ def half_hour(clock: Clock) -> Clock | None:
     return _moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
 
 
-# -- words for clock times ------------------------------------------------------------------------------------------
+# -- words for clock times ------------------------------------------------------------------------------
 
 
 @grammar.rule("moment part", "<part>")

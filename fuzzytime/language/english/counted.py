@@ -1,4 +1,4 @@
-"""Durations with a preposition: from now on, or how long: "in about ten minutes", "within an hour", "for eight minutes"."""
+"""Durations with a preposition, from now on or how long: "in about ten minutes", "for eight minutes"."""
 
 from dataclasses import replace
 

@@ -14,7 +14,7 @@ grammar = Grammar()
 LONGEST_MONTH = 31
 
 
-# -- a month and its days ------------------------------------------------------------------------------------------------
+# -- a month and its days -------------------------------------------------------------------------------
 
 
 @grammar.rule("month day", "the? <ordinal>")
@@ -54,7 +54,7 @@ def day_alone(day: int | Integer) -> Fields | None:
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 
 
-# -- typed dates -----------------------------------------------------------------------------------------------------------
+# -- typed dates ----------------------------------------------------------------------------------------
 
 
 def _valid(year: int | None, month: int, day: int | None) -> Fields | None:
@@ -119,7 +119,7 @@ def dotted_date(weekday: int, date: Fields) -> Fields:
     return replace(date, weekday=weekday)
 
 
-# -- months and years ----------------------------------------------------------------------------------------------------------
+# -- months and years -----------------------------------------------------------------------------------
 
 
 @grammar.rule("year", "<integer>")
@@ -220,7 +220,7 @@ def the_year(number: int) -> Fields:
     return Fields(year=number)
 
 
-# -- the nth of a period ------------------------------------------------------------------------------------------------------
+# -- the nth of a period --------------------------------------------------------------------------------
 
 
 @grammar.rule("whole", "<date>|<weak date>|<days>")

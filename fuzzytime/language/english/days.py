@@ -1,4 +1,4 @@
-"""Days, weekdays, weeks and parts of the day: "tomorrow morning", "next tuesday", "the weekend", "tonight"."""
+"""Days, weekdays, weeks, parts of the day: "tomorrow morning", "next tuesday", "the weekend", "tonight"."""
 
 from dataclasses import replace
 
@@ -36,7 +36,7 @@ SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 PAST_WORDS = frozenset({Which.LAST, Which.PAST})
 
 
-# -- days by name ---------------------------------------------------------------------------------------------------
+# -- days by name ---------------------------------------------------------------------------------------
 
 
 @grammar.rule("days", "<day>")
@@ -151,7 +151,7 @@ def weekday_week(number: int) -> Calendar:
     return Away(1, Unit.WEEK, Fields(weekday=number))
 
 
-# -- so long after a day ----------------------------------------------------------------------------------------------
+# -- so long after a day --------------------------------------------------------------------------------
 
 
 def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
@@ -189,7 +189,7 @@ def _feast_of_year(anchor: Feast, years: int) -> Calendar:
     return Following(years, anchor, anchor) if years > 1 else Following(1, anchor, anchor)
 
 
-# -- stretches of days --------------------------------------------------------------------------------------------------
+# -- stretches of days ----------------------------------------------------------------------------------
 
 
 @grammar.rule(
@@ -232,7 +232,7 @@ def wall(days: Calendar) -> Wall:
     return Wall(days)
 
 
-# -- parts -----------------------------------------------------------------------------------------------------------
+# -- parts ----------------------------------------------------------------------------------------------
 
 
 @grammar.rule("parted", "<part>")

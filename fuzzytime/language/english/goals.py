@@ -47,13 +47,13 @@ def half_past() -> HourMark:
     return HourMark(30)
 
 
-@grammar.rule("same", "a? quarter past", weight=0.1)
+@grammar.rule("same", "a? quarter past", weight=0.4)
 def quarter_past() -> HourMark:
     """(at) a quarter past."""
     return HourMark(15)
 
 
-@grammar.rule("same", "a? quarter to", weight=0.1)
+@grammar.rule("same", "a? quarter to", weight=0.4)
 def quarter_to() -> HourMark:
     """(at) a quarter to."""
     return HourMark(45)

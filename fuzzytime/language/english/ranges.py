@@ -1,4 +1,4 @@
-"""From one time to another, and bounds on a day: "between 5 and 6 pm", "friday from 10 to 4", "from 4 pm for an hour"."""
+"""From one time to another: "between 5 and 6 pm", "friday from 10 to 4", "from 4 pm for an hour"."""
 
 from dataclasses import replace
 
@@ -49,7 +49,7 @@ def _comparable(first: Wall, last: Wall) -> bool:
 
 
 def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
-    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow", "13th to 15th july"."""
+    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
     if (first.clock is None) != (last.clock is None):
         bare = first if first.clock is not None else last
         other = last if first.clock is not None else first

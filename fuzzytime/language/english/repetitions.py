@@ -237,7 +237,7 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     return Repeat(Duration(((length / number, Unit.SECOND),)))
 
 
-# -- with times, days and bounds ------------------------------------------------------------------------------------------------
+# -- with times, days and bounds ------------------------------------------------------------------------
 
 
 @grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)

@@ -1,4 +1,4 @@
-"""Times said side by side: "tomorrow morning at six am", "friday, march 6th, 17:30", "in seven days at 5 pm"."""
+"""Times said side by side: "tomorrow morning at six am", "friday, march 6th, 17:30"."""
 
 from dataclasses import replace
 

@@ -5,13 +5,14 @@ A rule says which pieces, side by side, make a larger piece, and what it means:
     @grammar.rule("clock", "half past? <hour>")
     def half_past(hour: Hour) -> Clock: ...
 
-In a pattern ``<name>`` is a piece of that category, given to the function; other words stand for themselves;
-``a|b`` is a choice, and ``?`` after an element makes it optional (an optional piece that is absent is given as
-None). A function may answer None: then the words do not make that piece ("the 31st of April").
+In a pattern ``<name>`` is a piece of that category, given to the function; other words stand for
+themselves; ``a|b`` is a choice, and ``?`` after an element makes it optional (an optional piece that is
+absent is given as None). A function may answer None: then the words do not make that piece ("the 31st of
+April").
 
-The chart is filled from the last word to the first; so, when a rule meets a piece, everything that can follow it
-is already there. For one category and stretch of words only the reading with the highest weight is kept, which
-bounds the work: no input makes it explode.
+The chart is filled from the last word to the first; so, when a rule meets a piece, everything that can follow
+it is already there. For one category and stretch of words only the reading with the highest weight is kept,
+which bounds the work: no input makes it explode.
 """
 
 import itertools
@@ -78,7 +79,7 @@ class Grammar:
         self._longer: dict[str, dict[str, list[Rule]]] = {}
 
     def rule(self, category: str, *patterns: str, weight: float = 0.0) -> Callable[[_Action], _Action]:
-        """Give a decorator that adds a rule by its patterns; weight decides between readings of the same words."""
+        """Give a decorator that adds a rule; the weight decides between readings of the same words."""
 
         def added(action: _Action) -> _Action:
             name = f"{action.__module__.rpartition('.')[2]}.{action.__name__}"
@@ -139,9 +140,9 @@ class Grammar:
             longer = self._longer.get(piece.category)
             if longer is not None:
                 for second in chart.following(piece.end):
-                    for symbol in longer.keys() & second.keys():
-                        for rule in longer[symbol]:
-                            _extend(chart, rule, (piece,), second[symbol], agenda)
+                    for symbol, choices in second.items():
+                        for rule in longer.get(symbol, ()):
+                            _extend(chart, rule, (piece,), choices, agenda)
 
 
 class Chart:
@@ -152,7 +153,7 @@ class Chart:
         self._jumps = [joins(words, place) for place in range(len(words))] + [False]
 
     def following(self, end: int) -> tuple[Cell, ...]:
-        """Give the cells at which the next piece may start: a hyphen that joins two words may be passed over."""
+        """Give the cells at which the next piece may start; a hyphen that joins words may be passed over."""
         if self._jumps[end]:
             return self.cells[end], self.cells[end + 1]
         return (self.cells[end],)

@@ -1,8 +1,8 @@
 """Which stretches of a text are times: the chart's readings, sifted and chosen.
 
-A reading is refused where its words are no sure time: a number that counts something ("by 10", beside "volume"), a
-word with another meaning ("March the troops", "second drawer"). Of what is left, the stretches are chosen that
-together explain most words in the fewest pieces.
+A reading is refused where its words are no sure time: a number that counts something ("by 10", beside
+"volume"), a word with another meaning ("March the troops", "second drawer"). Of what is left, the stretches
+are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
@@ -76,7 +76,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
             and word.text not in lexicon.entries
         ):
             middle = word.end - 3
-            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, True)]
+            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, glued=True)]
         elif not (
             joins(words, place)
             and _numeral(words, place - 1, lexicon)
@@ -147,7 +147,7 @@ class _Judge:
         if self._runs_on(piece) or self._is_excepted(piece):
             return False
         if self._is_whole(piece):
-            return self._accepts_alone(piece, said)
+            return self._accepts_alone(said)
         time = said.time
         if isinstance(time, Duration):
             return self._accepts_duration(piece, said, time)
@@ -161,7 +161,7 @@ class _Judge:
         return True
 
     def _is_excepted(self, piece: Piece) -> bool:
-        """Whether it is what is left out: "every day except sundays" is not understood, and must not turn into its opposite."""
+        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
         before = self.texts[max(0, piece.start - 3) : piece.start]
         return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
             ["except", "for"],
@@ -207,7 +207,7 @@ class _Judge:
         outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
         return all(text in POLITE for text in outside)
 
-    def _accepts_alone(self, piece: Piece, said: Said) -> bool:
+    def _accepts_alone(self, said: Said) -> bool:
         time = said.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
@@ -248,7 +248,7 @@ class _Judge:
             return self._may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
             # "a ten minute walk", "five minutes of fame"
-            return self._may_end(piece) and self._follower(piece) not in {"of"}
+            return self._may_end(piece) and self._follower(piece) != "of"
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
@@ -271,7 +271,7 @@ class _Judge:
         )
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether a number alone is a clock time: "at six"; not "by 10" of a volume, not "at 180" of an oven."""
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self._may_end(piece):
             return False
         sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR

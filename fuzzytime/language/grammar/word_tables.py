@@ -87,7 +87,7 @@ class Tables:
             for category, value in make(name):
                 self.add(name, f"{section}.{name.text}", category, value, said)
 
-    def add(self, node: Node, key: str, category: str, value: Any, forms: Iterable[Form]) -> None:
+    def add(self, node: Node, key: str, category: str, value: object, forms: Iterable[Form]) -> None:
         """Add entries; the same words must not have two meanings in one category."""
         for form in forms:
             self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
@@ -153,7 +153,6 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")
         },
         ordinals=_numbers(days, "ordinals"),
-        short_units=frozenset(form[0] for form in days.words("short_units")),
         ambiguous=frozenset(form[0] for form in days.words("ambiguous")),
         indicators=indicators,
         connectives=connectives,
@@ -173,12 +172,14 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 
 _SPEECH = (
-    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses", "clauses", "corrections",
+    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
+    "clauses", "corrections",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
-    "numbers", "magnitudes", "ordinals", "fractions", "units", "short_units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
+    "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
+    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
+    "holidays",
     "meridiem", "zones", "policy",
 )  # fmt: skip
 
@@ -302,7 +303,9 @@ def _read_parts(tables: Tables) -> None:
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
         if chosen:
-            tables.add(node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves"))
+            tables.add(
+                node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves")
+            )
 
     def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)

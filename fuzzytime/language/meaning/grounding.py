@@ -1,4 +1,4 @@
-"""From what was said to instants: the time of the instruction and the policy decide what the words leave open."""
+"""From what was said to instants: the time now and the policy decide what the words leave open."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -43,8 +43,8 @@ class UngroundedError(FuzzytimeError):
 class Instants:
     """Wall-clock time, from ``start`` to before ``end``; a moment where the two are one.
 
-    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone`` is that
-    of the clock that the words named.
+    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone``
+    is that of the clock that the words named.
     """
 
     start: datetime
@@ -124,7 +124,7 @@ class Grounding:
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
-    # -- days ----------------------------------------------------------------------------------------------------
+    # -- days -------------------------------------------------------------------------------------------
 
     def days(self, calendar: Calendar) -> Iterator[Days]:
         """Give the periods that an expression may mean, the likeliest first.
@@ -146,7 +146,7 @@ class Grounding:
         yield from upcoming
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
-        """A weekday that fits its date: the nearest such day, past or future."""
+        """Give the nearest day, past or future, on which a weekday fits its date."""
         today = self.today
         ahead = next(calendar.upcoming(today, today.day), None)
         behind = next(calendar.past(today, today.day), None)
@@ -163,7 +163,7 @@ class Grounding:
         # No such weekday: the date is believed.
         yield from self.days(replace(calendar, weekday=None))
 
-    # -- wall-clock expressions -------------------------------------------------------------------------------------
+    # -- wall-clock expressions -------------------------------------------------------------------------
 
     def wall(self, wall: Wall) -> Instants:
         """Ground a day, a part of the day, a clock time, or what of them is said."""
@@ -194,14 +194,14 @@ class Grounding:
         return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
 
     def _part_alone(self, part: Part) -> Instants:
-        """The part that is not over yet."""
+        """Give the part of the day that is not over yet."""
         here = self._part_on(self.now.date(), part)
         if here.end <= self.now:
             return self._part_on(self.now.date() + timedelta(days=1), part)
         return here
 
     def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
-        """The next occurrence; between morning and evening, the next plausible one."""
+        """Give the next occurrence; without am or pm, the next plausible one."""
         if wall.part is not None:
             clock = _halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
@@ -247,12 +247,12 @@ class Grounding:
         raise UngroundedError("a time of day must lie on its day")
 
     def _of_night(self, moment: datetime, day: date) -> datetime:
-        """The small hours belong to the night that began the evening before, unless that night is now."""
+        """Put the small hours into the night that began the evening before, unless that night is now."""
         if moment.hour >= 6 or (day == self.now.date() and moment >= self.now and self.now.hour < 6):
             return moment
         return moment + timedelta(days=1)
 
-    # -- the rest ----------------------------------------------------------------------------------------------------
+    # -- the rest ---------------------------------------------------------------------------------------
 
     def _ending(self, said: Ending) -> Instants:
         days = next(self.days(said.days))
@@ -307,7 +307,7 @@ class Grounding:
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
     def _since(self, start: Instants) -> Instants:
-        """A range up to now began at the last such clock time."""
+        """Ground a range up to now: it began at the last such clock time."""
         choices = start.choices or (start.start,)
         begun = max(choice - timedelta(days=1) for choice in choices)
         return Instants(begun, self.now, start.grain)
@@ -343,7 +343,7 @@ class Grounding:
         return Grounding(moment, replace(self.policy, same_weekday=SameWeekday.NEXT))
 
     def _begun(self, first: Wall, last: Wall, start: Instants) -> Instants:
-        """Give the start of a range of dates that has begun and is not over: "august to october", in september."""
+        """Give the start of a range of dates that is not over: "august to october", said in september."""
         days = first.days
         if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
             return start
@@ -358,7 +358,7 @@ class Grounding:
         )
 
     def _clock_range(self, first: Wall, last: Wall) -> Instants:
-        """The shorter of the stretches that clock times without am or pm can mean; the start as said alone."""
+        """Ground a range of clock times: without am or pm, the shortest that they can mean."""
         start_clock, end_clock = first.clock, last.clock
         if start_clock is None or end_clock is None:
             raise UngroundedError("a range of clock times must have two")

@@ -1,4 +1,4 @@
-"""Clauses about time: "when the pan is hot", "after you have set the table", "five minutes before you serve the soup"."""
+"""Clauses about time: "when the pan is hot", "after setting the table", "five minutes before you serve"."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -18,9 +18,10 @@ NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """A clause: what begins it (canonical and as said), its stretch, that of what it says, a distance before it.
+    """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
 
-    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it says must hold.
+    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
+    says must hold.
     """
 
     kind: str
@@ -117,7 +118,7 @@ class _Clauses:
         return place + length
 
     def _end(self, place: int, first: int) -> int:
-        """Where the clause ends: at a comma; at the main verb, where the clause comes first; at a further instruction."""
+        """Give where the clause ends: at a comma, or at the main verb where the clause comes first."""
         comma = next((p for p in range(first, len(self.words)) if self.words[p].text == ","), len(self.words))
         root = self.tree.root
         if root is None or place >= len(self.words):
@@ -211,7 +212,7 @@ class _Clauses:
         nodes: Sequence[int],
         distance: Duration | None,
     ) -> Clause | None:
-        """A noun as what is measured from: "before the meeting"; only after and before have it."""
+        """Read a noun as what is measured from: "before the meeting"; only after and before have it."""
         if kind not in {"after", "before"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
@@ -244,4 +245,3 @@ class _Clauses:
                 break
             last = place
         return last
-

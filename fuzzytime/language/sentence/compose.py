@@ -26,7 +26,11 @@ from fuzzytime.language.sentence.references import PRONOUNS, content_words, reso
 from fuzzytime.language.sentence.sketches import Sketch, sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
-TURNED = {Constraint.BEFORE: Constraint.AFTER, Constraint.AFTER: Constraint.BEFORE, Constraint.FOR: Constraint.AFTER}
+TURNED = {
+    Constraint.BEFORE: Constraint.AFTER,
+    Constraint.AFTER: Constraint.BEFORE,
+    Constraint.FOR: Constraint.AFTER,
+}
 """What "don't … before", "don't … after" and "don't … for" ask for."""
 
 LASTING = frozenset({"until", "through"})
@@ -59,7 +63,8 @@ class _Composer:
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
         instructions = tuple(
-            self._instruction(sketch, len(self.given) + place, operations) for place, sketch in enumerate(sketches)
+            self._instruction(sketch, len(self.given) + place, operations)
+            for place, sketch in enumerate(sketches)
         )
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
@@ -95,7 +100,10 @@ class _Composer:
             requirements.append(connected)
             self.explained.append(connected.span)
         requirements.sort(key=lambda requirement: requirement.span)
-        operation, duration = sketch.operation, next((g.duration for g in times.found if g.duration is not None), None)
+        operation, duration = (
+            sketch.operation,
+            next((g.duration for g in times.found if g.duration is not None), None),
+        )
         if operation is not None and operation.negated and any(r.constraint in TURNED for r in requirements):
             requirements = [_turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), None
@@ -164,7 +172,11 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
 
 def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if reference is Reference.START or requirement.constraint in {Constraint.FOR, Constraint.EVERY, Constraint.WHEN}:
+    if reference is Reference.START or requirement.constraint in {
+        Constraint.FOR,
+        Constraint.EVERY,
+        Constraint.WHEN,
+    }:
         return requirement
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:

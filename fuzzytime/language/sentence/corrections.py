@@ -1,4 +1,4 @@
-"""Taken back: "at five, no, six", "in ten minutes, I mean twenty": the later words replace the earlier time."""
+"""Taken back: in "at five, no, six" and "in ten minutes, I mean twenty" the later words count."""
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
@@ -107,7 +107,7 @@ def _offset(old: Said, new: Duration) -> Said | None:
 
 
 def _fitting(old: Said, new: Said) -> str | None:
-    """The old preposition stays before a new time of the same kind."""
+    """Give the old preposition, which stays before a new time of the same kind."""
     return (
         old.preposition
         if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT}

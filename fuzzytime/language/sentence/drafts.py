@@ -1,4 +1,4 @@
-"""The first pass over texts: times by the grammar, instructions apart, a tree for each; all trees in a few batches."""
+"""The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.segments import Segment, further_verbs, segment
 from fuzzytime.language.sentence.tree import Tree
 
 CARRIERS = ("", "please ", "you should ")
-"""Words that make a parser see the verb behind them, tried in this order on what stands behind a time in front."""
+"""Words that make a parser see the verb behind them, tried in this order."""
 
 JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
@@ -163,7 +163,9 @@ def _main(source: _Source, segment: Segment, lexicon: Lexicon) -> int:
     """
     words = source.scanned.words
     places = source.places(*segment.span)
-    first = next((p.end for p in source.phrases if places and p.first == places[0]), places[0] if places else -1)
+    first = next(
+        (p.end for p in source.phrases if places and p.first == places[0]), places[0] if places else -1
+    )
     inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
     if first not in places or inside or longest_match(words, first, lexicon.clauses) is None:
         return segment.span[0]

@@ -34,8 +34,9 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 span = (words[0].start, words[-1].end)
                 if any(first < span[1] and span[0] < end for first, end in explained):
                     continue
-                alone = len(words) == 1 and words[0].is_letters
-                if alone and (words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST):
+                counted = start > 0 and "integer" in scanned.cells[start - 1]
+                doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
+                if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
                 yield from range(start, piece.end)
 

@@ -1,6 +1,4 @@
-"""What is to be done: the verb of an instruction, its object and place, and which moment of it a time is about."""
-
-from __future__ import annotations
+"""What is to be done: an instruction's verb, object and place, and which moment of it a time is about."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -133,7 +131,9 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
         return Reference(named)
     if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
-    if lemma in lexicon.causing and any(tree.nodes[p].lower in lexicon.results for p in _results(tree, place)):
+    if lemma in lexicon.causing and any(
+        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
+    ):
         return Reference.FINISH
     return Reference.START
 
@@ -185,7 +185,7 @@ class Reader:
         return self._said(words) if words else None
 
     def _subject(self, verb: int) -> str | None:
-        """What a statement is about: "the assignment should start now"."""
+        """Give what a statement is about: "the assignment should start now"."""
         subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self._timed(p)]
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
@@ -238,10 +238,10 @@ class Reader:
             last = node.end
         return text.strip() or None
 
-    def parameters(self, action: Action) -> tuple[FuzzyParameter, ...]:
+    def parameters(self, action: Action) -> tuple["FuzzyParameter", ...]:
         """Give the vague amounts among what the verb governs: "some food", "a few screws"."""
         words = words_of(self.tree.text)
-        found: list[FuzzyParameter] = []
+        found: list["FuzzyParameter"] = []
         behind = 0
         for at, word in enumerate(words):
             if (
@@ -255,17 +255,14 @@ class Reader:
                 continue
             behind = at + len(form)
             following = words[at + len(form)]
-            nodes = [p for p in self.tree.at(following.start, following.end)]
+            nodes = list(self.tree.at(following.start, following.end))
             if not nodes:
                 continue
             noun = self._noun(nodes[0])
             if noun is not None and not self._timed(noun):
-                # Skills bring numpy along: only where there is an amount.
-                from fuzzytime.skills import FuzzyParameter
-
                 node = self.tree.nodes[noun]
                 _, quantity = self.lexicon.amounts[form]
-                found.append(FuzzyParameter(self.tree.text[word.start : node.end], node.lower, quantity))
+                found.append(_parameter(self.tree.text[word.start : node.end], node.lower, quantity))
         return tuple(found)
 
     def _noun(self, place: int) -> int | None:
@@ -275,3 +272,10 @@ class Reader:
             if self.tree.nodes[here].is_verb:
                 return None
         return None
+
+
+def _parameter(text: str, noun: str, quantity: tuple[float, float, float, float] | None) -> "FuzzyParameter":
+    """Make a parameter; skills bring numpy along, so that they are imported only where there is an amount."""
+    from fuzzytime.skills import FuzzyParameter
+
+    return FuzzyParameter(text, noun, quantity)

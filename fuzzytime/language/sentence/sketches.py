@@ -1,7 +1,5 @@
 """Instructions before they are grounded: operation, times and clauses of each part of a draft."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
@@ -35,7 +33,7 @@ class Sketch:
     clauses: tuple[Clause, ...]
     references: tuple[Reference, ...]
     operation: Operation | None = None
-    parameters: tuple[FuzzyParameter, ...] = ()
+    parameters: tuple["FuzzyParameter", ...] = ()
 
     @property
     def reference(self) -> Reference:
@@ -91,7 +89,7 @@ def _overlap(one: Span, other: Span) -> bool:
 
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference:
-    """Give which moment a time is about: as the verb nearest above it says ("so that it finishes by noon")."""
+    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
     first, end = (place - part.offset for place in phrase.span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):
@@ -120,7 +118,7 @@ def _clauses(
     return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon)]
 
 
-# -- several times ------------------------------------------------------------------------------------------------
+# -- several times --------------------------------------------------------------------------------------
 
 
 def _alternatives(
@@ -128,7 +126,7 @@ def _alternatives(
 ) -> list[tuple[tuple[Phrase, ...], tuple[Phrase, ...]]]:
     """Give the times of each instruction that is meant, with those that are left out.
 
-    "At seven and at six" asks for two; "at seven or at eight" for one; "tomorrow, by noon" says one time twice.
+    "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
     """
     for place in range(len(phrases) - 1):
         group = [phrases[place]]

@@ -8,7 +8,7 @@ NOMINAL = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD", "DT", "JJ"})
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A word: place in the text, Penn Treebank tag, dictionary form, relation to its head as the model names it."""
+    """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says."""
 
     text: str
     start: int
