@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 import yaml
-from language.corpus_rows import FOLDER, instant
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
 from fuzzytime.requirement import Edge, TimeRequirement
+from language.corpus_rows import FOLDER, instant
 
 pytestmark = pytest.mark.model
 

@@ -241,7 +241,7 @@ class Reader:
     def parameters(self, action: Action) -> tuple["FuzzyParameter", ...]:
         """Give the vague amounts among what the verb governs: "some food", "a few screws"."""
         words = words_of(self.tree.text)
-        found: list["FuzzyParameter"] = []
+        found: list[FuzzyParameter] = []
         behind = 0
         for at, word in enumerate(words):
             if (

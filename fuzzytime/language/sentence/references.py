@@ -9,11 +9,40 @@ from fuzzytime.language.sentence.clauses import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 EMPTY = frozenset(
-    {
-        "the", "a", "an", "my", "your", "our", "his", "her", "their", "some", "all", "any", "this", "that", "these",
-        "those", "few", "couple", "of", "and", "is", "are", "has", "have", "been", "with", "in", "on", "to", "for",
-    }
-)  # fmt: skip
+    [
+        "the",
+        "a",
+        "an",
+        "my",
+        "your",
+        "our",
+        "his",
+        "her",
+        "their",
+        "some",
+        "all",
+        "any",
+        "this",
+        "that",
+        "these",
+        "those",
+        "few",
+        "couple",
+        "of",
+        "and",
+        "is",
+        "are",
+        "has",
+        "have",
+        "been",
+        "with",
+        "in",
+        "on",
+        "to",
+        "for",
+    ]
+)
+"""Words that name nothing."""
 
 
 def content_words(text: str | None) -> frozenset[str]:
