@@ -14,6 +14,7 @@ from fuzzytime_cli.settings import Settings, Value, load_settings
 if TYPE_CHECKING:
     from fuzzytime.context import Context
     from fuzzytime.interpreter import Interpreter, Plan, Request
+    from fuzzytime.language import Language
     from fuzzytime.rulebook import Rulebook
     from fuzzytime.scheduling import Limits, Solver
 
@@ -73,8 +74,21 @@ class Assembly:
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
 
+    def language(self) -> "Language":
+        """Load the language, with the cache of parses.
+
+        Raises
+        ------
+        ConfigError
+            If a word table breaks a rule, or the model is not installed.
+        """
+        from fuzzytime.language import Language
+
+        with as_config():
+            return Language.shipped(cache=parse_cache(os.environ))
+
     def interpreter(self) -> "Interpreter":
-        """Put language and rulebook together, with the cache of parses.
+        """Put language and rulebook together.
 
         Raises
         ------
@@ -82,13 +96,10 @@ class Assembly:
             If a table breaks a rule.
         """
         from fuzzytime.interpreter import Interpreter
-        from fuzzytime.language import Language
 
-        with as_config():
-            language = Language.shipped(cache=parse_cache(os.environ))
-        return Interpreter(language, self.rulebook())
+        return Interpreter(self.language(), self.rulebook())
 
-    def context(self, understanding: Understanding, now: datetime, rulebook: "Rulebook") -> "Context":
+    def context(self, understanding: Understanding, now: datetime) -> "Context":
         """Read ``--context`` and ``--ctx``.
 
         Raises

@@ -233,7 +233,6 @@ class _Judge:
             return False
         return True
 
-
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six"; not "by 10" of a volume, not "at 180" of an oven."""
         if not self._may_end(piece):

@@ -135,7 +135,11 @@ class _Clauses:
     def _distance(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker: "five minutes before"."""
         for phrase in self.phrases:
-            if phrase.end == place and phrase.said.preposition is None and isinstance(phrase.said.time, Duration):
+            if (
+                phrase.end == place
+                and phrase.said.preposition is None
+                and isinstance(phrase.said.time, Duration)
+            ):
                 return phrase
         return None
 
@@ -188,7 +192,11 @@ class _Clauses:
         last = said[-1]
         hedges = tuple(self.tree.nodes[p].lower for p in sorted(self.tree.below(last)) if p < last)
         return Condition(
-            text=text, subject=subject or None, word=self.tree.nodes[last].lower, hedges=hedges, negated=negated
+            text=text,
+            subject=subject or None,
+            word=self.tree.nodes[last].lower,
+            hedges=hedges,
+            negated=negated,
         )
 
     def _event(

@@ -93,7 +93,9 @@ class _Composer:
 
     def _sketch(self, part: Part) -> _Sketch:
         first, end = part.segment.span
-        phrases = [phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+        phrases = [
+            phrase for phrase in self.draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end
+        ]
         clauses = []
         if part.front is not None:
             clauses += self._clauses(part.front, first, part.offset, phrases)
@@ -121,7 +123,9 @@ class _Composer:
         words = [self.draft.chart.words[place] for place in places]
         local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
         local = [
-            replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
             for p in phrases
             if offset <= p.span[0] < end
         ]
@@ -266,7 +270,9 @@ class _Composer:
         if not later or position == len(self.given):
             return None
         lag = grounded.requirement.t_spec or 0.0
-        anchor = Anchor(text=grounded.requirement.text, target=position - 1, edge=Edge.END, lag=lag, exact=True)
+        anchor = Anchor(
+            text=grounded.requirement.text, target=position - 1, edge=Edge.END, lag=lag, exact=True
+        )
         found = replace(grounded.requirement, constraint=Constraint.AFTER, anchor=anchor)
         return replace(found, t_spec=None, earliest=None, latest=None)
 

@@ -115,7 +115,9 @@ def _parted(
                 following += [(i, piece) for piece in cut]
         open_segments = following
     for i, segment in open_segments:
-        done[i][segment.span[0]] = Part(segment, Tree(charts[i].text[slice(*segment.span)], ()), segment.span[0])
+        done[i][segment.span[0]] = Part(
+            segment, Tree(charts[i].text[slice(*segment.span)], ()), segment.span[0]
+        )
     return [[own[start] for start in sorted(own)] for own in done]
 
 

@@ -177,7 +177,11 @@ class Reader:
         parts = [p for p in self.tree.children(verb, *OBJECTS) if p > verb and not self._timed(p)]
         words = self._words(parts, verb)
         # "Have the rice ready": what it results in says which moment is meant, not what is done.
-        while action.reference is Reference.FINISH and words and self.tree.nodes[words[-1]].lower in self.lexicon.results:
+        while (
+            action.reference is Reference.FINISH
+            and words
+            and self.tree.nodes[words[-1]].lower in self.lexicon.results
+        ):
             words.pop()
         return self._said(words) if words else None
 
@@ -241,8 +245,10 @@ class Reader:
         found: list[FuzzyParameter] = []
         behind = 0
         for at, word in enumerate(words):
-            if at < behind or word.start < self.tree.nodes[action.place].start or any(
-                a <= word.start < b for a, b in self.times
+            if (
+                at < behind
+                or word.start < self.tree.nodes[action.place].start
+                or any(a <= word.start < b for a, b in self.times)
             ):
                 continue
             form = longest_match(words, at, self.lexicon.amounts)
