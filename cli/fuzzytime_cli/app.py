@@ -1,0 +1,81 @@
+"""The command `fuzzytime`: its commands, and the one place where errors become exit codes."""
+
+import os
+import signal
+import sys
+from typing import Annotated
+
+import typer
+
+from fuzzytime_cli.commands import config, doctor, explain, parse, plan, rules
+from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.faults import exit_of
+
+app = typer.Typer(
+    name="fuzzytime",
+    help="Turns what people say about time into the schedule that satisfies them most, and says why.",
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    invoke_without_command=True,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+app.command("plan")(plan.plan)
+app.command("parse")(parse.parse)
+app.command("explain")(explain.explain)
+app.add_typer(rules.app, name="rules")
+app.add_typer(config.app, name="config")
+app.command("doctor")(doctor.doctor)
+
+
+def _show_version(wanted: bool) -> None:  # noqa: FBT001 - Typer calls it with the flag's value
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"fuzzytime {version('fuzzytime-planner')}")  # noqa: T201
+        raise typer.Exit
+
+
+@app.callback()
+def start(
+    context: typer.Context,
+    *,
+    version: Annotated[
+        bool, typer.Option("--version", callback=_show_version, is_eager=True, help="Show the version.")
+    ] = False,
+) -> None:
+    """Open the conversation on a terminal, plan what a pipe brings elsewhere, unless a command is given."""
+    del version
+    if context.invoked_subcommand is not None:
+        return
+    if sys.stdin is not None and sys.stdin.isatty():
+        from fuzzytime_cli.repl import converse
+
+        converse()
+    else:
+        plan.plan(file="-")
+
+
+def run(arguments: list[str]) -> int:
+    """Run the command and give its exit code."""
+    try:
+        app(arguments, prog_name="fuzzytime")
+        sys.stdout.flush()
+    except SystemExit as stop:
+        # Typer ends with 1 where the reader of a pipe has gone.
+        if isinstance(stop.__context__, BrokenPipeError):
+            return Exit.CLOSED_PIPE
+        return stop.code if isinstance(stop.code, int) else Exit.FAILURE if stop.code else Exit.FINE
+    except BaseException as error:  # noqa: BLE001 - every error ends here, as a message and a code
+        return exit_of(error)
+    return Exit.FINE
+
+
+def main() -> None:
+    """Run the command as the shell does."""
+    code = run(sys.argv[1:])
+    if code == Exit.CLOSED_PIPE:
+        # Nobody reads: Python must not try to flush, and complain, on the way out.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    if code == Exit.INTERRUPT:
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+    sys.exit(code)

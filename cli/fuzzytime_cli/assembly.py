@@ -1,0 +1,203 @@
+"""From options and settings to the library's values: interpreter, context, solver, limits, request."""
+
+import os
+from dataclasses import asdict, dataclass
+from datetime import datetime, tzinfo
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from fuzzytime_cli.choices import SolverChoice
+from fuzzytime_cli.faults import NoInputError, UsageError, as_config, as_usage
+from fuzzytime_cli.options import Moment, Solving, Understanding
+from fuzzytime_cli.settings import Settings, Value, load_settings
+
+if TYPE_CHECKING:
+    from fuzzytime.context import Context
+    from fuzzytime.interpreter import Interpreter, Plan, Request
+    from fuzzytime.rulebook import Rulebook
+    from fuzzytime.scheduling import Limits, Solver
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """Everything that commands which plan need, put together once."""
+
+    settings: Settings
+    now: datetime | None
+    zone: tzinfo | None
+
+    @classmethod
+    def of(cls, moment: Moment, understanding: Understanding, solving: Solving) -> "Assembly":
+        """Read settings and flags.
+
+        Raises
+        ------
+        ConfigError, UsageError
+            If one of them breaks a rule.
+        """
+        from fuzzytime.times import parse_instant, parse_zone
+
+        flags: dict[str, Value] = {
+            name: tuple(map(str, value)) if isinstance(value, list) else value
+            for name, value in {**asdict(understanding), **asdict(solving), "zone": moment.zone}.items()
+            if name not in {"ctx", "context"}
+        }
+        settings = load_settings(flags, os.environ)
+        with as_usage("--zone"):
+            zone = parse_zone(settings.text("zone")) if settings.text("zone") else None
+        with as_usage("--now"):
+            now = parse_instant(moment.now, zone) if moment.now is not None else None
+        return cls(settings, now, zone)
+
+    def moment(self) -> datetime:
+        """Give the plan's now: as said, or the clock's, to the second."""
+        return self.now or datetime.now(self.zone or local_zone()).replace(microsecond=0)
+
+    def rulebook(self) -> "Rulebook":
+        """Load the rule tables: shipped, the user's, the project's, those of ``--rules``.
+
+        Raises
+        ------
+        ConfigError
+            If a table breaks a rule, with every mistake.
+        """
+        from fuzzytime.rulebook import Actor, Profile, Rulebook
+
+        files = (*standing_rules(os.environ), *self.settings.paths("rules"))
+        actor = self.settings.text("actor")
+        with as_config():
+            for path in files:
+                if not path.is_file():
+                    raise NoInputError(f"{path}: there is no such rule table")
+            return Rulebook.shipped(
+                Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
+            )
+
+    def interpreter(self) -> "Interpreter":
+        """Put language and rulebook together, with the cache of parses.
+
+        Raises
+        ------
+        ConfigError
+            If a table breaks a rule.
+        """
+        from fuzzytime.interpreter import Interpreter
+        from fuzzytime.language import Language
+
+        with as_config():
+            language = Language.shipped(cache=parse_cache(os.environ))
+        return Interpreter(language, self.rulebook())
+
+    def context(self, understanding: Understanding, now: datetime, rulebook: "Rulebook") -> "Context":
+        """Read ``--context`` and ``--ctx``.
+
+        Raises
+        ------
+        UsageError, DocumentError
+            If one of them breaks a rule.
+        """
+        from fuzzytime.context import Context, parse_assignment, read_context_lines
+
+        context = Context()
+        if understanding.context is not None:
+            from fuzzytime_cli.inputs.source import read_source
+
+            source = read_source(str(understanding.context))
+            context = read_context_lines(source.text, source.name, now)
+        for assignment in understanding.ctx or ():
+            with as_usage("--ctx"):
+                context = context.with_reading(parse_assignment(assignment))
+        return context
+
+    def solver(self) -> "Solver":
+        """Choose the solver."""
+        from fuzzytime import scheduling
+
+        seed = int(self.settings.number("seed"))
+        match SolverChoice(self.settings.text("solver")):
+            case SolverChoice.AUTO:
+                return scheduling.Auto()
+            case SolverChoice.EXACT:
+                return scheduling.Labels()
+            case SolverChoice.EXHAUSTIVE:
+                return scheduling.ExhaustiveSampling()
+            case SolverChoice.HILL_CLIMBING:
+                return scheduling.HillClimbing(seed=seed)
+            case SolverChoice.ANNEALING:
+                return scheduling.SimulatedAnnealing(seed=seed)
+            case SolverChoice.GENETIC:
+                return scheduling.Genetic(seed=seed)
+
+    def limits(self) -> "Limits":
+        """Give the limits of time."""
+        from fuzzytime.scheduling import Limits
+
+        return Limits(seconds=self.settings.number("time_limit"))
+
+    def horizon(self) -> float | None:
+        """Give the horizon in seconds, None where none is set.
+
+        Raises
+        ------
+        UsageError
+            If it is not a duration above 0.
+        """
+        from fuzzytime.times import parse_duration
+
+        text = self.settings.text("horizon")
+        if not text:
+            return None
+        with as_usage("--horizon"):
+            horizon = parse_duration(text)
+        if horizon <= 0:
+            raise UsageError(f"--horizon: must be above 0, got {text!r}")
+        return horizon
+
+    def plan(self, request: "Request", interpreter: "Interpreter") -> "Plan":
+        """Interpret and schedule a request by the settings."""
+        from fuzzytime.interpreter import plan
+
+        return plan(
+            request,
+            interpreter,
+            solver=self.solver(),
+            threshold=self.settings.number("threshold"),
+            limits=self.limits(),
+        )
+
+
+def local_zone() -> tzinfo | None:
+    """Give the machine's zone by name where it is known, so that later hours know of clock changes."""
+    from fuzzytime.errors import FuzzytimeError
+    from fuzzytime.times import parse_zone
+
+    names = [os.environ.get("TZ", "").lstrip(":")]
+    try:
+        target = str(Path("/etc/localtime").resolve())
+        names.append(target.partition("zoneinfo/")[2])
+    except OSError:
+        pass
+    for name in filter(None, names):
+        try:
+            return parse_zone(name)
+        except FuzzytimeError:
+            continue
+    return datetime.now().astimezone().tzinfo
+
+
+def standing_rules(environment: "os._Environ[str] | dict[str, str]") -> tuple[Path, ...]:
+    """Give the user's and the project's own rule tables, where they are."""
+    from fuzzytime_cli.settings import user_file
+
+    candidates = (user_file(environment).parent / "rules.yaml", Path("fuzzytime-rules.yaml"))
+    return tuple(path for path in candidates if path.is_file())
+
+
+def parse_cache(environment: "os._Environ[str] | dict[str, str]") -> Path | None:
+    """Give the folder of the cache of parses; None where FUZZYTIME_CACHE is empty."""
+    where = environment.get("FUZZYTIME_CACHE")
+    if where is not None:
+        return Path(where) if where else None
+    from platformdirs import user_cache_path
+
+    return user_cache_path("fuzzytime")

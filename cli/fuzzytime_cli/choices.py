@@ -1,0 +1,40 @@
+"""Closed sets of words that flags and settings may take."""
+
+from enum import StrEnum
+
+
+class ProfileChoice(StrEnum):
+    """A profile of widths."""
+
+    EVERYDAY = "everyday"
+    STUDY = "study"
+
+
+class ActorChoice(StrEnum):
+    """Who acts."""
+
+    ROBOT = "robot"
+    PERSON = "person"
+
+
+class SolverChoice(StrEnum):
+    """A way to find the schedule."""
+
+    AUTO = "auto"
+    EXACT = "exact"
+    EXHAUSTIVE = "exhaustive"
+    HILL_CLIMBING = "hill-climbing"
+    ANNEALING = "annealing"
+    GENETIC = "genetic"
+
+
+class PlanFormat(StrEnum):
+    """What a plan is written as."""
+
+    TABLE = "table"
+    JSON = "json"
+    JSONL = "jsonl"
+    CSV = "csv"
+    ICS = "ics"
+    HTML = "html"
+    SVG = "svg"

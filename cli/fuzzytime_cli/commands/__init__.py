@@ -1,0 +1,1 @@
+"""The commands, one a module; heavy imports wait inside them."""

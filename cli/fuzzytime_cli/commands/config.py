@@ -1,0 +1,32 @@
+"""`fuzzytime config`: which settings hold, and where each came from."""
+
+import json
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+app = typer.Typer(help="Show the settings.", no_args_is_help=True)
+
+
+@app.command()
+def show(
+    origin: Annotated[bool, typer.Option("--origin", help="Say where each value came from.")] = False,  # noqa: FBT002
+    as_json: Annotated[bool, typer.Option("--json", help="Write JSON.")] = False,  # noqa: FBT002
+) -> None:
+    """Show every setting's value: flags and environment before project file, user file and defaults."""
+    from fuzzytime_cli.render import plain
+    from fuzzytime_cli.settings import KINDS, load_settings, user_file
+
+    settings = load_settings({}, os.environ)
+    if as_json:
+        rows = {s.name: {"value": s.value, "origin": s.origin} for s in settings.values.values()}
+        sys.stdout.write(json.dumps(rows, indent=2) + "\n")
+        return
+    for setting in settings.values.values():
+        shown = os.pathsep.join(setting.value) if isinstance(setting.value, tuple) else str(setting.value)
+        tail = plain(setting.origin) if origin else KINDS[setting.name].help
+        sys.stdout.write(f"{setting.name:<11} {plain(shown) or '-':<14} {tail}\n")
+    if origin:
+        sys.stdout.write(f"the user's file is {plain(str(user_file(os.environ)))}\n")

@@ -1,0 +1,151 @@
+"""`fuzzytime plan`: from instructions to the schedule that satisfies most."""
+
+import os
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from fuzzytime_cli.choices import PlanFormat
+from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+if TYPE_CHECKING:
+    from fuzzytime.interpreter import Plan, Problem, Request
+    from fuzzytime.rulebook import Rulebook
+    from fuzzytime_cli.assembly import Assembly
+
+
+@flattened
+def plan(
+    file: Annotated[
+        str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
+    ] = None,
+    instruction: Annotated[
+        list[str] | None,
+        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
+    ] = None,
+    output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file.")
+    ] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Fail where a line cannot be read.")] = False,  # noqa: FBT002
+    *,
+    moment: Moment,
+    understanding: Understanding,
+    solving: Solving,
+) -> None:
+    """Plan instructions: print the best schedule and how well each wish is satisfied."""
+    from fuzzytime_cli.assembly import Assembly
+
+    assembly = Assembly.of(moment, understanding, solving)
+    interpreter = assembly.interpreter()
+    request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook)
+    made = assembly.plan(request, interpreter)
+    report_problems(made, file or "-i")
+    write_plan(made, output_format, output)
+    code = exit_of_plan(made, strict=strict)
+    if code != Exit.FINE:
+        raise typer.Exit(code)
+
+
+def request_of(
+    file: str | None,
+    instructions: list[str],
+    assembly: "Assembly",
+    understanding: Understanding,
+    rulebook: "Rulebook",
+) -> "Request":
+    """Read a file and ``-i`` instructions into a request; flags win over the file."""
+    from dataclasses import replace
+
+    from fuzzytime.interpreter import Request, SpokenWish
+    from fuzzytime_cli.faults import UsageError
+    from fuzzytime_cli.inputs.lines import wishes_of
+    from fuzzytime_cli.inputs.source import read_source
+    from fuzzytime_cli.inputs.task_file import Surroundings, is_task_file, read_task_file
+
+    now = assembly.moment()
+    request = Request(now=now, wishes=(), agents=int(assembly.settings.number("agents")))
+    if file is None and not instructions:
+        raise UsageError("say what to plan: a file, - for standard input, or -i TEXT")
+    if file is not None:
+        source = read_source(file)
+        if is_task_file(source):
+            from fuzzytime_cli.inputs.calendar import busy_of_calendar
+
+            folder = source.path.parent if source.path is not None else Path()
+            surroundings = Surroundings(
+                assembly.now, assembly.zone, now, lambda name, moment: busy_of_calendar(folder / name, moment)
+            )
+            request = read_task_file(source, surroundings, rulebook)
+            if assembly.settings.values["agents"].origin != "default":
+                request = replace(request, agents=int(assembly.settings.number("agents")))
+        else:
+            request = replace(request, wishes=wishes_of(source, now))
+    spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
+    context = assembly.context(understanding, request.now, rulebook)
+    return replace(
+        request,
+        wishes=(*request.wishes, *spoken),
+        context=request.context.merged(context),
+        horizon=assembly.horizon() or request.horizon,
+    )
+
+
+def report_problems(made: "Plan", source: str) -> None:
+    """Say on standard error which lines were not understood, with their words underlined."""
+    for problem in made.problems:
+        if is_fault(problem):
+            report_problem(problem, source)
+
+
+def report_problem(problem: "Problem", source: str) -> None:
+    """Say one problem on standard error."""
+    from fuzzytime_cli.faults import report, underlined
+
+    place = f"{source}:{problem.line}" if problem.line is not None else "fuzzytime"
+    if problem.span is not None and problem.text:
+        report(f"{place}: {problem.message}")
+        sys.stderr.write(underlined(problem.text, problem.span) + "\n")
+    else:
+        report(f"{place}: {problem.message}")
+
+
+def is_fault(problem: "Problem") -> bool:
+    """Say whether a problem means that something asked for is not in the schedule as asked."""
+    from fuzzytime.interpreter import ProblemKind
+
+    return problem.kind is not ProblemKind.NOTE
+
+
+def exit_of_plan(made: "Plan", *, strict: bool) -> Exit:
+    """Give the exit code of a plan: bad data where nothing, or under ``--strict`` not all, could be read."""
+    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime.scheduling import Status
+
+    unread = [p for p in made.problems if p.kind not in {ProblemKind.NOTE, ProblemKind.REJECTED}]
+    if unread and (strict or not made.skills):
+        return Exit.BAD_DATA
+    return Exit.INFEASIBLE if made.schedule.certificate.status is Status.INFEASIBLE else Exit.FINE
+
+
+def write_plan(made: "Plan", output_format: PlanFormat, output: Path | None) -> None:
+    """Write a plan to a file, whole or not at all, or to standard output."""
+    from fuzzytime_cli.formats import written
+    from fuzzytime_cli.render import Screen
+
+    if output is None and output_format is PlanFormat.TABLE:
+        from fuzzytime_cli.formats.table import PlanView
+
+        screen = Screen.of(sys.stdout, dict(os.environ))
+        screen.write(*PlanView(made, screen.width, unicode=screen.unicode).lines())
+        return
+    text = written(made, output_format)
+    if output is None:
+        sys.stdout.write(text)
+        return
+    from fuzzytime_cli.files import replace_file
+
+    replace_file(output, text)

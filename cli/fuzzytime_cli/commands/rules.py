@@ -1,0 +1,66 @@
+"""`fuzzytime rules`: check rule tables, and show what applies to a text."""
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_help=True)
+
+
+@app.command()
+def check(
+    files: Annotated[
+        list[Path] | None,
+        typer.Argument(help="Tables; none checks the shipped ones and those of the settings."),
+    ] = None,
+) -> None:
+    """Check rule tables: every mistake at once, with file, line and column."""
+    import os
+
+    from fuzzytime.rulebook import check as check_tables
+    from fuzzytime_cli.assembly import standing_rules
+    from fuzzytime_cli.faults import NoInputError, report
+    from fuzzytime_cli.render import plain
+    from fuzzytime_cli.settings import load_settings
+
+    chosen = tuple(files or (*standing_rules(os.environ), *load_settings({}, os.environ).paths("rules")))
+    for path in chosen:
+        if not path.is_file():
+            raise NoInputError(f"{path}: there is no such rule table")
+    mistakes = check_tables(chosen)
+    if mistakes:
+        report("\n".join(map(str, mistakes)))
+        report(f"{len(mistakes)} mistake{'s' * (len(mistakes) > 1)}")
+        raise typer.Exit(Exit.BAD_CONFIG)
+    names = ", ".join(plain(str(path)) for path in chosen)
+    sys.stdout.write(f"the shipped tables{' and ' * bool(names)}{names} hold no mistake\n")
+
+
+@app.command()
+@flattened
+def show(
+    text: Annotated[str, typer.Argument(help='Words about time, such as "in about ten minutes".')],
+    *,
+    moment: Moment,
+    understanding: Understanding,
+) -> None:
+    """Show which rows and rules apply to words about time, and the satisfaction they give."""
+    import os
+
+    from fuzzytime.interpreter import Request, SpokenWish
+    from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.explaining import Explanation
+    from fuzzytime_cli.render import Screen
+
+    assembly = Assembly.of(moment, understanding, Solving())
+    interpreter = assembly.interpreter()
+    now = assembly.moment()
+    context = assembly.context(understanding, now, interpreter.rulebook)
+    request = Request(now=now, wishes=(SpokenWish(text=text, given=now),), context=context)
+    screen = Screen.of(sys.stdout, dict(os.environ))
+    screen.write(*Explanation(request, interpreter, screen.width).rules())

@@ -1,0 +1,29 @@
+"""Instants as people read them: no more than they need beside the plan's now."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import datetime
+
+from fuzzytime.times import instant_after
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """Prints times of a plan: with seconds where one of them needs them, with the day where it is another."""
+
+    now: datetime
+    with_seconds: bool
+
+    @classmethod
+    def for_times(cls, now: datetime, times: Iterable[float]) -> "Clock":
+        """Choose the least precision that tells all these times from full minutes."""
+        return cls(now, any(round(time + now.second) % 60 for time in times))
+
+    def of(self, time: float) -> str:
+        """Print a time, in seconds from now, as ``09:02:30`` or ``Thu 09:02``."""
+        instant = instant_after(self.now, round(time) - self.now.microsecond / 1e6)
+        clock = instant.strftime("%H:%M:%S" if self.with_seconds else "%H:%M")
+        days = (instant.date() - self.now.date()).days
+        if days == 0:
+            return clock
+        return f"{instant:%a} {clock}" if 0 < days < 7 else f"{instant:%d %b} {clock}"

@@ -1,0 +1,70 @@
+"""The timeline: for each skill a lane with ψ as shade, and on it the time that the skill takes.
+
+Shades tell how well a start there would satisfy; nothing needs colour.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from fuzzytime.satisfaction import SatisfactionFunction
+
+SHADES = " ░▒▓"
+TAKEN, WAITING, APPOINTMENT = "█", "─", "×"
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """The stretch of time that lanes show, in seconds, on a number of columns."""
+
+    start: float
+    end: float
+    columns: int
+
+    @property
+    def step(self) -> float:
+        """Seconds that one column stands for."""
+        return (self.end - self.start) / self.columns
+
+    def column(self, time: float) -> int:
+        """Give the column of a time, possibly outside."""
+        return int(np.floor((time - self.start) / self.step))
+
+    def middles(self) -> np.ndarray:
+        """Give the times at the middles of the columns."""
+        return self.start + (np.arange(self.columns) + 0.5) * self.step
+
+
+def shades(function: SatisfactionFunction, window: Window) -> list[str]:
+    """Give the shade of each column: the best satisfaction of a start within it."""
+    inner = window.start + (np.arange(window.columns)[:, None] + np.linspace(0, 1, 9)) * window.step
+    best = function(inner).max(axis=1)
+    level = np.where(best <= 0.02, 0, np.minimum(np.floor(best * 3) + 1, 3)).astype(int)
+    return [SHADES[index] for index in level]
+
+
+def lane(function: SatisfactionFunction, start: float, end: float, done: float, window: Window) -> list[str]:
+    """Draw one skill: ψ as shade, then what goes on by itself, then the time the agent is taken."""
+    cells = shades(function, window)
+    _fill(cells, WAITING, end, done, window)
+    _fill(cells, TAKEN, start, end, window)
+    return cells
+
+
+def taken(spans: Sequence[tuple[float, float]], window: Window) -> list[str]:
+    """Draw times that are taken."""
+    cells = [" "] * window.columns
+    for start, end in spans:
+        _fill(cells, APPOINTMENT, start, end, window)
+    return cells
+
+
+def _fill(cells: list[str], mark: str, start: float, end: float, window: Window) -> None:
+    """Mark the columns from start to end; a stretch shorter than a column still gets one."""
+    if end < start or end <= window.start or start >= window.end or (end == start and mark != TAKEN):
+        return
+    first = max(0, window.column(start))
+    last = min(window.columns - 1, max(first, window.column(end - 1e-9)))
+    for column in range(first, last + 1):
+        cells[column] = mark

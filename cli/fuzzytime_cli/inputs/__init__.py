@@ -1,0 +1,1 @@
+"""What the command reads: instructions a line, YAML task files, calendars."""

@@ -1,0 +1,81 @@
+"""A file or standard input, read whole within a limit, with errors that say what is wrong with it."""
+
+import errno
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from fuzzytime.errors import DocumentError, Mistake
+from fuzzytime_cli.faults import NoInputError
+
+MAX_BYTES = 16 << 20
+STDIN = "-"
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where text came from, as a person would name it, and the text."""
+
+    name: str
+    text: str
+    path: Path | None = None
+
+
+def read_source(where: str) -> Source:
+    """Read a file by its path, or standard input by ``-``.
+
+    Raises
+    ------
+    NoInputError
+        If there is no such file, it is a folder, or it is empty.
+    DocumentError
+        If it is not UTF-8 text, or larger than `MAX_BYTES`.
+    """
+    if where == STDIN:
+        name, path = "<stdin>", None
+        raw = sys.stdin.buffer.read(MAX_BYTES + 1) if sys.stdin is not None else b""
+    else:
+        name, path = where, Path(where)
+        raw = _bytes_of(path)
+    if len(raw) > MAX_BYTES:
+        raise DocumentError((Mistake(name, 1, 1, "", f"input must not be larger than {MAX_BYTES:,} bytes"),))
+    text = _decoded(name, raw)
+    if not text.strip():
+        raise NoInputError(f"{name}: the input must hold at least one instruction, and it is empty")
+    return Source(name, text, path)
+
+
+def _bytes_of(path: Path) -> bytes:
+    try:
+        with path.open("rb") as stream:
+            return stream.read(MAX_BYTES + 1)
+    except (FileNotFoundError, NotADirectoryError) as error:
+        hint = f"; to plan these words, say: fuzzytime plan -i {str(path)!r}" if " " in str(path) else ""
+        raise NoInputError(f"{path}: there is no such file{hint}") from error
+    except IsADirectoryError as error:
+        raise NoInputError(f"{path}: must be a file, and it is a folder (see: fuzzytime batch)") from error
+    except OSError as error:
+        if error.errno == errno.ENAMETOOLONG:
+            raise NoInputError("a file's name must be shorter; to plan words, use -i") from error
+        raise
+    except ValueError as error:  # a NUL in the name
+        raise NoInputError("a file's name must not hold a NUL character") from error
+
+
+def _decoded(name: str, raw: bytes) -> str:
+    """Decode UTF-8, or UTF-16 with its mark; say where it is neither."""
+    encoding = "utf-16" if raw[:2] in {b"\xff\xfe", b"\xfe\xff"} else "utf-8-sig"
+    at, what = -1, ""
+    text = ""
+    try:
+        text = raw.decode(encoding)
+    except UnicodeDecodeError as error:
+        at, what = error.start, f"text must be UTF-8, got byte 0x{raw[error.start]:02x}"
+    nul = raw.find(b"\0") if encoding == "utf-8-sig" else -1
+    if nul >= 0 and (at < 0 or nul < at):
+        at, what = nul, "text must not hold NUL: this looks like a binary file"
+    if at >= 0:
+        before = raw[:at].decode("utf-8", "replace")
+        line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+        raise DocumentError((Mistake(name, line, column, "", what),))
+    return text.replace("\r\n", "\n").replace("\r", "\n")

@@ -1,0 +1,106 @@
+"""What surrounds the wishes of a task file: readings of signals, times that are taken."""
+
+import re
+from collections.abc import Callable
+from datetime import datetime
+
+from fuzzytime.context import Context, Reading, parse_quantity
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.skills import Busy
+from fuzzytime.times import (
+    DAY,
+    WEEK,
+    parse_clock,
+    parse_duration,
+    parse_instant,
+    seconds_between,
+)
+from fuzzytime.yaml_nodes import Node, Reader, Scalar, Sequence
+
+CalendarReader = Callable[[str, datetime], tuple[Busy, ...]]
+"""From a calendar file's name and now to its busy times."""
+
+_CLOCK = re.compile(r"\s*\d{1,2}:\d{2}(:\d{2})?\s*")
+
+
+def moment_of(text: str, now: datetime) -> float:
+    """Read ``09:30`` (today), an ISO instant, or a duration from now, as seconds from now.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none of these.
+    """
+    if _CLOCK.fullmatch(text):
+        return seconds_between(now, datetime.combine(now.date(), parse_clock(text), now.tzinfo))
+    for read in (lambda: seconds_between(now, parse_instant(text, now.tzinfo)), lambda: parse_duration(text)):
+        try:
+            return read()
+        except FuzzytimeError:
+            continue
+    raise FuzzytimeError(
+        f"a time must look like 09:30, 2026-03-04T09:30 or '30 min' (from now), got {text!r}"
+    )
+
+
+def read_busy(
+    reader: Reader, node: Node, now: datetime, agents: int, calendar: CalendarReader
+) -> tuple[Busy, ...]:
+    """Read a list of ``{from, to, what, agent}``, or the name of a calendar file."""
+    if isinstance(node, Scalar):
+        return reader.read(node, "busy", lambda name: calendar(name, now)) or ()
+    found = []
+    for index, item in enumerate(reader.sequence(node, "busy")):
+        key = f"busy[{index}]"
+        fields = reader.mapping(item, key, ("from", "to", "what", "agent"), ("from", "to"))
+        if not {"from", "to"} <= fields.keys():
+            continue
+        start, end = (_moment(reader, fields[name], f"{key}.{name}", now) for name in ("from", "to"))
+        if end < start and _CLOCK.fullmatch(reader.string(fields["to"], f"{key}.to")):
+            end += DAY  # from 23:00 to 01:00
+        what = reader.string(fields["what"], f"{key}.what") if "what" in fields else ""
+        agent = reader.whole(fields["agent"], f"{key}.agent", 1, agents) if "agent" in fields else 0
+        if end < start:
+            reader.mistake(item, key, "a busy time must not end before it starts")
+        else:
+            found.append(Busy(start, end, what, agent or None))
+    return tuple(found)
+
+
+def _moment(reader: Reader, node: Node, key: str, now: datetime) -> float:
+    if not isinstance(node, Scalar):
+        reader.mistake(node, key, "must be a time such as 09:30")
+        return 0.0
+    return reader.read(node, key, lambda text: moment_of(text, now)) or 0.0
+
+
+def read_context(reader: Reader, node: Node) -> Context:
+    """Read ``{signal: value}``, ``{signal: {at, value, unit}}`` or a list of these, times up to now."""
+    readings: list[Reading] = []
+    for signal, value in reader.mapping(node, "context").items():
+        key = f"context.{signal}"
+        if isinstance(value, Scalar):
+            quantity = reader.read(value, key, parse_quantity)
+            if quantity is not None:
+                readings.append(Reading(signal, 0.0, *quantity))
+        elif isinstance(value, Sequence):
+            for index, item in enumerate(value.items):
+                readings.extend(_reading(reader, signal, item, f"{key}[{index}]"))
+        else:
+            readings.extend(_reading(reader, signal, value, key))
+    return Context(tuple(readings))
+
+
+def _reading(reader: Reader, signal: str, node: Node, key: str) -> list[Reading]:
+    fields = reader.mapping(node, key, ("at", "value", "unit"), ("at",))
+    if "at" not in fields:
+        return []
+    at = reader.duration(fields["at"], f"{key}.at", -52 * WEEK, 0.0)
+    value: float | None = None
+    unit: str | None = None
+    if isinstance(said := fields.get("value"), Scalar):
+        quantity = reader.read(said, f"{key}.value", parse_quantity)
+        value, unit = quantity if quantity is not None else (None, None)
+    if "unit" in fields:
+        unit = reader.string(fields["unit"], f"{key}.unit")
+    return [Reading(signal, at, value, unit)]

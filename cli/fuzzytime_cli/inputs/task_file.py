@@ -1,0 +1,207 @@
+"""YAML task files: instructions with durations and priorities, direct skills, context, busy times.
+
+Every mistake is found in one run, with file, line and column.
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime, tzinfo
+from functools import partial
+from typing import Required, TypedDict
+
+from fuzzytime.context import Context
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
+from fuzzytime.times import WEEK, parse_instant, parse_zone
+from fuzzytime.yaml_nodes import Node, Reader, Scalar
+from fuzzytime_cli.inputs.functions import read_function
+from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
+from fuzzytime_cli.inputs.source import Source
+from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy, read_context
+
+KEYS = ("now", "zone", "agents", "horizon", "context", "busy", "instructions", "skills")
+_WISH_KEYS = ("id", "hands_on", "elapsed", "duration", "priority", "agent", "after")
+_FIRST_KEY = re.compile(r"(?:[ \t]*(?:#[^\n]*)?\n|---[ \t]*\n)*(?:" + "|".join(KEYS) + r")[ \t]*:(?:\s|$)")
+
+
+def is_task_file(source: Source) -> bool:
+    """Say whether a text is meant as a task file: by its name, or because it starts with one of its keys."""
+    named = source.path is not None and source.path.suffix.lower() in {".yaml", ".yml"}
+    return named or _FIRST_KEY.match(source.text) is not None
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """What flags say; where the file says it too, flags win."""
+
+    now: datetime | None
+    zone: tzinfo | None
+    fallback_now: datetime
+    calendar: CalendarReader
+
+
+def read_task_file(source: Source, surroundings: Surroundings) -> Request:
+    """Read a task file.
+
+    Raises
+    ------
+    DocumentError
+        With every mistake in it.
+    """
+    return _TaskFile(source, surroundings).request()
+
+
+class _Shared(TypedDict, total=False):
+    """The fields that every kind of wish may have."""
+
+    given: Required[datetime]
+    hands_on: float | None
+    elapsed: float | None
+    priority: float
+    agent: int
+    after: tuple[str, ...]
+    identifier: str
+
+
+class _TaskFile:
+    """One file being read: the reader that collects mistakes, and what later parts need from earlier ones."""
+
+    def __init__(self, source: Source, surroundings: Surroundings) -> None:
+        self.reader = Reader(source.name, source.text)
+        self.surroundings = surroundings
+        self.now = surroundings.now or surroundings.fallback_now
+        self.agents = 1
+        self.identifiers: dict[str, int] = {}
+
+    def request(self) -> Request:
+        reader = self.reader
+        root = reader.root()
+        top = reader.mapping(root, "", KEYS)
+        self.now = self._now(top)
+        if "agents" in top:
+            self.agents = max(1, reader.whole(top["agents"], "agents", 1, 100))
+        horizon = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
+        context = read_context(reader, top["context"]) if "context" in top else Context()
+        busy = (
+            read_busy(reader, top["busy"], self.now, self.agents, self.surroundings.calendar)
+            if "busy" in top
+            else ()
+        )
+        wishes = (
+            *(self._instructions(top["instructions"]) if "instructions" in top else ()),
+            *(self._skills(top["skills"]) if "skills" in top else ()),
+        )
+        if not reader.mistakes and not wishes:
+            reader.mistake(root, "", "a task file must hold instructions or skills")
+        if len(wishes) > MAX_INSTRUCTIONS:
+            reader.mistake(
+                root, "", f"a plan must hold at most {MAX_INSTRUCTIONS:,} skills, got {len(wishes):,}"
+            )
+        reader.finish()
+        return Request(
+            now=self.now, wishes=wishes, agents=self.agents, context=context, busy=busy, horizon=horizon
+        )
+
+    def _now(self, top: dict[str, Node]) -> datetime:
+        zone = self.surroundings.zone
+        if "zone" in top and isinstance(top["zone"], Scalar):
+            zone = self.reader.read(top["zone"], "zone", parse_zone) or zone
+        said = top.get("now")
+        if self.surroundings.now is not None:
+            return self.surroundings.now
+        if said is None:
+            fallback = self.surroundings.fallback_now
+            return fallback.astimezone(zone) if zone is not None else fallback
+        if not isinstance(said, Scalar):
+            self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
+            return self.now
+        zone = zone or self.surroundings.fallback_now.tzinfo
+        return self.reader.read(said, "now", lambda text: parse_instant(text, zone)) or self.now
+
+    # -- wishes ---------------------------------------------------------------------------------------------
+
+    def _instructions(self, node: Node) -> list[Wish]:
+        wishes: list[Wish] = []
+        for index, item in enumerate(self.reader.sequence(node, "instructions")):
+            key = f"instructions[{index}]"
+            fields: dict[str, Node] = {"say": item}
+            if not isinstance(item, Scalar):
+                fields = self.reader.mapping(item, key, ("say", *_WISH_KEYS), ("say",))
+            if "say" in fields:
+                self._add(wishes, item, key, partial(self._spoken, key, fields))
+        return wishes
+
+    def _skills(self, node: Node) -> list[Wish]:
+        wishes: list[Wish] = []
+        required = ("name", "satisfaction")
+        for index, item in enumerate(self.reader.sequence(node, "skills")):
+            key = f"skills[{index}]"
+            fields = self.reader.mapping(item, key, (*required, *_WISH_KEYS), required)
+            if fields.keys() >= set(required):
+                self._add(wishes, item, key, partial(self._direct, key, fields))
+        return wishes
+
+    def _add(self, wishes: list[Wish], node: Node, key: str, build: Callable[[], Wish]) -> None:
+        """Build a wish; what its parts cannot see, the wish itself refuses."""
+        try:
+            wishes.append(build())
+        except FuzzytimeError as error:
+            self.reader.mistake(node, key, str(error))
+
+    def _spoken(self, key: str, fields: dict[str, Node]) -> SpokenWish:
+        say = fields["say"]
+        text = self.reader.string(say, key).strip()
+        if not text:
+            self.reader.mistake(say, key, "an instruction must not be empty")
+        return SpokenWish(text=text, line=say.line + 1, **self._shared(key, fields))
+
+    def _direct(self, key: str, fields: dict[str, Node]) -> DirectWish:
+        name = self.reader.string(fields["name"], f"{key}.name").strip()
+        if not name:
+            self.reader.mistake(fields["name"], f"{key}.name", "a name must not be empty")
+        if not {"duration", "hands_on"} & fields.keys():
+            self.reader.mistake(fields["name"], key, "a skill needs a duration or hands_on time")
+        satisfaction = read_function(self.reader, fields["satisfaction"], f"{key}.satisfaction")
+        line = fields["name"].line + 1
+        return DirectWish(name=name, satisfaction=satisfaction, line=line, **self._shared(key, fields))
+
+    def _shared(self, key: str, fields: dict[str, Node]) -> "_Shared":
+        reader = self.reader
+        durations = {
+            name: reader.duration(fields[name], f"{key}.{name}", 0.0, 52 * WEEK)
+            for name in ("hands_on", "elapsed", "duration")
+            if name in fields
+        }
+        both = durations.get("duration")
+        shared: _Shared = {
+            "given": self.now,
+            "hands_on": durations.get("hands_on", both),
+            "elapsed": durations.get("elapsed", both),
+        }
+        if "duration" in fields and len(durations) > 1:
+            reader.mistake(
+                fields["duration"], f"{key}.duration", "a duration sets hands_on and elapsed: give it alone"
+            )
+        if "priority" in fields:
+            shared["priority"] = reader.number(fields["priority"], f"{key}.priority", 1e-3, 1e3) or 1.0
+        if "agent" in fields:
+            shared["agent"] = max(1, reader.whole(fields["agent"], f"{key}.agent", 1, self.agents))
+        if "after" in fields:
+            shared["after"] = reader.strings(fields["after"], f"{key}.after")
+        if "id" in fields:
+            shared["identifier"] = self._identifier(fields["id"], f"{key}.id")
+        return shared
+
+    def _identifier(self, node: Node, key: str) -> str:
+        text = self.reader.string(node, key).strip()
+        if not re.fullmatch(r"[A-Za-z_][\w.-]{0,63}", text):
+            self.reader.mistake(
+                node, key, f"an id must start with a letter and hold letters, digits, '_.-', got {text!r}"
+            )
+        elif text in self.identifiers:
+            self.reader.mistake(
+                node, key, f"ids must differ, got {text!r} as on line {self.identifiers[text] + 1}"
+            )
+        self.identifiers.setdefault(text, node.line)
+        return text

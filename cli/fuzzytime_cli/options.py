@@ -1,0 +1,115 @@
+"""Options that several commands share, each group a frozen dataclass that a command takes as one parameter.
+
+>>> @dataclass(frozen=True)
+... class Voice:
+...     loud: Annotated[bool, typer.Option(help="Shout.")] = False
+>>> @flattened
+... def greet(name: str, voice: Voice) -> None: ...
+>>> list(inspect.signature(greet).parameters)
+['name', 'loud']
+"""
+
+import functools
+import inspect
+from collections.abc import Callable
+from dataclasses import MISSING, dataclass, fields, is_dataclass
+from pathlib import Path
+from typing import Annotated, Any, get_type_hints
+
+import typer
+
+from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
+
+
+def flattened(command: Callable[..., None]) -> Callable[..., None]:
+    """Let Typer see the fields of a command's dataclass parameters as options of the command itself."""
+    hints = get_type_hints(command, include_extras=True)
+    parameters: list[inspect.Parameter] = []
+    groups: dict[str, type] = {}
+    for name, parameter in inspect.signature(command).parameters.items():
+        kind = hints[name]
+        if not (isinstance(kind, type) and is_dataclass(kind)):
+            parameters.append(parameter.replace(annotation=hints[name], kind=inspect.Parameter.KEYWORD_ONLY))
+            continue
+        groups[name] = kind
+        own = get_type_hints(kind, include_extras=True)
+        for entry in fields(kind):
+            default = inspect.Parameter.empty if entry.default is MISSING else entry.default
+            parameters.append(
+                inspect.Parameter(
+                    entry.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=own[entry.name]
+                )
+            )
+
+    @functools.wraps(command)
+    def run(**values: Any) -> None:  # noqa: ANN401 - the values are those of the command's own signature
+        collected = {
+            name: kind(**{entry.name: values.pop(entry.name) for entry in fields(kind)})
+            for name, kind in groups.items()
+        }
+        command(**values, **collected)
+
+    signature = inspect.Signature(parameters)
+    run.__signature__ = signature  # type: ignore[attr-defined]
+    run.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
+    return run
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """When: what counts as now, and where."""
+
+    now: Annotated[
+        str | None, typer.Option(metavar="INSTANT", help="The moment to plan from, such as 2026-03-04T09:00.")
+    ] = None
+    zone: Annotated[str | None, typer.Option(metavar="NAME", help="Time zone, such as Europe/Berlin.")] = None
+
+
+@dataclass(frozen=True, slots=True)
+class Understanding:
+    """How words and context become satisfaction."""
+
+    profile: Annotated[
+        ProfileChoice | None,
+        typer.Option(help="How wide wishes are: as in everyday life, or as in the study."),
+    ] = None
+    actor: Annotated[
+        ActorChoice | None, typer.Option(help="Who acts; people expect other leeway of each.")
+    ] = None
+    rules: Annotated[
+        list[Path] | None,
+        typer.Option(
+            "--rules", metavar="FILE", help="A rule table that goes before the shipped ones; repeatable."
+        ),
+    ] = None
+    ctx: Annotated[
+        list[str] | None,
+        typer.Option("--ctx", metavar="NAME=VALUE", help="A reading now, such as pan_temp=180; repeatable."),
+    ] = None
+    context: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Readings over time, a JSON object a line.")
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
+class Solving:
+    """How the schedule is found."""
+
+    solver: Annotated[SolverChoice | None, typer.Option(help="The method; auto proves the best it can.")] = (
+        None
+    )
+    agents: Annotated[int | None, typer.Option(min=1, max=100, help="How many can work at once.")] = None
+    threshold: Annotated[
+        float | None,
+        typer.Option(
+            min=0.0, max=0.5, help="Satisfaction below which a skill is rejected; 0 for the strict product."
+        ),
+    ] = None
+    time_limit: Annotated[
+        float | None,
+        typer.Option(metavar="SECONDS", min=0.01, help="Time after which the best so far is given."),
+    ] = None
+    seed: Annotated[int | None, typer.Option(help="Seed of the methods that draw at random.")] = None
+    horizon: Annotated[
+        str | None, typer.Option(metavar="DURATION", help="How far to look ahead, such as 8h.")
+    ] = None

@@ -1,0 +1,130 @@
+"""What reaches a person's terminal: text made harmless, in columns, with colour only where it is wanted."""
+
+import unicodedata
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TextIO
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.text import Text
+
+# Marks that reorder or hide text; the joiners of emoji and scripts (U+200C, U+200D) stay.
+_INVISIBLE = frozenset("\u00ad\u061c\u180e\u200b\u200e\u200f\u2028\u2029\u2060\ufeff")
+_REORDERING = frozenset(map(chr, (*range(0x202A, 0x202F), *range(0x2066, 0x206A))))
+
+
+def plain(text: str) -> str:
+    r"""Make text harmless: every control, reordering and unprintable character becomes an escape to read.
+
+    >>> print(plain("stir \x1b[31mred\x07"))
+    stir \x1b[31mred\x07
+    """
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(map(_harmless, text))
+
+
+def _harmless(character: str) -> str:
+    category = unicodedata.category(character)
+    unsafe = category in {"Cc", "Cs", "Co", "Cn", "Zl", "Zp"}
+    if (
+        unsafe
+        or character in _INVISIBLE
+        or character in _REORDERING
+        or "\U000e0000" <= character <= "\U000e007f"
+    ):
+        return character.encode("unicode_escape").decode("ascii")
+    return character
+
+
+def width_of(text: str) -> int:
+    """Count the terminal columns of harmless text: wide characters take two, combining ones none."""
+    if text.isascii():
+        return len(text)
+    return sum(_columns(character) for character in text)
+
+
+def _columns(character: str) -> int:
+    if unicodedata.combining(character) or character in "\u200c\u200d\ufe0e\ufe0f":
+        return 0
+    return 2 if unicodedata.east_asian_width(character) in "WF" else 1
+
+
+def fitted(text: str, width: int) -> str:
+    """Cut or fill harmless text to exactly ``width`` columns; what is cut ends in an ellipsis."""
+    if width_of(text) <= width:
+        return text + " " * (width - width_of(text))
+    kept, used = [], 0
+    for character in text:
+        columns = _columns(character)
+        if used + columns > width - 1:
+            break
+        kept.append(character)
+        used += columns
+    return "".join(kept) + "…" * (width > 0) + " " * (width - 1 - used)
+
+
+@dataclass(frozen=True, slots=True)
+class Screen:
+    """A stream to write to, with what it can show."""
+
+    stream: TextIO
+    width: int
+    colour: bool
+    unicode: bool
+    interactive: bool
+
+    @classmethod
+    def of(cls, stream: TextIO, environment: dict[str, str], width: int | None = None) -> "Screen":
+        """Look at a stream and the environment: NO_COLOR, FORCE_COLOR, TERM, COLUMNS."""
+        import shutil
+
+        interactive = stream.isatty()
+        dumb = environment.get("TERM", "") == "dumb"
+        wanted = bool(environment.get("FORCE_COLOR")) or (interactive and not dumb)
+        encoding = (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "")
+        columns = width or shutil.get_terminal_size((80, 24)).columns
+        return cls(
+            stream,
+            max(20, columns),
+            wanted and not environment.get("NO_COLOR"),
+            encoding.startswith("utf"),
+            interactive and not dumb,
+        )
+
+    def console(self) -> "Console":
+        """Give a Rich console that adds nothing of its own: no markup, no highlighting, no emoji."""
+        from rich.console import Console
+
+        return Console(
+            file=self.stream,
+            width=self.width,
+            force_terminal=self.colour or None,
+            no_color=not self.colour,
+            color_system="standard" if self.colour else None,
+            markup=False,
+            highlight=False,
+            emoji=False,
+            legacy_windows=False,
+            soft_wrap=True,
+        )
+
+    def write(self, *lines: "Text | str") -> None:
+        """Write lines of harmless text, styled where this screen shows colour."""
+        if self.colour:
+            console = self.console()
+            for line in lines:
+                console.print(line)
+            return
+        text = "".join(f"{line}\n" for line in lines)
+        if not self.unicode:
+            text = text.translate(_ASCII)
+        self.stream.write(text)
+
+
+_PAIRS = '█# ▓% ▒+ ░. ▋# ▊# ▉# ─- │| └` ├| ╵| ·. …~ –- —- −- ×x ’\' “" ”" ✓+ ▲^ ▼v ●*'
+_ASCII = str.maketrans(
+    {pair[0]: pair[1] for pair in _PAIRS.split()}
+    | dict.fromkeys("▏▎▍▌", " ")
+    | {"→": "->", "←": "<-", "≤": "<=", "≥": ">=", "ψ": "psi", "μ": "mu", "ε": "eps", "°": "deg "}
+)

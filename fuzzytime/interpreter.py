@@ -1,1 +1,0 @@
-"""The meeting of language and rulebook: from text and context to fuzzy skills, with explanations."""

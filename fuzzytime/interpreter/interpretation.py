@@ -1,0 +1,80 @@
+"""A request understood: each wish as fuzzy skills, with everything that an explanation needs."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from fuzzytime.interpreter.request import Wish
+from fuzzytime.language import Instruction, Reading
+from fuzzytime.requirement import TimeRequirement
+from fuzzytime.rulebook import OperationDuration, Resolution
+from fuzzytime.skills import FuzzySkill, Precedence
+
+
+class ProblemKind(StrEnum):
+    """Why something needs saying."""
+
+    UNREADABLE = "unreadable"
+    NOT_UNDERSTOOD = "not understood"
+    UNRESOLVED = "unresolved reference"
+    NOTHING_TO_DO = "nothing to do"
+    REJECTED = "rejected"
+    NOTE = "note"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """Something that a person should know about a wish: a sentence, and the words at fault if any.
+
+    ``line`` and ``text`` are those of the wish; ``span`` its first and one past last character at fault;
+    ``identifier`` names the skill, where there is one.
+    """
+
+    kind: ProblemKind
+    message: str
+    line: int | None = None
+    text: str = ""
+    span: tuple[int, int] | None = None
+    identifier: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interpreted:
+    """A skill to schedule, and where it comes from.
+
+    Parameters
+    ----------
+    identifier
+        Unique in the request: s1, s2, …, or as the wish says.
+    wish
+        What was asked.
+    reading, instruction
+        How its words were read; None for a skill without words.
+    requirements, resolutions
+        What it says about the start, and which table rows and rules gave each a ψ; same length.
+    duration
+        Where its durations come from.
+    skill
+        The fuzzy skill, ψ over seconds from the request's now.
+    reason
+        Why ψ is 0 everywhere; empty where it is not.
+    """
+
+    identifier: str
+    wish: Wish
+    skill: FuzzySkill
+    duration: OperationDuration
+    reading: Reading | None = None
+    instruction: Instruction | None = None
+    requirements: tuple[TimeRequirement, ...] = ()
+    resolutions: tuple[Resolution, ...] = ()
+    reason: str = ""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Interpretation:
+    """All wishes understood: skills in order, what binds them, what could not be understood, how far ahead."""
+
+    skills: tuple[Interpreted, ...]
+    precedences: tuple[Precedence, ...] = ()
+    problems: tuple[Problem, ...] = ()
+    horizon: float = 0.0

@@ -1,0 +1,93 @@
+"""From a request to a plan: interpret, schedule, and say what needs saying."""
+
+from dataclasses import dataclass
+from datetime import datetime
+
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.interpreter import Interpreter
+from fuzzytime.interpreter.request import Request
+from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
+from fuzzytime.skills import FuzzyTask
+from fuzzytime.times import instant_after
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Plan:
+    """A request, understood and scheduled."""
+
+    request: Request
+    interpretation: Interpretation
+    schedule: Schedule
+    problems: tuple[Problem, ...]
+
+    @property
+    def skills(self) -> tuple[Interpreted, ...]:
+        """The skills in the order of the request, as in the schedule's task."""
+        return self.interpretation.skills
+
+    def instant(self, time: float) -> datetime:
+        """Give the wall-clock instant of a time of the plan."""
+        return instant_after(self.request.now, time)
+
+
+def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
+    """Give the scheduling task of an interpreted request."""
+    return FuzzyTask(
+        tuple(interpreted.skill for interpreted in interpretation.skills),
+        request.agents,
+        interpretation.precedences,
+        request.busy,
+    )
+
+
+def plan(
+    request: Request,
+    interpreter: Interpreter,
+    *,
+    solver: Solver | None = None,
+    threshold: float = THRESHOLD,
+    limits: Limits | None = None,
+    warm: Schedule | None = None,
+) -> Plan:
+    """Interpret a request and schedule it.
+
+    Parameters
+    ----------
+    request, interpreter
+        What is asked, and what understands it.
+    solver, threshold, limits, warm
+        As in `fuzzytime.scheduling.solve`.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the request contradicts itself: an unknown identifier, precedences in a circle.
+    """
+    interpretation = interpreter.interpret(request)
+    task = task_of(interpretation, request)
+    schedule = solve(task, solver=solver, threshold=threshold, limits=limits or Limits(), warm=warm)
+    problems = (*interpretation.problems, *_rejections(interpretation, schedule))
+    return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
+
+
+def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Problem]:
+    """Say why each rejected skill is: its own reason, or that others matter more."""
+    problems = []
+    for interpreted, rejected in zip(interpretation.skills, schedule.rejected, strict=True):
+        if not rejected:
+            continue
+        reason = interpreted.reason or (
+            "no start time that satisfies is left beside the other skills"
+            if not interpreted.skill.satisfaction.support.empty
+            else "no start time satisfies"
+        )
+        problems.append(
+            Problem(
+                kind=ProblemKind.REJECTED,
+                message=f"{interpreted.skill.name}: {reason}",
+                line=interpreted.wish.line,
+                text=getattr(interpreted.wish, "text", interpreted.skill.name),
+                identifier=interpreted.identifier,
+            )
+        )
+    return problems

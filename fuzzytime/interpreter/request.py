@@ -1,0 +1,94 @@
+"""What a person asks for, before it is understood: wishes in words or as skills, and what surrounds them.
+
+A task file, lines of text, and a session in the terminal all become a `Request`; planning knows nothing else.
+"""
+
+from dataclasses import dataclass, field
+from datetime import datetime
+
+from fuzzytime.context import Context
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import SatisfactionFunction
+from fuzzytime.skills import Busy
+
+MAX_HORIZON = 48 * 3600.0
+"""How far a plan looks ahead, in seconds, unless a horizon is given."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wish:
+    """What words and direct skills share.
+
+    Parameters
+    ----------
+    given
+        The moment from which its times count.
+    line
+        Its line in the input, from 1; None where it has none.
+    identifier
+        A name for references; empty leaves the choice to the planner (s1, s2, …).
+    hands_on, elapsed
+        Durations in seconds that override what words and tables say; None where not given.
+    priority, agent
+        As in `FuzzySkill`.
+    after
+        Identifiers of what must be done before.
+    """
+
+    given: datetime
+    line: int | None = None
+    identifier: str = ""
+    hands_on: float | None = None
+    elapsed: float | None = None
+    priority: float = 1.0
+    agent: int | None = None
+    after: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.hands_on is not None and self.elapsed is not None and self.elapsed < self.hands_on:
+            raise FuzzytimeError(
+                f"elapsed time must not be shorter than hands-on time, got {self.elapsed:g} s and {self.hands_on:g} s"
+            )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SpokenWish(Wish):
+    """An instruction in words."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DirectWish(Wish):
+    """A skill given by its satisfaction function, without words."""
+
+    name: str
+    satisfaction: SatisfactionFunction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Request:
+    """Everything that planning needs to know.
+
+    Parameters
+    ----------
+    now
+        The plan's moment zero.
+    wishes
+        In the order in which they were given.
+    agents
+        How many can work at once.
+    context
+        Readings, in seconds relative to ``now``.
+    busy
+        Times that are taken, in seconds relative to ``now``.
+    horizon
+        Seconds ahead; None takes the end of the last window, at most `MAX_HORIZON`.
+    """
+
+    now: datetime
+    wishes: tuple[Wish, ...]
+    agents: int = 1
+    context: Context = field(default_factory=Context)
+    busy: tuple[Busy, ...] = ()
+    horizon: float | None = None
