@@ -67,11 +67,11 @@ def test_the_table_s_row_takes_part_with_what_the_rules_leave(tmp_path: Path) ->
     rulebook = book(tmp_path, ONE_RULE)
     resolution = rulebook.resolve(word("soon"), Context.of({"heat": 50.0}))
     assert resolution.parameters["t"] == pytest.approx(0.5 * 60 + 0.5 * 300)
-    row, rule = resolution.shares
+    row, hurry = resolution.shares
     assert (row.name, row.share) == ("soon", 0.5)
-    assert (rule.name, rule.share, rule.degree.low) == ("hurry", 0.5, 0.5)
-    assert rule.source == f"{tmp_path / 'mine.yaml'}:11"
-    assert [(atom.text, atom.reading, atom.unit) for atom in rule.atoms] == [("heat is high", 50.0, "degC")]
+    assert (hurry.name, hurry.share, hurry.degree.low) == ("hurry", 0.5, 0.5)
+    assert hurry.source == f"{tmp_path / 'mine.yaml'}:11"
+    assert [(atom.text, atom.reading, atom.unit) for atom in hurry.atoms] == [("heat is high", 50.0, "degC")]
 
 
 def test_without_a_reading_a_rule_is_silent_and_not_even_listed(tmp_path: Path) -> None:
@@ -161,7 +161,7 @@ def test_a_rule_without_a_condition_always_speaks(tmp_path: Path) -> None:
     ],
 )
 def test_on_says_what_a_rule_speaks_about(tmp_path: Path, match: str, verb: str | None, speaks: bool) -> None:  # noqa: FBT001
-    rulebook = book(tmp_path, frule("{name: r, on: {match}, then: {{model: soon, t: 2 min}}}"))
+    rulebook = book(tmp_path, rule(f"name: r, on: {match}, then: {{model: soon, t: 2 min}}"))
     assert (len(rulebook.resolve(word("soon"), verb=verb).shares) == 2) is speaks
 
 
@@ -182,10 +182,10 @@ def test_unknown_readings_give_an_interval_and_the_lower_bound_decides(tmp_path:
         + rule("name: r, on: {cue: soon}, if: heat is high or load is high, then: {model: soon, t: 0 s}"),
     )
     resolution = rulebook.resolve(word("soon"), Context.of({"heat": 50.0}))
-    rule = resolution.shares[1]
-    assert (rule.degree.low, rule.degree.high) == (0.5, 1.0)
-    assert rule.share == 0.5
-    assert rule.atoms[1].reading is None
+    share = resolution.shares[1]
+    assert (share.degree.low, share.degree.high) == (0.5, 1.0)
+    assert share.share == 0.5
+    assert share.atoms[1].reading is None
     assert "the rule 'r' misses readings of load" in resolution.notes
 
 
