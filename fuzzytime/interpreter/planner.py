@@ -48,7 +48,6 @@ def plan(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
-    warm: Schedule | None = None,
 ) -> Plan:
     """Interpret a request and schedule it.
 
@@ -56,7 +55,7 @@ def plan(
     ----------
     request, interpreter
         What is asked, and what understands it.
-    solver, threshold, limits, warm
+    solver, threshold, limits
         As in `fuzzytime.scheduling.solve`.
 
     Raises
@@ -67,7 +66,7 @@ def plan(
     interpretation, held = without_started(interpreter.interpret(request), request.started)
     request = replace(request, busy=(*request.busy, *held))
     task = task_of(interpretation, request)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits or Limits(), warm=warm)
+    schedule = solve(task, solver=solver, threshold=threshold, limits=limits)
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 

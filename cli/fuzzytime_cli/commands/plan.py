@@ -12,6 +12,9 @@ from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from fuzzytime.context import Signal
     from fuzzytime.interpreter import Plan, Problem, Request
     from fuzzytime_cli.assembly import Assembly
 
@@ -40,7 +43,7 @@ def plan(
 
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
-    request = request_of(file, instruction or [], assembly, understanding)
+    request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
     made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
     write_plan(made, output_format, output)
@@ -54,6 +57,7 @@ def request_of(
     instructions: list[str],
     assembly: "Assembly",
     understanding: Understanding,
+    signals: "Mapping[str, Signal]",
 ) -> "Request":
     """Read a file and ``-i`` instructions into a request; flags win over the file."""
     from dataclasses import replace
@@ -75,7 +79,11 @@ def request_of(
 
             folder = source.path.parent if source.path is not None else Path()
             surroundings = Surroundings(
-                assembly.now, assembly.zone, now, lambda name, moment: busy_of_calendar(folder / name, moment)
+                assembly.now,
+                assembly.zone,
+                now,
+                lambda name, moment: busy_of_calendar(folder / name, moment),
+                signals,
             )
             request = read_task_file(source, surroundings)
             if assembly.settings.values["agents"].origin != "default":
@@ -83,7 +91,7 @@ def request_of(
         else:
             request = replace(request, wishes=wishes_of(source, now))
     spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
-    context = assembly.context(understanding, request.now)
+    context = assembly.context(understanding, request.now, signals)
     return replace(
         request,
         wishes=(*request.wishes, *spoken),
