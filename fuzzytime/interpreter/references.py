@@ -11,10 +11,11 @@ from dataclasses import dataclass, field, replace
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.satisfaction import Interval, product
+from fuzzytime.satisfaction import Interval
 from fuzzytime.skills import FuzzyTask, Precedence
 from fuzzytime.yaml_nodes import suggestion
 
@@ -83,9 +84,8 @@ def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Preced
         for name in interpreted.wish.after:
             if name not in by_identifier:
                 where = f"line {interpreted.wish.line}: " if interpreted.wish.line is not None else ""
-                raise FuzzytimeError(
-                    f"{where}'after' must name the id of a skill, got {name!r}{suggestion(name, by_identifier)}"
-                )
+                meant = suggestion(name, by_identifier)
+                raise FuzzytimeError(f"{where}'after' must name the id of a skill, got {name!r}{meant}")
             found += [
                 (position, Precedence(first, position)) for first in by_identifier[name] if first != position
             ]
@@ -139,7 +139,7 @@ class _Tie:
         return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
 
     def precedence(self, target: int, this: int) -> Precedence:
-        """Give the interval of x as lags between the one that comes first being done and the other's start."""
+        """Give the interval of x as lags from the one that comes first being done to the other's start."""
         x = self.allowed()
         comes_first = self.requirement.constraint is Constraint.BEFORE or self.anchor.lag < 0
         if comes_first:
@@ -163,7 +163,7 @@ class _Tie:
             else 1.0
         )
         wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
-        joined = wide if alone else product(own, wide)
+        joined = wide if alone else both(own, wide)
         return replace(self.this, skill=replace(self.this.skill, satisfaction=joined))
 
 
