@@ -14,12 +14,13 @@ NEXT = 3
 def answer(reading: Reading) -> dict[str, Any]:
     """Give a reading as the object of one JSON line.
 
-    The keys of one instruction are always there. With several, ``operations`` lists each one's operation, and each
-    requirement has the ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what needs saying.
+    The keys of one instruction are always there. With several, ``operations`` lists each one's operation,
+    and each requirement has the ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what
+    needs saying.
 
-    ``repeats`` is null or ``{"text", "interval_s", "next"}``: the words, seconds between occurrences where they are
-    evenly spaced, and the next few occurrences, as instants where the time now is known and in seconds from now where
-    it is not.
+    ``repeats`` is null or ``{"text", "interval_s", "next"}``: the words, seconds between occurrences where
+    they are evenly spaced, and the next few occurrences, as instants where the time now is known and in
+    seconds from now where it is not.
     """
     instructions = reading.instructions
     several = len(instructions) > 1

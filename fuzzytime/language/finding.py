@@ -7,7 +7,7 @@ from functools import cache
 from fuzzytime.errors import InstructionError
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.spans import Chart, phrases_of
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.requirements import Grounded, Moment, UngroundedError, grounded
@@ -80,9 +80,9 @@ def find_times(
     """
     check_length(text)
     words = lexicon or shipped_lexicon()
-    chart = Chart.of(text, shipped_grammar(), words)
+    scanned = Scanned.of(text, shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)
-    return ground_all(phrases_of(chart, words), text, moment)
+    return ground_all(phrases_of(scanned, words), text, moment)
 
 
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:

@@ -3,8 +3,6 @@
 These values know nothing of spaCy; the rest of the program sees only them.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
@@ -64,7 +62,7 @@ class Instruction:
     requirements: tuple[TimeRequirement, ...] = ()
     duration: float | None = None
     repeats: Recurrence | None = None
-    fuzzy_parameters: tuple[FuzzyParameter, ...] = ()
+    fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
 
 
 class RemarkKind(StrEnum):
@@ -118,7 +116,7 @@ class StrictReading:
     fuzziness: int | None = None
     preposition: int | None = None
 
-    def moved(self, by: int) -> StrictReading:
+    def moved(self, by: int) -> "StrictReading":
         """Give the same positions that many tokens further on."""
         places = (self.verb, self.modifier, self.number, self.fuzziness, self.preposition)
         return StrictReading(*(None if place is None else place + by for place in places))

@@ -29,8 +29,9 @@ class Language:
         Where parses are kept, None for nowhere.
 
     >>> from datetime import datetime
-    >>> reading = Language.shipped().read("Flip the pancakes in about two minutes", now=datetime(2026, 3, 4, 9))
-    >>> reading.instructions[0].operation.name, reading.instructions[0].requirements[0].t_spec
+    >>> text = "Flip the pancakes in about two minutes"
+    >>> flip = Language.shipped().read(text, now=datetime(2026, 3, 4, 9)).instructions[0]
+    >>> flip.operation.name, flip.requirements[0].t_spec
     ('flip the pancakes', 120.0)
     """
 

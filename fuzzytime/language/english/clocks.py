@@ -30,10 +30,9 @@ def number(hour: Integer) -> Clock | None:
     "<integer> o ' clock",
     "<integer> o clock",
     "<integer> hundred hours",
-    "at <integer> hours",
 )
 def oclock(hour: Integer) -> Clock | None:
-    """Six o'clock, fourteen hundred hours, at five hours."""
+    """Six o'clock, fourteen hundred hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
 
 
@@ -44,7 +43,7 @@ def military(hour: Integer) -> Clock | None:
     return replace(found, bare=False, full_day=True) if found is not None and hour.value >= 100 else None
 
 
-@grammar.rule("clock", "<hh:mm>", "at <hh.mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
+@grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
 def typed(numbers: Typed) -> Clock | None:
     """8:30, 08:30."""
     hour, minute = numbers[0], numbers[1]
@@ -87,10 +86,26 @@ def hour_with_h(hour: Integer) -> Clock | None:
     )
 
 
-@grammar.rule("clock", "at <integer> h")
-def at_hour_with_h(hour: Integer) -> Clock | None:
-    """At 7h."""
+# Behind "at", and only there, these are clock times.
+
+
+@grammar.rule("clock behind at", "<integer> h")
+def short_hour(hour: Integer) -> Clock | None:
+    """(at) 7h."""
     return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and hour.value <= 24 else None
+
+
+@grammar.rule("clock behind at", "<integer> hours")
+def hours(hour: Integer) -> Clock | None:
+    """(at) five hours."""
+    return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "<hh.mm>", weight=-0.3)
+def dotted(numbers: Typed) -> Clock | None:
+    """2.30, behind a preposition."""
+    found = typed(numbers)
+    return found if found is None else replace(found, pair=True)
 
 
 @grammar.rule("clock", "<integer> <integer>", weight=-0.15)
@@ -130,7 +145,7 @@ def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     return replace(found, half=half, bare=False, pair=False, full_day=found.full_day and found.hour > 12)
 
 
-# -- minutes past and to -----------------------------------------------------------------------------------------
+# -- minutes past and to --------------------------------------------------------------------------------
 
 
 def _moved(clock: Clock, minutes: float) -> Clock | None:
@@ -139,10 +154,16 @@ def _moved(clock: Clock, minutes: float) -> Clock | None:
     return replace(clock, shift=int(minutes * 60), grain=Unit.MINUTE, bare=False, pair=False)
 
 
-@grammar.rule("minutes of clock", "<integer> minutes|minute|mins|min?")
+@grammar.rule("minutes of clock", "<integer> minutes|minute|mins|min")
 def counted(minutes: Integer) -> float | None:
-    """Twenty, 15 minutes."""
+    """Fifteen minutes."""
     return minutes.value if 0 < minutes.value < 60 else None
+
+
+@grammar.rule("bare minutes of clock", "<integer>")
+def rounded(minutes: Integer) -> float | None:
+    """Twenty (past): a number alone must be round."""
+    return minutes.value if 0 < minutes.value < 60 and minutes.value % 5 == 0 else None
 
 
 @grammar.rule("minutes of clock", "a? <fraction>")
@@ -163,13 +184,26 @@ def to(minutes: float, clock: Clock) -> Clock | None:
     return _moved(clock, -minutes)
 
 
+@grammar.rule("clock", "<bare minutes of clock> past|after <clock>", weight=0.2)
+def bare_past(minutes: float, clock: Clock) -> Clock | None:
+    """Ten past three."""
+    return _moved(clock, minutes)
+
+
+@grammar.rule("clock", "<bare minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
+def bare_to(minutes: float, clock: Clock) -> Clock | None:
+    """Ten to eleven; it may be a count of something too."""
+    found = _moved(clock, -minutes)
+    return replace(found, pair=clock.bare) if found is not None else None
+
+
 @grammar.rule("clock", "half <clock>", weight=0.1)
 def half_hour(clock: Clock) -> Clock | None:
     """Half three: half past three."""
     return _moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
 
 
-# -- words for clock times ------------------------------------------------------------------------------------------
+# -- words for clock times ------------------------------------------------------------------------------
 
 
 @grammar.rule("moment part", "<part>")

@@ -14,7 +14,7 @@ grammar = Grammar()
 LONGEST_MONTH = 31
 
 
-# -- a month and its days ------------------------------------------------------------------------------------------------
+# -- a month and its days -------------------------------------------------------------------------------
 
 
 @grammar.rule("month day", "the? <ordinal>")
@@ -54,7 +54,7 @@ def day_alone(day: int | Integer) -> Fields | None:
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 
 
-# -- typed dates -----------------------------------------------------------------------------------------------------------
+# -- typed dates ----------------------------------------------------------------------------------------
 
 
 def _valid(year: int | None, month: int, day: int | None) -> Fields | None:
@@ -73,13 +73,13 @@ def century(year: int, digits: str) -> int:
     return year if len(digits) > 2 else year + (2000 if year < 50 else 1900)
 
 
-@grammar.rule("date", "<y-m-d>", weight=0.3)
+@grammar.rule("date", "<y-m-d>", weight=1.3)
 def iso(numbers: Typed) -> Fields | None:
     """2015-03-03."""
     return _valid(numbers[0], numbers[1], numbers[2]) or _valid(numbers[0], numbers[2], numbers[1])
 
 
-@grammar.rule("date", "<n-n-n>", weight=0.3)
+@grammar.rule("date", "<n-n-n>", weight=1.3)
 def typed(numbers: Typed) -> Fields | None:
     """3/3/2015, 31.10.1974."""
     return _either(numbers[0], numbers[1], century(numbers[2], numbers.parts[2]))
@@ -119,7 +119,7 @@ def dotted_date(weekday: int, date: Fields) -> Fields:
     return replace(date, weekday=weekday)
 
 
-# -- months and years ----------------------------------------------------------------------------------------------------------
+# -- months and years -----------------------------------------------------------------------------------
 
 
 @grammar.rule("year", "<integer>")
@@ -147,7 +147,7 @@ def with_year(date: Calendar, number: int) -> Fields | None:
     return date.joined(Fields(year=number)) if isinstance(date, Fields) else None
 
 
-@grammar.rule("date", "<month day> - <month> - <integer>", "<month day> <month> of <integer>", weight=0.2)
+@grammar.rule("date", "<month day> - <month> - <integer>", "<month day> <month> of <integer>", weight=1.3)
 def with_short_year(day: int, month: int, number: Integer) -> Fields | None:
     """31-Oct-74."""
     return Fields(century(number.value, number.digits), month, day) if len(number.digits) == 2 else None
@@ -165,19 +165,25 @@ def year_and_month(number: int, month: int) -> Fields:
     return Fields(number, month)
 
 
-@grammar.rule("date", "<year> - <month> - <month day>", "<year> / <month> / <month day>", weight=0.4)
+@grammar.rule("date", "<year> - <month> - <month day>", "<year> / <month> / <month day>", weight=2.5)
 def year_month_day(number: int, month: int, day: int) -> Fields:
     """2019-aug-01."""
     return Fields(number, month, day)
 
 
-@grammar.rule("date", "<month> - <month day> - <year>", weight=0.4)
+@grammar.rule("date", "<month> - <month day> - <year>", "<month> / <month day> / <year>", weight=2.5)
 def month_day_year(month: int, day: int, number: int) -> Fields:
     """Sep-23-2020."""
     return Fields(number, month, day)
 
 
-@grammar.rule("weak date", "<y/n>", "<n/y>", weight=0.1)
+@grammar.rule("date", "<month day> - <month> - <year>", "<month day> / <month> / <year>", weight=2.5)
+def day_month_year(day: int, month: int, number: int) -> Fields:
+    """23/sep/2020."""
+    return Fields(number, month, day)
+
+
+@grammar.rule("weak date", "<y/n>", "<n/y>", weight=1.1)
 def numbered_month(numbers: Typed) -> Fields | None:
     """2014-10, 12/2015."""
     first, second = numbers[0], numbers[1]
@@ -196,13 +202,25 @@ def year_alone(number: int) -> Fields:
     return Fields(year=number)
 
 
+@grammar.rule("date", "<share> of? <year>", weight=0.3)
+def share_of_year(share: tuple[float, float], number: int) -> Calendar:
+    """Mid 1989."""
+    return Share(*share, Fields(year=number))
+
+
+@grammar.rule("date", "<year> -? h <integer>", weight=1.2)
+def half_of_year(outer: int, number: Integer) -> Calendar | None:
+    """2019 H2."""
+    return half_year(number, Fields(year=outer))
+
+
 @grammar.rule("date", "the? year <year>", "cy <year>")
 def the_year(number: int) -> Fields:
     """The year 2014."""
     return Fields(year=number)
 
 
-# -- the nth of a period ------------------------------------------------------------------------------------------------------
+# -- the nth of a period --------------------------------------------------------------------------------
 
 
 @grammar.rule("whole", "<date>|<weak date>|<days>")
@@ -214,7 +232,7 @@ def whole(days: Calendar) -> Calendar:
 @grammar.rule("whole", "the? <series>")
 def present_whole(series: Calendar) -> Calendar | None:
     """The month, in "first monday of the month"."""
-    return Deictic(Which.THIS, series) if isinstance(series, Cycle) else None
+    return series if isinstance(series, Cycle) else None
 
 
 @grammar.rule("date", "the? <ordinal> <series> of|in <whole>", "the? <ordinal> <series> <days>", weight=0.4)
@@ -259,6 +277,12 @@ def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None
 
 def _is_days(unit: UnitWord) -> bool:
     return unit.unit not in {Unit.SECOND, Unit.MINUTE, Unit.HOUR}
+
+
+@grammar.rule("date", "<month day> of the month", weight=0.5)
+def day_of_the_month(day: int) -> Calendar:
+    """The first of the month: the next one."""
+    return Fields(day=day)
 
 
 @grammar.rule("date", "<month day> of <days>", weight=0.2)
@@ -310,7 +334,7 @@ def half_year(number: Integer, outer: Calendar | None) -> Calendar | None:
     """H1 2016."""
     if number.value not in {1, 2} or outer is None or outer.grain is not Unit.YEAR:
         return None
-    return Share((number.value - 1) / 2, number.value / 2, outer)
+    return Nth(6 * number.value - 5, Cycle(Unit.MONTH), outer, 6)
 
 
 @grammar.rule("date", "the? <ordinal> <series> after <whole>", weight=0.4)
@@ -325,7 +349,7 @@ def feast_of_year(feast: Yearly, number: int) -> Calendar:
     return Nth(1, feast, Fields(year=number))
 
 
-@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "weekend of <feast>", weight=0.3)
+@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of <feast>", weight=0.3)
 def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
     """Labor day weekend."""
     anchor: Calendar = feast if number is None else Nth(1, feast, Fields(year=number))
@@ -348,7 +372,7 @@ def weak_wall(days: Calendar) -> Wall:
     return Wall(days, weak=True)
 
 
-@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.1)
+@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)
 def eve(feast: Yearly) -> Calendar:
     """The day before christmas."""
     return Away(-1, Unit.DAY, feast)

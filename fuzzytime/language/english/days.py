@@ -1,21 +1,33 @@
-"""Days, weekdays, weeks and parts of the day: "tomorrow morning", "next tuesday", "the weekend", "tonight"."""
+"""Days, weekdays, weeks, parts of the day: "tomorrow morning", "next tuesday", "the weekend", "tonight"."""
 
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Feast, Fields, Season, Weekend
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
     Edge,
     Ending,
+    Half,
     Part,
     Quantity,
     Rest,
     UnitWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Share, Stretch, Which
+from fuzzytime.language.meaning.relations import (
+    Away,
+    Deictic,
+    Following,
+    Relative,
+    Share,
+    Stretch,
+    WeekOf,
+    Which,
+    Within,
+)
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -24,7 +36,7 @@ SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 PAST_WORDS = frozenset({Which.LAST, Which.PAST})
 
 
-# -- days by name ---------------------------------------------------------------------------------------------------
+# -- days by name ---------------------------------------------------------------------------------------
 
 
 @grammar.rule("days", "<day>")
@@ -109,11 +121,16 @@ def after_next(series: Calendar) -> Calendar:
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
-@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.2)
-def weekdays_from_now(number: object, weekday: int) -> Calendar | None:
+@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
+def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
     """Three fridays from now."""
-    count = getattr(number, "value", 0)
-    return Following(count, Fields(weekday=weekday), Relative(0)) if 0 < count < 100 else None
+    return Following(number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
+def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
+    """Two thursdays ago."""
+    return Following(-number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
 
 
 @grammar.rule(
@@ -125,11 +142,7 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
     if not isinstance(duration, Duration) or not isinstance(number, int):
         return None
     away = from_anchor(duration, Relative(0), 1)
-    return None if away is None else Following(1, Fields(weekday=number), _day_before(away))
-
-
-def _day_before(days: Calendar) -> Calendar:
-    return Away(-1, Unit.DAY, days)
+    return None if away is None else Within(Fields(weekday=number), WeekOf(away))
 
 
 @grammar.rule("days", "<weekday> week", "a week on|from <weekday>", "a week <weekday>", weight=0.2)
@@ -138,7 +151,7 @@ def weekday_week(number: int) -> Calendar:
     return Away(1, Unit.WEEK, Fields(weekday=number))
 
 
-# -- so long after a day ----------------------------------------------------------------------------------------------
+# -- so long after a day --------------------------------------------------------------------------------
 
 
 def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
@@ -176,7 +189,7 @@ def _feast_of_year(anchor: Feast, years: int) -> Calendar:
     return Following(years, anchor, anchor) if years > 1 else Following(1, anchor, anchor)
 
 
-# -- stretches of days --------------------------------------------------------------------------------------------------
+# -- stretches of days ----------------------------------------------------------------------------------
 
 
 @grammar.rule(
@@ -190,6 +203,8 @@ def stretch(first: object, second: object, third: object = None) -> Wall | Comin
     """The next three days, the last two hours, 5 coming minutes."""
     which = next(x for x in (first, second) if isinstance(x, Which))
     if isinstance(third, UnitWord) and isinstance(first, Quantity):
+        if third.form == "night":
+            return None
         duration = Duration(((first.value * third.count, third.unit),), first.hedges)
     else:
         duration = next((x for x in (first, second) if isinstance(x, Duration)), Duration(()))
@@ -217,7 +232,7 @@ def wall(days: Calendar) -> Wall:
     return Wall(days)
 
 
-# -- parts -----------------------------------------------------------------------------------------------------------
+# -- parts ----------------------------------------------------------------------------------------------
 
 
 @grammar.rule("parted", "<part>")
@@ -226,7 +241,7 @@ def part(found: Part) -> Part | None:
     return None if found.is_point else found
 
 
-@grammar.rule("parted", "<share> the? <part>", "<share> this|that <part>", weight=0.1)
+@grammar.rule("parted", "<share> the? <part>|<parts>", "<share> this|that <part>", weight=0.1)
 def part_share(share: tuple[float, float], found: Part) -> Part | None:
     """Early morning, late in the evening."""
     return None if found.is_point else found.share(*share)
@@ -236,6 +251,12 @@ def part_share(share: tuple[float, float], found: Part) -> Part | None:
 def wall_of_part(found: Part) -> Wall:
     """Morning, in the evening, at lunch."""
     return Wall(part=found)
+
+
+@grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
+def all_part(found: Part) -> Wall | None:
+    """All morning, through the night."""
+    return None if found.is_point else Wall(part=found)
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
@@ -271,22 +292,43 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
 @grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
 def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
     """Later today, early tomorrow."""
-    from fuzzytime.language.meaning.expressions import Half
-
     low, high = share
     whole = Part("day", 0, 24 * 3600, Half.DAY)
     return Wall(days or Relative(0), whole.share(low, high))
 
 
-@grammar.rule("days", "<share> the? <days>", weight=0.1)
-def share_of_days(share: tuple[float, float], days: Calendar) -> Calendar | None:
+@grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
+def day_half(days: Calendar, half: Part) -> Wall:
+    """Tuesday am."""
+    return Wall(days, half)
+
+
+@grammar.rule("wall", "<share> <days> <part>", weight=0.3)
+def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -> Wall | None:
+    """Early tomorrow morning, first thing monday morning."""
+    return None if found.is_point else Wall(days, found.share(*share))
+
+
+@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", weight=0.3)
+def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
     """Early next week, mid november."""
-    if days.grain in {Unit.DAY, *SUB_DAY}:
-        return None
-    return Share(*share, days)
+    whole = Fields(month=days) if isinstance(days, int) else days
+    return None if whole.grain is Unit.DAY else Share(*share, whole)
 
 
-@grammar.rule("end", "the? <edge> of? the? <days>|<series>", "the? <ending>", weight=0.2)
+@grammar.rule("days", "the week before <days>|<date>", weight=0.4)
+def week_before(days: Calendar) -> Calendar | None:
+    """The week before christmas."""
+    return WeekOf(Away(-1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the week after <days>|<date>", weight=0.4)
+def week_after(days: Calendar) -> Calendar | None:
+    """The week after easter."""
+    return WeekOf(Away(1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("end", "the? <edge> of? the? <days>|<series>|<date>|<weak date>", "the? <ending>", weight=0.2)
 def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     """End of the month, the beginning of next week, eod."""
     if isinstance(first, Ending):
@@ -305,3 +347,11 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
 def rest(days: Calendar) -> Rest:
     """The rest of the day."""
     return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))
+
+
+@grammar.rule(
+    "rest", "rest|remainder of? the|this|my? <part>", "the rest of? the|this|my? <part>", weight=0.25
+)
+def rest_of_part(part: Part) -> Rest:
+    """The rest of the morning."""
+    return Rest(Wall(Relative(0), part))

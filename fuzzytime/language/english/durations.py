@@ -77,7 +77,16 @@ def tail(first: Duration, number: Integer) -> Duration | None:
     return replace(first, terms=(*first.terms, (number.value, SMALLER[unit])), bare_end=True)
 
 
-@grammar.rule("duration", "<15h30>", weight=-0.5)
+@grammar.rule("duration", "<quantity> <unit> or <quantity>", weight=0.2)
+def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration | None:
+    """An hour or two."""
+    first, last = _length(quantity, unit), _length(more, unit)
+    if first is None or last is None or more.indefinite or first.seconds >= last.seconds:
+        return None
+    return replace(first, until=replace(last, bare_end=True), indefinite=False)
+
+
+@grammar.rule("duration", "<15h30>", weight=-0.15)
 def typed(numbers: Typed) -> Duration | None:
     """1h30."""
     hours, minutes = numbers[0], numbers[1]
@@ -106,9 +115,9 @@ def seconds_mark(number: Integer) -> Duration | None:
 
 
 @grammar.rule("duration", "all|full|whole|entire -? <unit>", "the|an|a whole|full|entire <unit>", weight=-0.1)
-def whole_of(unit: UnitWord) -> Duration:
-    """All day, a full week."""
-    return Duration(((unit.count, unit.unit),))
+def whole_of(unit: UnitWord) -> Duration | None:
+    """All day, a full week; "all night" is when, not how long."""
+    return Duration(((unit.count, unit.unit),)) if unit.form != "night" else None
 
 
 @grammar.rule(

@@ -6,23 +6,23 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Part, Repeat, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
+    Coming,
+    Duration,
+    Offset,
+    Part,
+    Range,
+    Repeat,
+    Said,
+    UnitWord,
+    Wall,
+)
 from fuzzytime.language.meaning.relations import Nth
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-PERIODS = {
-    "hourly": 1 / 24,
-    "daily": 1,
-    "nightly": 1,
-    "weekly": 7,
-    "fortnightly": 14,
-    "monthly": 30,
-    "quarterly": 91,
-    "yearly": 365,
-    "annually": 365,
-}
 SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
 
@@ -51,13 +51,19 @@ def every_so_long(duration: Duration) -> Repeat | None:
     return Repeat(duration) if duration.seconds > 0 and duration.until is None else None
 
 
+@grammar.rule("repeat", "every|each <unit> and <fraction>", weight=0.1)
+def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
+    """Every hour and a half."""
+    return of_unit(unit, 1 + fraction)
+
+
 @grammar.rule("repeat", "every|each other|second <unit>", weight=0.1)
 def every_other(unit: UnitWord) -> Repeat:
     """Every other day."""
     return of_unit(unit, 2)
 
 
-@grammar.rule("repeat", "every|each <ordinal> <unit>")
+@grammar.rule("repeat", "every|each <ordinal> <unit>", weight=0.4)
 def every_nth(number: int, unit: UnitWord) -> Repeat | None:
     """Every third day."""
     return of_unit(unit, number) if number > 0 else None
@@ -101,10 +107,22 @@ def weekends() -> Repeat:
     return Repeat(walls=(Wall(Weekend()),))
 
 
-@grammar.rule("repeat", "every|each single? <part>|<meal>", "in? the? mornings|evenings|afternoons|nights")
-def every_part(part: Part | None = None) -> Repeat | None:
-    """Every morning."""
-    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),)) if part is not None else None
+@grammar.rule("repeat", "every|each single? <part>|<meal>", "in? the? <parts>", "on <parts>")
+def every_part(part: Part) -> Repeat:
+    """Every morning, in the evenings."""
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
+
+
+@grammar.rule("repeat", "weekday <part>|<parts>", "every|each weekday <part>", weight=0.2)
+def weekday_part(part: Part) -> Repeat:
+    """Weekday mornings."""
+    return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for day in range(5)))
+
+
+@grammar.rule("repeat", "<weekday> <parts>", weight=0.2)
+def weekly_part(number: int, part: Part) -> Repeat:
+    """Tuesday afternoons."""
+    return Repeat(walls=(Wall(Fields(weekday=number), part),))
 
 
 @grammar.rule("repeat", "every|each <weekday> <part>", weight=0.1)
@@ -142,20 +160,19 @@ def weekday_of_every(number: int, weekday: int) -> Repeat:
     return Repeat(walls=(Wall(Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH))),))
 
 
-@grammar.rule(
-    "adverb", "hourly|daily|nightly|weekly|fortnightly|monthly|quarterly|yearly|annually|everyday|biweekly"
-)
-def adverb() -> None:
-    """Read below, a word each."""
-
-
 @grammar.rule("repeat", "a? daily", "a? nightly", "everyday", "day in day out", "each day of the week")
 def daily() -> Repeat:
     """Daily."""
     return of_unit(UnitWord(Unit.DAY, 1, "day"))
 
 
-@grammar.rule("repeat", "an? hourly", "round the clock")
+@grammar.rule("repeat", "24 / 7", "around|round the clock", weight=1.0)
+def always() -> Repeat:
+    """24/7: day by day."""
+    return daily()
+
+
+@grammar.rule("repeat", "an? hourly")
 def hourly() -> Repeat:
     """Hourly."""
     return of_unit(UnitWord(Unit.HOUR, 1, "hour"))
@@ -212,8 +229,6 @@ def times(number: Integer) -> int | None:
 @grammar.rule("repeat", "<times> a|an|per|every|each <unit>", "<times> daily", weight=0.1)
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""
-    from fuzzytime.language.meaning.expressions import UNIT_SECONDS
-
     if unit is not None and len(unit.form) == 1:
         return None
     length = UNIT_SECONDS[unit.unit] * unit.count if unit is not None else UNIT_SECONDS[Unit.DAY]
@@ -222,7 +237,7 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     return Repeat(Duration(((length / number, Unit.SECOND),)))
 
 
-# -- with times, days and bounds ------------------------------------------------------------------------------------------------
+# -- with times, days and bounds ------------------------------------------------------------------------
 
 
 @grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
@@ -237,13 +252,22 @@ def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     return narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "<wall> <preposition_before>|<preposition_after> <repeat>")
-def refused(wall: Wall, preposition: Preposition, repeat: Repeat) -> None:
-    """No such thing."""
+def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
+    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
+    days = wall.days
+    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
+        return None
+    period = repeat.walls[0].days
+    if period == Cycle(Unit.YEAR) and days.month is not None:
+        return days
+    return days if period == Cycle(Unit.WEEK) and days.weekly else None
 
 
 def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
+    days = _named_days(repeat, wall)
+    if days is not None:
+        return replace(repeat, every=None, walls=(replace(wall, days=days),))
     if wall.days is not None and wall.clock is None and wall.part is None:
         if repeat.until is not None or repeat.starting is not None:
             return None
@@ -262,11 +286,21 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
 @grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
 def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     """Every day until friday, every ten minutes from noon to two."""
-    from fuzzytime.language.meaning.expressions import Range
-
     time = said.time
-    if isinstance(time, (Duration, Repeat)) or repeat.starting is not None or repeat.until is not None:
+    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
         return None
+    if isinstance(time, Duration):
+        return (
+            replace(repeat, until=Offset(time))
+            if said.constraint in {Constraint.FOR, Constraint.BEFORE}
+            else None
+        )
+    if isinstance(time, Coming):
+        return replace(repeat, until=Offset(time.duration))
+    by_day = bool(repeat.walls) and isinstance(time, Range) and isinstance(time.first, Wall)
+    if by_day and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock is not None:
+        # "Every weekday from 9 to 5": at the start of that stretch.
+        return narrowed_repeat(repeat, replace(time.first, days=None))
     if said.constraint is Constraint.BEFORE:
         return replace(repeat, until=time)
     if said.constraint is Constraint.AFTER:

@@ -1,4 +1,4 @@
-"""The words of a language and what they mean, read from ``rules/lexicon.yaml`` and ``rules/calendar.yaml``."""
+"""The words of a language and what they mean, from ``rules/lexicon.yaml`` and ``rules/calendar.yaml``."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -15,7 +15,7 @@ from fuzzytime.resources import rules_directory
 
 @dataclass(frozen=True, slots=True)
 class Preposition:
-    """How a preposition binds a time: the side it puts the execution on, and the edge of an interval it means."""
+    """How a preposition binds a time: on which side, and by which edge of an interval."""
 
     name: str
     constraint: Constraint
@@ -42,8 +42,6 @@ class Lexicon:
         By their first word, the entries of all tables that the grammar uses.
     numbers, magnitudes, ordinals
         Number words.
-    short_units
-        Unit letters that only count beside a number.
     ambiguous
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, corrections, addresses, amounts, results
@@ -60,7 +58,6 @@ class Lexicon:
     numbers: Mapping[str, int]
     magnitudes: Mapping[str, int]
     ordinals: Mapping[str, int]
-    short_units: frozenset[str]
     ambiguous: frozenset[str]
     indicators: Mapping[str, str]
     connectives: Mapping[tuple[str, ...], str]
@@ -109,12 +106,6 @@ class Lexicon:
             end = _matched(words, start, entry.words)
             if end:
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
-
-    def with_policy(self, policy: Policy) -> "Lexicon":
-        """Give the same words with another policy."""
-        from dataclasses import replace
-
-        return replace(self, policy=policy)
 
 
 def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:

@@ -11,6 +11,7 @@ from typing import Any
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.policy import DateOrder
 from fuzzytime.requirement import Unit
 
 LONGEST_DIGITS = 9
@@ -55,13 +56,15 @@ _SHAPES = tuple(
         ("yyyymmdd", r"(\d{4})(\d\d)(\d\d)(?!\d)"),
     )
 )
+DATES = frozenset({"n-n-n", "n/n", "n.n"})
+"""Shapes whose first two numbers are month and day, in the order of the policy."""
 
 
 def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:
     """Give every number that starts at a word."""
     word = words[start]
     if word.is_digits:
-        yield from _typed(words, start)
+        yield from _typed(words, start, lexicon)
     elif (
         word.text == "." and start + 1 < len(words) and words[start + 1].is_digits and words[start + 1].glued
     ):
@@ -74,7 +77,7 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
         yield from _spoken(words, start, lexicon)
 
 
-def _typed(words: Sequence[Word], start: int) -> Iterator[Piece]:
+def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:
     word = words[start]
     if len(word.text) > LONGEST_DIGITS:
         return
@@ -88,7 +91,10 @@ def _typed(words: Sequence[Word], start: int) -> Iterator[Piece]:
     for category, shape in _SHAPES:
         match = shape.match(run)
         if match is not None and match.end() in ends:
-            yield Piece(category, start, ends[match.end()], Typed(match.groups()), 0.0, "shape")
+            parts = match.groups()
+            if category in DATES and lexicon.policy.date_order is DateOrder.DAY_MONTH:
+                parts = (parts[1], parts[0], *parts[2:])
+            yield Piece(category, start, ends[match.end()], Typed(parts), 0.0, "shape")
 
 
 def _run(words: Sequence[Word], start: int) -> tuple[str, dict[int, int]]:

@@ -1,8 +1,8 @@
 """Which stretches of a text are times: the chart's readings, sifted and chosen.
 
-A reading is refused where its words are no sure time: a number that counts something ("by 10", beside "volume"), a
-word with another meaning ("March the troops", "second drawer"). Of what is left, the stretches are chosen that
-together explain most words in the fewest pieces.
+A reading is refused where its words are no sure time: a number that counts something ("by 10", beside
+"volume"), a word with another meaning ("March the troops", "second drawer"). Of what is left, the stretches
+are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
@@ -12,7 +12,7 @@ from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -42,7 +42,7 @@ WIDTH = 0.35
 
 
 @dataclass(frozen=True, slots=True)
-class Chart:
+class Scanned:
     """A text's words and everything the grammar finds in them."""
 
     text: str
@@ -50,7 +50,7 @@ class Chart:
     cells: list[Cell]
 
     @classmethod
-    def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Chart":
+    def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
         words = _parted(words_of(text), lexicon)
         lexical = {}
@@ -76,7 +76,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
             and word.text not in lexicon.entries
         ):
             middle = word.end - 3
-            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, True)]
+            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, glued=True)]
         elif not (
             joins(words, place)
             and _numeral(words, place - 1, lexicon)
@@ -91,11 +91,13 @@ def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     return text in lexicon.numbers or text in lexicon.ordinals or text in lexicon.magnitudes
 
 
-def phrases_of(chart: Chart, lexicon: Lexicon) -> tuple[Phrase, ...]:
+def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
-    judge = _Judge(chart.words, lexicon)
-    kept = [piece for piece in chart.pieces("said") if judge.accepts(piece)]
-    return tuple(_phrase(chart, piece) for piece in _best(kept, len(chart.words)))
+    judge = _Judge(scanned.words, lexicon)
+    kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
+    chosen = _best(kept, len(scanned.words))
+    chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
+    return tuple(_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start))
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
@@ -122,9 +124,9 @@ def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:
     return found
 
 
-def _phrase(chart: Chart, piece: Piece) -> Phrase:
-    start, end = chart.words[piece.start].start, chart.words[piece.end - 1].end
-    words = chart.words[piece.start : piece.end]
+def _phrase(scanned: Scanned, piece: Piece) -> Phrase:
+    start, end = scanned.words[piece.start].start, scanned.words[piece.end - 1].end
+    words = scanned.words[piece.start : piece.end]
     # The full stop of an abbreviation at the end of a sentence ends both.
     if words[-1].text == "." and len(words) > 1 and len(words[-2].text) > 1:
         end = words[-2].end
@@ -142,10 +144,10 @@ class _Judge:
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self._runs_on(piece):
+        if self._runs_on(piece) or self._is_excepted(piece):
             return False
         if self._is_whole(piece):
-            return self._accepts_alone(piece, said)
+            return self._accepts_alone(said)
         time = said.time
         if isinstance(time, Duration):
             return self._accepts_duration(piece, said, time)
@@ -157,6 +159,30 @@ class _Judge:
                 between = said.preposition == "between" and self._binds(piece)
                 return between and not self._measured(piece) and self._may_end(piece)
         return True
+
+    def _is_excepted(self, piece: Piece) -> bool:
+        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
+        before = self.texts[max(0, piece.start - 3) : piece.start]
+        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
+            ["except", "for"],
+            ["except", "on"],
+            ["but", "not"],
+        )
+
+    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
+        time = piece.value.time
+        place = piece.end + 1
+        if not isinstance(time, Wall) or time.clock is None or place >= len(self.words):
+            return []
+        joint = self.texts[piece.end]
+        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
+            return []
+        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        found = [p for p in numbers if p.value.time.bare and self._may_end(p) and not self._runs_on(p)][:1]
+        if joint == "," and found and self._follower(found[0]) not in {",", "and", "or"}:
+            return []
+        return found + [more for one in found for more in self.continued(one, cells, chosen)]
 
     def _runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
@@ -181,7 +207,7 @@ class _Judge:
         outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
         return all(text in POLITE for text in outside)
 
-    def _accepts_alone(self, piece: Piece, said: Said) -> bool:
+    def _accepts_alone(self, said: Said) -> bool:
         time = said.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
@@ -198,6 +224,11 @@ class _Judge:
         if follower in self.lexicon.function_words:
             return True
         return any(e.category in _TIMELY for e in self.lexicon.entries.get(follower, ()))
+
+    def _describes(self, piece: Piece) -> bool:
+        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
+        before = self.texts[piece.start - 1] if piece.start else ""
+        return before in {"a", "an", "the", "my", "our", "your"} and not self._may_end(piece)
 
     def _measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
@@ -217,10 +248,12 @@ class _Judge:
             return self._may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
             # "a ten minute walk", "five minutes of fame"
-            return self._may_end(piece) and self._follower(piece) not in {"of"}
+            return self._may_end(piece) and self._follower(piece) != "of"
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        if said.preposition is None and self._describes(piece):
+            return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
@@ -229,12 +262,16 @@ class _Judge:
             unbinding = {None, "to", "at", "for", "of", "on"} if wall.part is not None else {None, "to", "at"}
             bound = said.preposition not in unbinding or bool(said.hedges)
             return bound and self._may_end(piece)
-        if piece.end - piece.start == 1 and self.texts[piece.start] in self.lexicon.ambiguous:
+        if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
             return False
-        return True
+        # "The sun", "in the sun": a weekday never stands with "in".
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
+        return not (
+            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        )
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether a number alone is a clock time: "at six"; not "by 10" of a volume, not "at 180" of an oven."""
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self._may_end(piece):
             return False
         sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR

@@ -18,6 +18,9 @@ from fuzzytime.yaml_nodes import Node, Reader, Scalar
 FULL_STOP_BELOW = 6
 """Words shorter than this may be typed with a full stop, as abbreviations are."""
 
+MORE_WORDS = 0.1
+"""What each further word of a form weighs: "sometime around" is one preposition, not one and a hedge."""
+
 Form = tuple[str, ...]
 
 
@@ -84,10 +87,10 @@ class Tables:
             for category, value in make(name):
                 self.add(name, f"{section}.{name.text}", category, value, said)
 
-    def add(self, node: Node, key: str, category: str, value: Any, forms: Iterable[Form]) -> None:
+    def add(self, node: Node, key: str, category: str, value: object, forms: Iterable[Form]) -> None:
         """Add entries; the same words must not have two meanings in one category."""
         for form in forms:
-            self.entries.append(Entry(form, category, value))
+            self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
             if self.seen.setdefault((form, category), len(self.entries)) != len(self.entries):
                 self.reader.mistake(
                     node, key, f"words must have one meaning in a table, got {' '.join(form)!r} twice"
@@ -150,7 +153,6 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")
         },
         ordinals=_numbers(days, "ordinals"),
-        short_units=frozenset(form[0] for form in days.words("short_units")),
         ambiguous=frozenset(form[0] for form in days.words("ambiguous")),
         indicators=indicators,
         connectives=connectives,
@@ -170,12 +172,14 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 
 _SPEECH = (
-    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses", "clauses", "corrections",
+    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
+    "clauses", "corrections",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
-    "numbers", "magnitudes", "ordinals", "fractions", "units", "short_units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_parts", "shares", "edges", "abbreviated_edges", "seasons", "holidays",
+    "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
+    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
+    "holidays",
     "meridiem", "zones", "policy",
 )  # fmt: skip
 
@@ -263,7 +267,7 @@ def _read_days(tables: Tables) -> None:
             number = reader.whole(name, key, 0, last)
             for form in tables.forms(node, key):
                 tables.add(node, key, category, number, [form, *_stopped(form)])
-                if category == "weekday":
+                if category == "weekday" and len(form[0]) >= FULL_STOP_BELOW:
                     tables.add(node, key, "weekdays", number, [(form[0] + "s",)])
     tables.plain("days", lambda n: [("day", Relative(reader.whole(n, "days", -9, 9)))], named=False)
     tables.plain(
@@ -288,9 +292,20 @@ def _read_parts(tables: Tables) -> None:
         half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
         meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
         parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal)
+        if not meal and parts[name].start != parts[name].end:
+            tables.add(
+                fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
+            )
         return [("meal" if meal else "part", parts[name])]
 
     tables.table("parts", {"from": True, "to": True, "half": True, "meal": False}, part)
+
+    for name, node in tables.rows("day_halves"):
+        chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
+        if chosen:
+            tables.add(
+                node, f"day_halves.{name.text}", "day_half", parts[chosen], tables.forms(node, "day_halves")
+            )
 
     def day_part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         day = reader.whole(fields["day"], f"day_parts.{name}.day", -9, 9)

@@ -1,7 +1,8 @@
 """Days as people name them: series of days, weeks, months that can be asked for the next or the last one.
 
-Every expression ("monday", "the 15th of february", "first week of 2027", "three days after Easter") is a value that gives its
-periods in order of time, from a day on or back from a day. Choosing among them is the business of `grounding`.
+Every expression ("monday", "the 15th of february", "first week of 2027", "three days after Easter") is a
+value that gives its periods in order of time, from a day on or back from a day. Choosing among them is the
+business of `grounding`.
 """
 
 import calendar

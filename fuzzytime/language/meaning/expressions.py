@@ -142,7 +142,7 @@ class Clock:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of the day: seconds since midnight where it begins and ends (past midnight above a day's length)."""
+    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next."""
 
     name: str
     start: int
@@ -165,8 +165,8 @@ class Part:
 class Wall:
     """A wall-clock expression: any of a day, a part of the day and a clock time, and the zone of its clock.
 
-    ``latest_clock`` is the other end of a stretch ("monday 3-8 pm"); ``weak`` says that the words alone are no
-    sure time ("May", "2000").
+    ``latest_clock`` is the other end of a stretch ("monday 3-8 pm"); ``weak`` says that the words alone are
+    no sure time ("May", "2000").
     """
 
     days: Calendar | None = None
@@ -212,9 +212,6 @@ class Range:
 
     first: "Time"
     last: "Time"
-    days: Calendar | None = None
-    part: Part | None = None
-    inclusive: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,14 +229,29 @@ class Rest:
     of: Wall
 
 
-Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest
+@dataclass(frozen=True, slots=True)
+class SameTime:
+    """The time of day that it is now, on another day: "this time tomorrow"."""
+
+    days: Calendar
+
+
+@dataclass(frozen=True, slots=True)
+class HourMark:
+    """A minute of whichever hour comes next: "on the hour", "at half past"."""
+
+    minute: int
+
+
+Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | HourMark
 
 
 @dataclass(frozen=True, slots=True)
 class Repeat:
     """A repetition: every so long, or at each of some days, parts of the day and clock times.
 
-    ``starting`` and ``until`` bound it where that was said; ``per`` counts occurrences in each period ("twice a day").
+    ``starting`` and ``until`` bound it where that was said; ``per`` counts occurrences in each period
+    ("twice a day").
     """
 
     every: Duration | None = None
@@ -261,8 +273,9 @@ class Goal:
 class Said:
     """A temporal specification: how which time binds.
 
-    ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says that a hedge
-    puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for thirty minutes").
+    ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says
+    that a hedge puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for
+    thirty minutes").
     """
 
     time: Time | Duration | Repeat

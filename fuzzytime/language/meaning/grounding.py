@@ -1,4 +1,4 @@
-"""From what was said to instants: the time of the instruction and the policy decide what the words leave open."""
+"""From what was said to instants: the time now and the policy decide what the words leave open."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -15,15 +15,17 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     Ending,
     Half,
+    HourMark,
     Offset,
     Part,
     Range,
     Rest,
+    SameTime,
     Time,
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import Relative, Stretch
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
@@ -41,8 +43,8 @@ class UngroundedError(FuzzytimeError):
 class Instants:
     """Wall-clock time, from ``start`` to before ``end``; a moment where the two are one.
 
-    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone`` is that
-    of the clock that the words named.
+    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone``
+    is that of the clock that the words named.
     """
 
     start: datetime
@@ -112,9 +114,17 @@ class Grounding:
         if isinstance(said, Rest):
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
+        if isinstance(said, SameTime):
+            days = next(self.days(said.days))
+            moment = datetime.combine(days.first, self.now.time())
+            return Instants(moment, moment, Unit.MINUTE)
+        if isinstance(said, HourMark):
+            moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
+            moment += timedelta(hours=moment <= self.now)
+            return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
-    # -- days ----------------------------------------------------------------------------------------------------
+    # -- days -------------------------------------------------------------------------------------------
 
     def days(self, calendar: Calendar) -> Iterator[Days]:
         """Give the periods that an expression may mean, the likeliest first.
@@ -136,7 +146,7 @@ class Grounding:
         yield from upcoming
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
-        """A weekday that fits its date: the nearest such day, past or future."""
+        """Give the nearest day, past or future, on which a weekday fits its date."""
         today = self.today
         ahead = next(calendar.upcoming(today, today.day), None)
         behind = next(calendar.past(today, today.day), None)
@@ -153,7 +163,7 @@ class Grounding:
         # No such weekday: the date is believed.
         yield from self.days(replace(calendar, weekday=None))
 
-    # -- wall-clock expressions -------------------------------------------------------------------------------------
+    # -- wall-clock expressions -------------------------------------------------------------------------
 
     def wall(self, wall: Wall) -> Instants:
         """Ground a day, a part of the day, a clock time, or what of them is said."""
@@ -184,14 +194,14 @@ class Grounding:
         return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
 
     def _part_alone(self, part: Part) -> Instants:
-        """The part that is not over yet."""
+        """Give the part of the day that is not over yet."""
         here = self._part_on(self.now.date(), part)
         if here.end <= self.now:
             return self._part_on(self.now.date() + timedelta(days=1), part)
         return here
 
     def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
-        """The next occurrence; between morning and evening, the next plausible one."""
+        """Give the next occurrence; without am or pm, the next plausible one."""
         if wall.part is not None:
             clock = _halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
@@ -225,8 +235,8 @@ class Grounding:
                 moments = [self._of_night(moment, days.first) for moment in moments]
             # A weekday or a date that is today means today only while its clock time is ahead.
             ahead = [moment for moment in moments if moment >= self.now]
-            recurring = not calendar.fixed
-            if recurring and not ahead:
+            dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
+            if not ahead and not calendar.fixed and not dated:
                 continue
             if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:
                 # "This morning at three", said at half past four, is the morning to come.
@@ -237,12 +247,12 @@ class Grounding:
         raise UngroundedError("a time of day must lie on its day")
 
     def _of_night(self, moment: datetime, day: date) -> datetime:
-        """The small hours belong to the night that began the evening before, unless that night is now."""
+        """Put the small hours into the night that began the evening before, unless that night is now."""
         if moment.hour >= 6 or (day == self.now.date() and moment >= self.now and self.now.hour < 6):
             return moment
         return moment + timedelta(days=1)
 
-    # -- the rest ----------------------------------------------------------------------------------------------------
+    # -- the rest ---------------------------------------------------------------------------------------
 
     def _ending(self, said: Ending) -> Instants:
         days = next(self.days(said.days))
@@ -293,35 +303,62 @@ class Grounding:
         if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
             return self._since(start)
         if end.start < start.start and isinstance(last, Wall):
-            end = Grounding(start.start, self.policy)._instants(last)
+            end = self._after(start.start).instants(last)
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
     def _since(self, start: Instants) -> Instants:
-        """A range up to now began at the last such clock time."""
+        """Ground a range up to now: it began at the last such clock time."""
         choices = start.choices or (start.start,)
         begun = max(choice - timedelta(days=1) for choice in choices)
         return Instants(begun, self.now, start.grain)
 
     def _day_range(self, first: Wall, last: Wall) -> Instants:
-        """Days lend each other the month or the year that only one names."""
+        """Ground a range of days, which lend each other the month or the year that only one names."""
         first_days, last_days = first.days, last.days
+        lent = False
         if isinstance(first_days, Fields) and isinstance(last_days, Fields):
+            lent = first_days.year is None and last_days.year is not None
             first_days = first_days.filled(last_days)
             if last_days.month is None and last_days.weekday is None:
                 last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
             elif last_days.year is None and first_days.year is not None and last_days.month is not None:
                 last_days = replace(last_days, year=first_days.year)
-        start = self.wall(replace(first, days=first_days))
-        later = Grounding(start.start, replace(self.policy, same_weekday=SameWeekday.NEXT))
-        wall = replace(last, days=last_days)
-        relative = isinstance(last_days, (Relative, Stretch)) or (last_days is not None and last_days.fixed)
-        end = self.wall(wall) if relative else later.wall(wall)
+        first, last = replace(first, days=first_days), replace(last, days=last_days)
+        start = self.wall(first)
+        if last_days is not None and last_days.fixed:
+            end = self.wall(last)
+            if end.end < start.start and lent and isinstance(first_days, Fields):
+                # "November to february 2017" begins the year before.
+                year = (first_days.year or 1) - 1
+                start = self.wall(replace(first, days=replace(first_days, year=year)))
+        else:
+            start = self._begun(first, last, start)
+            end = self._after(start.start).wall(last)
         if end.end < start.start:
             raise UngroundedError("a range must not end before it starts")
         return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
+    def _after(self, moment: datetime) -> "Grounding":
+        """Give the grounding of what comes after a moment."""
+        return Grounding(moment, replace(self.policy, same_weekday=SameWeekday.NEXT))
+
+    def _begun(self, first: Wall, last: Wall, start: Instants) -> Instants:
+        """Give the start of a range of dates that is not over: "august to october", said in september."""
+        days = first.days
+        if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
+            return start
+        before = next(days.past(self.today, self.now.date()), None)
+        if before is None:
+            return start
+        end = Grounding(midnight(before.first), self.policy).wall(last)
+        return (
+            Instants(midnight(before.first), midnight(before.end), days.grain)
+            if end.end > self.now
+            else start
+        )
+
     def _clock_range(self, first: Wall, last: Wall) -> Instants:
-        """The shorter of the stretches that clock times without am or pm can mean; the start as said alone."""
+        """Ground a range of clock times: without am or pm, the shortest that they can mean."""
         start_clock, end_clock = first.clock, last.clock
         if start_clock is None or end_clock is None:
             raise UngroundedError("a range of clock times must have two")

@@ -1,7 +1,5 @@
 """Repetitions as values that give their occurrences: evenly spaced, or by the calendar."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -57,7 +55,7 @@ class CalendarRecurrence:
     """At each of some days, parts of the day and clock times, of which only every ``skip``-th counts."""
 
     walls: tuple[Wall, ...]
-    moment: Moment
+    moment: "Moment"
     skip: int = 1
     first: float = 0.0
     last: float = math.inf
@@ -95,6 +93,13 @@ class CalendarRecurrence:
         return tuple(sorted(found))[:count]
 
     def _times(self, wall: Wall) -> Iterator[float]:
+        """Give the times of one wall-clock expression, up to the end of the calendar."""
+        try:
+            yield from self._all_times(wall)
+        except (OverflowError, ValueError, UngroundedError):
+            return
+
+    def _all_times(self, wall: Wall) -> Iterator[float]:
         now = self.moment.grounding().now
         today = Today(now.date(), self.moment.policy)
         clock = _seconds_of_day(wall)
@@ -127,7 +132,7 @@ def _seconds_of_day(wall: Wall) -> int | None:
     return wall.part.start if wall.part is not None else None
 
 
-def recurrence_of(repeat: Repeat, moment: Moment) -> EvenRecurrence | CalendarRecurrence:
+def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | CalendarRecurrence:
     """Ground a repetition.
 
     Raises
@@ -159,7 +164,7 @@ def _is_even(repeat: Repeat) -> bool:
     return repeat.every is not None and all(wall.clock is None and wall.part is None for wall in repeat.walls)
 
 
-def _bound(time: Time | None, moment: Moment, *, last: bool) -> float | None:
+def _bound(time: Time | None, moment: "Moment", *, last: bool) -> float | None:
     if time is None:
         return None
     from fuzzytime.language.meaning.expressions import TimeWord

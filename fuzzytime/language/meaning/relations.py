@@ -1,4 +1,4 @@
-"""Days in relation to others: this and next, the nth of a period, a part of it, so long after it, from one to another."""
+"""Days in relation to others: this and next, the nth of a period, a part of it, so long after it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -10,9 +10,7 @@ from fuzzytime.language.meaning.calendar import (
     Calendar,
     Cycle,
     Days,
-    Feast,
     Fields,
-    Season,
     Today,
     Weekend,
     moved,
@@ -78,11 +76,11 @@ class Relative(_Single):
 
 @dataclass(frozen=True, slots=True)
 class Deictic(_Single):
-    """This, next or last of a series.
+    """The one that "this", "next" or "last" means of a series.
 
-    A weekday or a weekend is that of this, the next or the last week ("next Friday", said on a Tuesday, is ten
-    days away), unless "coming" and "past" ask for the nearest. A month, a feast or a date is the next to
-    begin, or the last to end.
+    A weekday or a weekend is that of this, the next or the last week ("next Friday", said on a Tuesday, is
+    ten days away), unless "coming" and "past" ask for the nearest. A month, a feast or a date is the next
+    to begin, or the last to end.
     """
 
     which: Which
@@ -138,7 +136,7 @@ class Stretch(_Single):
 
 @dataclass(frozen=True, slots=True)
 class Within(Calendar):
-    """The first of one series inside another: "wednesday of next week", "christmas 2014", "morning of the 15th"."""
+    """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
 
     inner: Calendar
     outer: Calendar
@@ -260,7 +258,7 @@ class Away(Calendar):
 
 @dataclass(frozen=True, slots=True)
 class Following(_Single):
-    """The nth of a series after (or before) a day: "three fridays from now", "third tuesday after christmas"."""
+    """The nth of a series after or before a day: "three fridays from now", "second tuesday after easter"."""
 
     number: int
     series: Calendar
@@ -349,8 +347,7 @@ class WeekOf(Calendar):
 def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
     """Give what two expressions said side by side mean together, or None where they do not go together.
 
-    "tuesday" and "the 19th" are one date; "wednesday" and "next week", "christmas" and "2014" are a finer one in a
-    coarser one.
+    "tuesday" and "the 19th" are one date; "wednesday" and "next week" are a finer one in a coarser one.
     """
     if isinstance(first, Fields) and isinstance(second, Fields):
         return first.joined(second)
@@ -366,6 +363,9 @@ def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
 
 
 def same_day(first: Calendar, second: Calendar) -> bool:
-    """Whether one of two may say again which day the other means: "tomorrow, the 13th", "in three days on friday"."""
-    dates = (Fields, Feast, Season)
-    return isinstance(first, (Relative, Away)) and isinstance(second, dates) and second.grain is Unit.DAY
+    """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
+    if isinstance(first, Deictic):
+        # "Next friday, 5/12": the date is believed.
+        weekly = isinstance(first.of, Fields) and first.of.weekly
+        return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
+    return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

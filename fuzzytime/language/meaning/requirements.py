@@ -1,4 +1,4 @@
-"""From a phrase to the time requirement that the rest of the program works with: seconds from now, bounds, words."""
+"""From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
@@ -29,6 +29,7 @@ from fuzzytime.language.meaning.grounding import (
     shifted,
 )
 from fuzzytime.language.meaning.recurrence import recurrence_of
+from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
@@ -39,7 +40,7 @@ LOWER = frozenset({"at least", "more than"})
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grounded:
-    """A requirement, the duration or the repetition that the same words say, and what needs saying about them."""
+    """A requirement, the duration or repetition that its words say, and what needs saying about them."""
 
     requirement: TimeRequirement
     duration: float | None = None
@@ -72,8 +73,8 @@ class Moment:
     def seconds(self, wall: datetime, zone: str | None = None) -> float:
         """Give the seconds from now to a wall-clock time, in our zone or another.
 
-        A wall-clock time that a change of clocks skips is the moment that long after the change; of one that comes
-        twice, it is the first.
+        A wall-clock time that a change of clocks skips is the moment that long after the change; of one
+        that comes twice, it is the first.
         """
         if self.now is None:
             raise UngroundedError("a time of day needs a clock: say what time it is now")
@@ -86,14 +87,14 @@ class Moment:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
 
     def _fold(self, wall: datetime, zone: tzinfo) -> int:
-        """The second of two equal wall-clock times, where the first is over."""
+        """Give the second of two equal wall-clock times, where the first is over."""
         if self.now is None or self.now.tzinfo is None:
             return 0
         first, second = (wall.replace(tzinfo=zone, fold=fold).astimezone(UTC) for fold in (0, 1))
         return 1 if first < self.now.astimezone(UTC) <= second else 0
 
     def later(self, duration: Duration, direction: int = 1) -> float:
-        """Give the seconds from now to a duration from now: days and longer by the wall clock, the rest as elapsed."""
+        """Give the seconds to a duration from now: days and longer by the wall clock, the rest as elapsed."""
         days = tuple(term for term in duration.terms if term[1] not in SUB_DAY)
         rest = sum(Duration((term,)).seconds for term in duration.terms if term[1] in SUB_DAY)
         if not days or (self.now is None and not any(unit in CALENDAR_UNITS for _, unit in days)):
@@ -180,7 +181,7 @@ class _Grounder:
             recurrence=recurrence,
         )
 
-    # -- kinds -----------------------------------------------------------------------------------------------------
+    # -- kinds ------------------------------------------------------------------------------------------
 
     def _of_duration(self, time: Duration) -> Grounded:
         constraint = self.said.constraint or Constraint.AT
@@ -199,7 +200,7 @@ class _Grounder:
     def _counted(
         self, time: Duration, constraint: Constraint, direction: int, hedges: tuple[str, ...] | None = None
     ) -> TimeRequirement:
-        """A time by its distance from now; "at most" makes it a deadline, "at least" a release."""
+        """Give a time by its distance from now; "at most" makes it a deadline, "at least" a release."""
         said = self.said.hedges if hedges is None else hedges
         if constraint is Constraint.AT and UPPER & set(said):
             constraint = Constraint.BEFORE
@@ -235,7 +236,7 @@ class _Grounder:
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         found = replace(self.moment.grounding(zone), lasting=lasting).instants(time)
         start, end = self._bounds(time, found, zone)
-        constraint = self.said.constraint
+        constraint = self.said.constraint or self._distance_bound(time)
         if constraint is None:
             constraint = Constraint.AT if start == end else Constraint.BETWEEN
         if constraint is Constraint.BETWEEN and start == end:
@@ -250,6 +251,17 @@ class _Grounder:
         )
         remarks, questions = self._decisions(found, zone)
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
+
+    def _distance_bound(self, time: Time) -> Constraint | None:
+        """Give the bound that "at least an hour before noon" is; None for other times."""
+        hedges, direction = set(self.said.hedges), 0
+        if isinstance(time, Offset):
+            hedges, direction = hedges | set(time.duration.hedges), time.direction
+        elif isinstance(time, Wall) and isinstance(time.days, Away) and time.clock is None:
+            direction = time.days.count
+        if not direction or not LOWER & hedges:
+            return None
+        return Constraint.BEFORE if direction < 0 else Constraint.AFTER
 
     def _bounds(self, time: Time, found: Instants, zone: str | None) -> tuple[float, float]:
         """Give the seconds of the edges that count: of an interval that a bound names, the one it means."""

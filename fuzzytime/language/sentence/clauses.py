@@ -1,7 +1,7 @@
-"""Clauses about time: "when the pan is hot", "after you have set the table", "five minutes before you serve the soup"."""
+"""Clauses about time: "when the pan is hot", "after setting the table", "five minutes before you serve"."""
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
@@ -18,9 +18,10 @@ NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 @dataclass(frozen=True, slots=True)
 class Clause:
-    """A clause: what begins it (canonical and as said), its stretch, that of what it says, a distance before it.
+    """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
 
-    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it says must hold.
+    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
+    says must hold.
     """
 
     kind: str
@@ -32,6 +33,11 @@ class Clause:
     condition: Condition | None = None
     distance: Duration | None = None
     is_event: bool = False
+
+    def moved(self, by: int) -> "Clause":
+        """Give the same clause that many characters further on."""
+        (a, b), (c, d) = self.span, self.content
+        return replace(self, span=(a + by, b + by), content=(c + by, d + by))
 
 
 def clauses_of(
@@ -91,8 +97,6 @@ class _Clauses:
             distance.said.time if distance is not None and isinstance(distance.said.time, Duration) else None
         )
         if duration is not None and distance is not None:
-            from dataclasses import replace
-
             duration = replace(duration, hedges=(*distance.said.hedges, *duration.hedges))
         span = (start, content[1])
         verb = self._verb(nodes)
@@ -114,7 +118,7 @@ class _Clauses:
         return place + length
 
     def _end(self, place: int, first: int) -> int:
-        """Where the clause ends: at a comma; at the main verb, where the clause comes first; at a further instruction."""
+        """Give where the clause ends: at a comma, or at the main verb where the clause comes first."""
         comma = next((p for p in range(first, len(self.words)) if self.words[p].text == ","), len(self.words))
         root = self.tree.root
         if root is None or place >= len(self.words):
@@ -208,7 +212,7 @@ class _Clauses:
         nodes: Sequence[int],
         distance: Duration | None,
     ) -> Clause | None:
-        """A noun as what is measured from: "before the meeting"; only after and before have it."""
+        """Read a noun as what is measured from: "before the meeting"; only after and before have it."""
         if kind not in {"after", "before"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
@@ -241,13 +245,3 @@ class _Clauses:
                 break
             last = place
         return last
-
-
-def inside(span: Span, clauses: Sequence[Clause]) -> bool:
-    """Whether a stretch lies in a clause."""
-    return any(first < span[1] and span[0] < end for first, end in (clause.span for clause in clauses))
-
-
-def spans(clauses: Sequence[Clause]) -> Iterator[Span]:
-    """Give the stretches of clauses."""
-    return (clause.span for clause in clauses)

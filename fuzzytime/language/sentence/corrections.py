@@ -1,10 +1,10 @@
-"""Taken back: "at five, no, six", "in ten minutes, I mean twenty": the later words replace the earlier time."""
+"""Taken back: in "at five, no, six" and "in ten minutes, I mean twenty" the later words count."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.spans import Chart
+from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Clock, Duration, Offset, Phrase, Quantity, Said, Wall
 from fuzzytime.requirement import Constraint
@@ -12,15 +12,18 @@ from fuzzytime.requirement import Constraint
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
 
-def corrected(chart: Chart, phrases: Sequence[Phrase], lexicon: Lexicon) -> tuple[list[Phrase], list[Remark]]:
+def corrected(
+    scanned: Scanned, phrases: Sequence[Phrase], lexicon: Lexicon
+) -> tuple[list[Phrase], list[Remark]]:
     """Replace times that are taken back, and say so."""
     kept: list[Phrase] = []
     remarks: list[Remark] = []
+    starts = {phrase.first for phrase in phrases}
     waiting = list(phrases)
     while waiting:
         phrase = waiting.pop(0)
-        while (found := _correction(chart, phrase, lexicon)) is not None:
-            old, new = chart.text[slice(*phrase.span)], chart.text[slice(*found.span)]
+        while (found := _correction(scanned, phrase, starts, lexicon)) is not None:
+            old, new = scanned.text[slice(*phrase.span)], scanned.text[slice(*found.span)]
             taken_back = (phrase.span[0], found.span[0])
             remarks.append(Remark(RemarkKind.CORRECTED, taken_back, f"{old!r} is corrected by {new!r}"))
             waiting = [other for other in waiting if other.first >= found.end]
@@ -29,28 +32,29 @@ def corrected(chart: Chart, phrases: Sequence[Phrase], lexicon: Lexicon) -> tupl
     return kept, remarks
 
 
-def _correction(chart: Chart, phrase: Phrase, lexicon: Lexicon) -> Phrase | None:
+def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:
     """Give the time that replaces a phrase, if words right behind it take it back."""
-    place = _behind_pauses(chart, phrase.end)
-    marker = longest_match(chart.words, place, lexicon.corrections) if place < len(chart.words) else None
-    if marker is None:
+    place = _behind_pauses(scanned, phrase.end)
+    marker = longest_match(scanned.words, place, lexicon.corrections) if place < len(scanned.words) else None
+    # "By six, no later than seven": the marker begins a time itself.
+    if marker is None or place in starts:
         return None
-    start = _behind_pauses(chart, place + len(marker))
-    if start >= len(chart.words):
+    start = _behind_pauses(scanned, place + len(marker))
+    if start >= len(scanned.words):
         return None
-    cell = chart.cells[start]
+    cell = scanned.cells[start]
     for category in ("said", "wall", "duration", "clock", "quantity"):
         pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)
         for piece in pieces:
             said = _replaced(phrase.said, piece.value)
             if said is not None:
-                span = (chart.words[piece.start].start, chart.words[piece.end - 1].end)
+                span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
                 return Phrase(said, piece.start, piece.end, span, "correction")
     return None
 
 
-def _behind_pauses(chart: Chart, place: int) -> int:
-    while place < len(chart.words) and chart.words[place].text in PAUSES:
+def _behind_pauses(scanned: Scanned, place: int) -> int:
+    while place < len(scanned.words) and scanned.words[place].text in PAUSES:
         place += 1
     return place
 
@@ -103,7 +107,7 @@ def _offset(old: Said, new: Duration) -> Said | None:
 
 
 def _fitting(old: Said, new: Said) -> str | None:
-    """The old preposition stays before a new time of the same kind."""
+    """Give the old preposition, which stays before a new time of the same kind."""
     return (
         old.preposition
         if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT}

@@ -1,22 +1,22 @@
-"""The first pass over texts: times by the grammar, instructions apart, a tree for each; all trees in a few batches."""
+"""The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.spans import Chart, phrases_of
-from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.operations import is_doubtful
 from fuzzytime.language.sentence.segments import Segment, further_verbs, segments_of
 from fuzzytime.language.sentence.tree import Tree
 
-CARRIERS = ("please ", "you should ")
-"""Words that make a parser see the verb behind them."""
+CARRIERS = ("", "please ", "you should ")
+"""Words that make a parser see the verb behind them, tried in this order."""
 
 JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
@@ -31,8 +31,8 @@ Trees = Callable[[Sequence[str]], list[Tree]]
 class Part:
     """One instruction: its stretch, and the tree of its words from ``offset`` on.
 
-    A clause in front ("before you serve the soup, …") has a tree of its own: in one tree with the rest, it is often
-    taken for the main clause.
+    A clause in front ("before you serve the soup, …") has a tree of its own: in one tree with the rest, it is
+    often taken for the main clause.
     """
 
     segment: Segment
@@ -47,7 +47,7 @@ class Draft:
 
     text: str
     now: datetime | None
-    chart: Chart
+    scanned: Scanned
     phrases: tuple[Phrase, ...]
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
@@ -56,130 +56,158 @@ class Draft:
 def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
-    """Draft texts."""
-    charts = [Chart.of(text, grammar, lexicon) for text, _ in texts]
-    corrections = [corrected(chart, phrases_of(chart, lexicon), lexicon) for chart in charts]
-    segments = [
-        segments_of(chart.text, chart.words, phrases, lexicon)
-        for chart, (phrases, _) in zip(charts, corrections, strict=True)
-    ]
-    sound = [
-        replace(chart, text=_without(chart.text, [remark.span for remark in remarks]))
-        for chart, (_, remarks) in zip(charts, corrections, strict=True)
-    ]
-    parts = _parted(sound, [phrases for phrases, _ in corrections], segments, lexicon, trees)
+    """Draft texts; ``trees`` parses."""
+    sources = []
+    for text, now in texts:
+        scanned = Scanned.of(text, grammar, lexicon)
+        phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+        sources.append(_Source(now, scanned, tuple(phrases), tuple(remarks)))
+    parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, now, chart, tuple(phrases), tuple(own), tuple(remarks))
-        for (text, now), chart, (phrases, remarks), own in zip(texts, charts, corrections, parts, strict=True)
+        Draft(s.scanned.text, s.now, s.scanned, s.phrases, tuple(own), s.remarks)
+        for s, own in zip(sources, parts, strict=True)
     ]
 
 
-def _without(text: str, spans: Sequence[Span]) -> str:
-    """Give a text with spaces where words were taken back: "at five, I mean six"."""
-    for first, end in spans:
-        text = text[:first] + " " * (end - first) + text[end:]
-    return text
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """A text, scanned for times."""
+
+    now: datetime | None
+    scanned: Scanned
+    phrases: tuple[Phrase, ...]
+    remarks: tuple[Remark, ...]
+
+    @property
+    def sound(self) -> str:
+        """The text with spaces where words were taken back: "at five, I mean six"."""
+        text = self.scanned.text
+        for first, end in (remark.span for remark in self.remarks):
+            text = text[:first] + " " * (end - first) + text[end:]
+        return text
+
+    def places(self, first: int, end: int) -> list[int]:
+        """Give the places of the words in a stretch of characters."""
+        return [place for place, word in enumerate(self.scanned.words) if first <= word.start < end]
 
 
-def _parted(
-    charts: Sequence[Chart],
-    phrases: Sequence[Sequence[Phrase]],
-    segments: Sequence[Sequence[Segment]],
-    lexicon: Lexicon,
-    trees: Trees,
-) -> list[list[Part]]:
+@dataclass(frozen=True, slots=True)
+class _Waiting:
+    """A segment of a text that waits for its tree; its main words begin at ``main``."""
+
+    position: int
+    source: _Source
+    segment: Segment
+    main: int
+
+    @property
+    def text(self) -> str:
+        """The main words, or nothing where they are all time: such a fragment needs no tree."""
+        covered = {place for phrase in self.source.phrases for place in range(phrase.first, phrase.end)}
+        words = self.source.scanned.words
+        places = self.source.places(self.main, self.segment.span[1])
+        said = [words[place] for place in places if place not in covered]
+        wanted = any((word.is_letters or word.is_digits) and word.text != "please" for word in said)
+        return self.source.sound[self.main : self.segment.span[1]] if wanted else ""
+
+    @property
+    def front(self) -> str:
+        """The clause in front, nothing where there is none."""
+        return self.source.sound[self.segment.span[0] : self.main]
+
+    @property
+    def behind_time(self) -> int:
+        """Where the main words begin behind a time in front of them, from ``main``."""
+        places = self.source.places(self.main, self.segment.span[1])
+        words = self.source.scanned.words
+        while places:
+            leading = next((p for p in self.source.phrases if p.first == places[0]), None)
+            if leading is None and words[places[0]].text != ",":
+                return words[places[0]].start - self.main
+            end = leading.end if leading is not None else places[0] + 1
+            places = [place for place in places if place >= end]
+        return 0
+
+
+def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
     """Parse every segment, and cut it again where its tree shows a further instruction."""
-    done: list[dict[int, Part]] = [{} for _ in charts]
-    open_segments = [(i, segment) for i, own in enumerate(segments) for segment in own]
-    for _ in range(ROUNDS):
-        if not open_segments:
+    done: list[dict[int, Part]] = [{} for _ in sources]
+    waiting = [
+        _waiting(position, source, segment, lexicon)
+        for position, source in enumerate(sources)
+        for segment in segments_of(source.scanned.text, source.scanned.words, source.phrases, lexicon)
+    ]
+    for last_round in (False,) * ROUNDS + (True,):
+        if not waiting:
             break
-        fronts = [front_of(charts[i], phrases[i], segment, lexicon) for i, segment in open_segments]
-        mains = [front or segment.span[0] for front, (_, segment) in zip(fronts, open_segments, strict=True)]
-        wanted = [
-            _words_of(charts[i], phrases[i], (main, segment.span[1]))
-            for main, (i, segment) in zip(mains, open_segments, strict=True)
-        ]
-        clauses = [
-            charts[i].text[segment.span[0] : front] if front else ""
-            for front, (i, segment) in zip(fronts, open_segments, strict=True)
-        ]
-        found, before = _trees(wanted, trees), trees(clauses)
-        following: list[tuple[int, Segment]] = []
-        for (i, segment), tree, main, front in zip(open_segments, found, mains, before, strict=True):
-            part = Part(segment, tree, main, front if front.nodes else None)
-            cut = _cut(charts[i], phrases[i], part)
-            if cut is None:
-                done[i][segment.span[0]] = part
-            else:
-                following += [(i, piece) for piece in cut]
-        open_segments = following
-    for i, segment in open_segments:
-        done[i][segment.span[0]] = Part(
-            segment, Tree(charts[i].text[slice(*segment.span)], ()), segment.span[0]
-        )
+        found, fronts = _trees(waiting, trees), trees([one.front for one in waiting])
+        following: list[_Waiting] = []
+        for one, tree, front in zip(waiting, found, fronts, strict=True):
+            part = Part(one.segment, tree, one.main, front if front.nodes else None)
+            cut = [] if last_round else list(_cut(one, part))
+            following += [_waiting(one.position, one.source, segment, lexicon) for segment in cut]
+            if not cut:
+                done[one.position][one.segment.span[0]] = part
+        waiting = following
     return [[own[start] for start in sorted(own)] for own in done]
 
 
-def front_of(chart: Chart, phrases: Sequence[Phrase], segment: Segment, lexicon: Lexicon) -> int:
-    """Give where the words behind a clause in front begin, 0 where there is none.
+def _waiting(position: int, source: _Source, segment: Segment, lexicon: Lexicon) -> _Waiting:
+    return _Waiting(position, source, segment, _main(source, segment, lexicon))
+
+
+def _main(source: _Source, segment: Segment, lexicon: Lexicon) -> int:
+    """Give where the words behind a clause in front begin; the segment's start where there is none.
 
     A clause in front begins with a marker, or with a length of time and a marker, and ends at a comma.
     """
-    places = [p for p, word in enumerate(chart.words) if segment.span[0] <= word.start < segment.span[1]]
-    if not places:
-        return 0
-    first = next((p.end for p in phrases if p.first == places[0]), places[0])
-    if first not in places or longest_match(chart.words, first, lexicon.clauses) is None:
-        return 0
-    if any(p.first <= first < p.end for p in phrases):
-        return 0
-    comma = next((p for p in places if p > first and chart.words[p].text == ","), None)
-    return chart.words[comma + 1].start if comma is not None and comma + 1 in places else 0
+    words = source.scanned.words
+    places = source.places(*segment.span)
+    first = next(
+        (p.end for p in source.phrases if places and p.first == places[0]), places[0] if places else -1
+    )
+    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
+    if first not in places or inside or longest_match(words, first, lexicon.clauses) is None:
+        return segment.span[0]
+    comma = next((place for place in places if place > first and words[place].text == ","), None)
+    return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]
 
 
-def _words_of(chart: Chart, phrases: Sequence[Phrase], span: Span) -> str:
-    """Give a stretch of text, or nothing where it is all time: such a fragment needs no tree."""
-    first, end = span
-    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
-    rest = [
-        word
-        for place, word in enumerate(chart.words)
-        if first <= word.start < end and place not in covered and (word.is_letters or word.is_digits)
-    ]
-    return chart.text[first:end] if any(word.text != "please" for word in rest) else ""
-
-
-def _trees(texts: Sequence[str], trees: Trees) -> list[Tree]:
-    """Parse texts; one whose tree is doubtful once more behind words that call for a verb."""
+def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
+    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
+    texts = [one.text for one in waiting]
     found = trees(texts)
     for carrier in CARRIERS:
-        again = [place for place, tree in enumerate(found) if tree.nodes and is_doubtful(tree)]
-        for place, tree in zip(
-            again, trees([_carried(carrier, texts[place]) for place in again]), strict=True
-        ):
-            bare = tree.without_first(carrier, texts[place])
+        again = [
+            (place, waiting[place].behind_time)
+            for place, tree in enumerate(found)
+            if tree.nodes and is_doubtful(tree) and (carrier or waiting[place].behind_time)
+        ]
+        carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
+        for (place, skipped), tree in zip(again, carried, strict=True):
+            bare = tree.without_carrier(carrier, texts[place], skipped)
             if bare.nodes and not is_doubtful(bare):
                 found[place] = bare
     return found
 
 
-def _carried(carrier: str, text: str) -> str:
-    """Put words before a text: its first letter is no capital there."""
-    return carrier + text[0].lower() + text[1:] if len(text[0].lower()) == 1 else carrier + text
+def _lowered(text: str) -> str:
+    """Give a text whose first letter is no capital, as behind other words."""
+    return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text
 
 
-def _cut(chart: Chart, phrases: Sequence[Phrase], part: Part) -> list[Segment] | None:
-    """Cut a segment before its first further verb; None where there is none."""
+def _cut(one: _Waiting, part: Part) -> Iterator[Segment]:
+    """Give the two pieces of a segment around its first further verb; none where there is none."""
     root = part.tree.root
     if root is None:
-        return None
-    first, last = part.segment.span
+        return
+    first, last = one.segment.span
     for place in sorted(further_verbs(part.tree, root)):
         start = part.tree.nodes[place].start + part.offset
-        if any(a < start < b for a, b in (phrase.span for phrase in phrases)):
+        if any(a < start < b for a, b in (phrase.span for phrase in one.source.phrases)):
             continue
-        end = first + len(JOINT.sub("", chart.text[first:start]))
+        end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
-            return [replace(part.segment, span=(first, end)), Segment((start, last))]
-    return None
+            yield replace(one.segment, span=(first, end))
+            yield Segment((start, last))
+            return

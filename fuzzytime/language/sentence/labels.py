@@ -48,7 +48,7 @@ def paper_tokens(tree: Tree, timely: Collection[int] = ()) -> tuple[Token, ...]:
         relations[node.head] = "case"
         verbal = tree.nodes[over].is_verb
         relations[place] = ("obl:tmod" if place in timely else "obl") if verbal else "nmod"
-        # What hung on the preposition ("about" in "in about four minutes") hangs on the noun's number or on it.
+        # What hung on the preposition ("about" in "in about four minutes") hangs on the number, or the noun.
         number = next(iter(tree.children(place, "nummod")), place)
         for child in tree.children(node.head, "advmod"):
             heads[child] = number
@@ -61,8 +61,8 @@ def paper_tokens(tree: Tree, timely: Collection[int] = ()) -> tuple[Token, ...]:
 def strict_reading(tree: Tree, lexicon: Lexicon) -> tuple[tuple[Token, ...], StrictReading]:
     """Read a tree as the paper does.
 
-    Search an oblique temporal modifier of the root verb; from it, recursively, number, fuzziness and preposition
-    (section III-B1).
+    Search an oblique temporal modifier of the root verb; from it, recursively, number, fuzziness and
+    preposition (section III-B1).
     """
     timely = {place for place, node in enumerate(tree.nodes) if is_timely(node.lower, lexicon)}
     tokens = paper_tokens(tree, timely)

@@ -68,7 +68,7 @@ def _version(description: Path) -> str:
 
 
 @cache
-def _pipeline(name: str) -> Any:
+def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not be imported
     try:
         return importlib.import_module(name).load(exclude=list(UNUSED))
     except (ImportError, OSError, ValueError) as error:
@@ -110,14 +110,14 @@ def _sound(text: str) -> str:
 
 
 def _renumbered(nodes: tuple[Node, ...], places: list[int]) -> tuple[Node, ...]:
-    """Number heads anew where spaces were left out; a word below a space becomes a root."""
+    """Give words with heads numbered anew where spaces were left out; below a space stands a root."""
     if places == list(range(len(nodes))):
         return nodes
     new = {old: place for place, old in enumerate(places)}
     return tuple(replace(node, head=new.get(node.head, place)) for place, node in enumerate(nodes))
 
 
-# -- the files of the model ---------------------------------------------------------------------------------------
+# -- the files of the model -----------------------------------------------------------------------------
 
 
 class FileState(StrEnum):

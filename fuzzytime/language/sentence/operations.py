@@ -1,8 +1,6 @@
-"""What is to be done: the verb of an instruction, its object and place, and which moment of it a time is about."""
+"""What is to be done: an instruction's verb, object and place, and which moment of it a time is about."""
 
-from __future__ import annotations
-
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -133,14 +131,18 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
         return Reference(named)
     if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
-    if lemma in lexicon.causing:
-        results = (
-            tree.nodes[p].lower
-            for p in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj")
-        )
-        if any(result in lexicon.results for result in results):
-            return Reference.FINISH
+    if lemma in lexicon.causing and any(
+        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
+    ):
+        return Reference.FINISH
     return Reference.START
+
+
+def _results(tree: Tree, place: int) -> Iterator[int]:
+    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
+    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
+        yield below
+        yield from _results(tree, below)
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,16 +179,13 @@ class Reader:
         parts = [p for p in self.tree.children(verb, *OBJECTS) if p > verb and not self._timed(p)]
         words = self._words(parts, verb)
         # "Have the rice ready": what it results in says which moment is meant, not what is done.
-        while (
-            action.reference is Reference.FINISH
-            and words
-            and self.tree.nodes[words[-1]].lower in self.lexicon.results
-        ):
+        direct = self.tree.children(verb, *OBJECTS)
+        while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:
             words.pop()
         return self._said(words) if words else None
 
     def _subject(self, verb: int) -> str | None:
-        """What a statement is about: "the assignment should start now"."""
+        """Give what a statement is about: "the assignment should start now"."""
         subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self._timed(p)]
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
@@ -239,7 +238,7 @@ class Reader:
             last = node.end
         return text.strip() or None
 
-    def parameters(self, action: Action) -> tuple[FuzzyParameter, ...]:
+    def parameters(self, action: Action) -> tuple["FuzzyParameter", ...]:
         """Give the vague amounts among what the verb governs: "some food", "a few screws"."""
         words = words_of(self.tree.text)
         found: list[FuzzyParameter] = []
@@ -256,17 +255,14 @@ class Reader:
                 continue
             behind = at + len(form)
             following = words[at + len(form)]
-            nodes = [p for p in self.tree.at(following.start, following.end)]
+            nodes = list(self.tree.at(following.start, following.end))
             if not nodes:
                 continue
             noun = self._noun(nodes[0])
             if noun is not None and not self._timed(noun):
-                # Skills bring numpy along: only where there is an amount.
-                from fuzzytime.skills import FuzzyParameter
-
                 node = self.tree.nodes[noun]
                 _, quantity = self.lexicon.amounts[form]
-                found.append(FuzzyParameter(self.tree.text[word.start : node.end], node.lower, quantity))
+                found.append(_parameter(self.tree.text[word.start : node.end], node.lower, quantity))
         return tuple(found)
 
     def _noun(self, place: int) -> int | None:
@@ -276,3 +272,10 @@ class Reader:
             if self.tree.nodes[here].is_verb:
                 return None
         return None
+
+
+def _parameter(text: str, noun: str, quantity: tuple[float, float, float, float] | None) -> "FuzzyParameter":
+    """Make a parameter; skills bring numpy along, so that they are imported only where there is an amount."""
+    from fuzzytime.skills import FuzzyParameter
+
+    return FuzzyParameter(text, noun, quantity)

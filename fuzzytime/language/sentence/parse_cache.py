@@ -1,7 +1,7 @@
-"""Parses kept on disk, so that a text that was parsed before needs no model: a value that the caller passes in.
+"""Parses kept on disk, so that a text parsed before needs no model: a value that the caller passes in.
 
-A row is keyed by the text, the model and this program's version. The cache only ever saves time: where its file cannot be
-used (locked for long, damaged, on a full disk), texts are parsed as if it were empty.
+A row is keyed by the text, the model and this program's version. The cache only ever saves time: where its
+file cannot be used (locked for long, damaged, on a full disk), texts are parsed as if it were empty.
 """
 
 import hashlib

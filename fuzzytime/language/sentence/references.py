@@ -1,4 +1,4 @@
-"""Which instruction words refer to: "after setting the table", "when the rice is done", "before dinner", "it"."""
+"""Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
 
 from collections.abc import Sequence
 
@@ -9,9 +9,40 @@ from fuzzytime.language.sentence.clauses import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 EMPTY = frozenset(
-    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "some", "all", "any", "this", "that", "these", "those",
-     "few", "couple", "of", "and", "is", "are", "has", "have", "been", "with", "in", "on", "to", "for"}
-)  # fmt: skip
+    [
+        "the",
+        "a",
+        "an",
+        "my",
+        "your",
+        "our",
+        "his",
+        "her",
+        "their",
+        "some",
+        "all",
+        "any",
+        "this",
+        "that",
+        "these",
+        "those",
+        "few",
+        "couple",
+        "of",
+        "and",
+        "is",
+        "are",
+        "has",
+        "have",
+        "been",
+        "with",
+        "in",
+        "on",
+        "to",
+        "for",
+    ]
+)
+"""Words that name nothing."""
 
 
 def content_words(text: str | None) -> frozenset[str]:
@@ -30,7 +61,7 @@ def _singular(word: str) -> str:
 
 
 def target_of(clause: Clause, operations: Sequence[Operation | None], lexicon: Lexicon) -> int | None:
-    """Give the position of the instruction that a clause refers to, the latest of the best; None where there is none."""
+    """Give the position of the instruction that a clause refers to, the latest of the best, or None."""
     best, found = 0.0, None
     for position, operation in enumerate(operations):
         if operation is None or operation.negated:

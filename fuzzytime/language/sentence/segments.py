@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.tree import Node, Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
@@ -15,7 +15,7 @@ FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
-COORDINATE = frozenset({"conj", "dep", "parataxis", "ccomp", "advcl", "appos"})
+COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,9 +121,9 @@ def further_verbs(tree: Tree, root: int) -> list[int]:
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
-    found = []
+    found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
-        if place == root or node.tag not in IMPERATIVE or place == 0 or node.relation not in COORDINATE:
+        if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
             continue
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
             continue
@@ -133,6 +133,20 @@ def further_verbs(tree: Tree, root: int) -> list[int]:
         if place > root or _leads(tree, place, root):
             found.append(start)
     return found
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
+    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
+
+
+def _follows_order(tree: Tree, root: int) -> bool:
+    """Whether the root is a second order: "weld it, wait two minutes" has its first below it."""
+    start = _first_of(tree, root)
+    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
+        return False
+    orders = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start and tree.nodes[p].tag == "VB")
+    return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
 
 
 def _leads(tree: Tree, place: int, root: int) -> bool:

@@ -8,7 +8,7 @@ NOMINAL = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD", "DT", "JJ"})
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A word: place in the text, Penn Treebank tag, dictionary form, relation to its head as the model names it."""
+    """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says."""
 
     text: str
     start: int
@@ -81,17 +81,26 @@ class Tree:
         """Give the words that lie in a stretch of characters."""
         return (p for p, node in enumerate(self.nodes) if node.start < end and start < node.end)
 
-    def without_first(self, carrier: str, text: str) -> "Tree":
-        """Give the tree of a text before which some words were put, such as "please "."""
+    def without_carrier(self, carrier: str, text: str, skipped: int) -> "Tree":
+        """Give the tree of a text that was parsed behind some words, and without its first characters.
+
+        Parameters
+        ----------
+        carrier, text
+            What was put in front ("please "), and the text.
+        skipped
+            How many characters of the text were left out.
+        """
         dropped = sum(node.start < len(carrier) for node in self.nodes)
+        shift = skipped - len(carrier)
         kept = self.nodes[dropped:]
         root = next((p for p, node in enumerate(kept) if node.head < dropped or node.head == p + dropped), 0)
         nodes = tuple(
             replace(
                 node,
-                text=text[node.start - len(carrier) : node.end - len(carrier)],
-                start=node.start - len(carrier),
-                end=node.end - len(carrier),
+                text=text[node.start + shift : node.end + shift],
+                start=node.start + shift,
+                end=node.end + shift,
                 head=node.head - dropped if node.head >= dropped else root,
             )
             for node in kept
