@@ -102,7 +102,7 @@ class Context:
         """Give a context with more readings."""
         return Context((*self.readings, *readings))
 
-    def joined(self, other: "Context") -> "Context":
+    def merged(self, other: "Context") -> "Context":
         """Give a context with the readings of both; at one time those of the other stand."""
         return Context((*self.readings, *other.readings))
 

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import FuzzytimeError, Mistake
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook.documents import SHIPPED, Document, load, mistakes_in
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
@@ -101,10 +101,10 @@ class Rulebook:
         admitted = context.admitted(self.signals)
         said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
         until_done = duration if elapsed is None else elapsed
-        function = over_starts(said.satisfaction, requirement.reference, duration, until_done, horizon)
-        reason = said.reason or reason_for_never(
-            said.satisfaction, function, requirement.reference, until_done
-        )
+        # What goes on until a condition comes true ends when it does, and only has to start before.
+        reference = Reference.START if said.model == "until" else requirement.reference
+        function = over_starts(said.satisfaction, reference, duration, until_done, horizon)
+        reason = said.reason or reason_for_never(said.satisfaction, function, reference, until_done)
         return Resolution(
             satisfaction=function,
             model=said.model,

@@ -31,9 +31,9 @@ def test_shifting_moves_the_origin() -> None:
     assert context.shifted(300).shifted(-300) == context
 
 
-def test_joining_lets_the_other_s_readings_stand() -> None:
-    joined = Context.of({"pan_temp": 20.0}).joined(Context.of({"pan_temp": 180.0, "timer": None}))
-    assert joined == Context.of({"pan_temp": 180.0, "timer": None})
+def test_merging_lets_the_other_s_readings_stand() -> None:
+    merged = Context.of({"pan_temp": 20.0}).merged(Context.of({"pan_temp": 180.0, "timer": None}))
+    assert merged == Context.of({"pan_temp": 180.0, "timer": None})
 
 
 def test_the_empty_context_has_no_readings() -> None:
