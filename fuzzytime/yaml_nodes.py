@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.times import parse_duration
+from fuzzytime.times import format_duration, parse_duration
 from fuzzytime.yaml_tree import MAX_DEPTH, Mapping, Node, Place, Scalar, Sequence, TreeError, parse_tree
 
 __all__ = ["MAX_BYTES", "MAX_DEPTH", "Mapping", "Node", "Reader", "Scalar", "Sequence", "suggestion"]
@@ -28,7 +28,7 @@ _T = TypeVar("_T")
 
 def suggestion(word: str, known: Iterable[str]) -> str:
     """Say which known word was meant, or which there are, as the tail of a message."""
-    choices = sorted(set(known))
+    choices = sorted({str(choice) for choice in known})
     close = difflib.get_close_matches(word, choices, 1, 0.6)
     if close:
         return f" (did you mean {close[0]!r}?)"
@@ -195,6 +195,13 @@ class Reader:
         """Give the places of a mapping's keys."""
         return {name.text: name for name, _ in node.entries} if isinstance(node, Mapping) else {}
 
+    def refuse_keys(self, node: Node, key: str, names: Iterable[str], message: str) -> None:
+        """Note a mistake at each of these keys that a mapping has."""
+        keys = self.keys(node)
+        for name in names:
+            if name in keys:
+                self.mistake(keys[name], f"{key}.{name}", message)
+
     def sequence(self, node: Node, key: str, length: int | None = None) -> tuple[Node, ...]:
         """Give a list's nodes, of one length if given."""
         if not isinstance(node, Sequence):
@@ -232,18 +239,23 @@ class Reader:
 
     def number(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a finite number between two bounds."""
-        return self._converted(node, key, _to_number, (low, high))
+        return self._converted(node, key, _to_number, (low, high), "{:g}".format)
 
     def whole(self, node: Node, key: str, low: int, high: int) -> int:
         """Give a whole number between two bounds."""
-        return int(self._converted(node, key, _to_whole, (low, high)))
+        return int(self._converted(node, key, _to_whole, (low, high), "{:g}".format))
 
     def duration(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a duration in seconds between two bounds."""
-        return self._converted(node, key, parse_duration, (low, high))
+        return self._converted(node, key, parse_duration, (low, high), format_duration)
 
     def _converted(
-        self, node: Node, key: str, convert: Callable[[str], float], bounds: tuple[float, float]
+        self,
+        node: Node,
+        key: str,
+        convert: Callable[[str], float],
+        bounds: tuple[float, float],
+        shown: Callable[[float], str],
     ) -> float:
         if not isinstance(node, Scalar):
             self.mistake(node, key, f"must be a single value, got {_kind(node)}")
@@ -252,10 +264,13 @@ class Reader:
         if value is None:
             return 0.0
         low, high = bounds
-        if not low <= value <= high:
-            self.mistake(node, key, f"must be between {low:g} and {high:g}, got {node.text!r}")
-            return 0.0
-        return value
+        if low <= value <= high and math.isfinite(value):
+            return value
+        limits = (
+            f"between {shown(low)} and {shown(high)}" if math.isfinite(high) else f"at least {shown(low)}"
+        )
+        self.mistake(node, key, f"must be {limits if math.isfinite(value) else 'finite'}, got {node.text!r}")
+        return 0.0
 
     def read(self, node: Scalar, key: str, convert: Callable[[str], _T]) -> _T | None:
         """Convert a scalar's text by a function whose `FuzzytimeError` becomes a mistake here."""

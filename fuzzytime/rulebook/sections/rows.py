@@ -66,9 +66,7 @@ def _row(
     if "model" in found:
         models = (*scope.names.models, *CLAUSE_MODELS)
         model = scope.reader.choice(found["model"], f"{key}.model", models)
-        for other in FORMS:
-            if other in found:
-                scope.reader.mistake(found[other], f"{key}.{other}", "must not stand beside 'model'")
+        scope.reader.refuse_keys(node, key, FORMS, "must not stand beside 'model'")
     else:
         form = read_form(scope, found, node, key)
         own = Model(name, form, source) if form is not None else None

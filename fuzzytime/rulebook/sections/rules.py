@@ -87,9 +87,8 @@ def _effect(scope: Scope, found: Mapping[str, Node], key: str) -> Effect:
             scope.reader.mistake(
                 parts["model"], f"{path}.model", f"the model {model!r} needs an 'if' to wait for"
             )
-    for name in ("core", "fade"):
-        if name in parts and model and model not in CLAUSE_MODELS:
-            scope.reader.mistake(parts[name], f"{path}.{name}", f"does not belong to the model {model!r}")
+    if model and model not in CLAUSE_MODELS:
+        scope.reader.refuse_keys(node, path, ("core", "fade"), f"does not belong to the model {model!r}")
     times = {
         name: scope.reader.duration(parts[name], f"{path}.{name}", low)
         for name, low in _TIMES

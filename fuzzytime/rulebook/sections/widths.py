@@ -33,9 +33,7 @@ def read_width(scope: Scope, node: Node, key: str) -> Points:
     """Read ``{base: 112.9 s, growth: 0.03406}`` or ``{points: {0 s: 4 min, 10 min: 10.7 min}}``."""
     found = scope.reader.mapping(node, key, ("base", "growth", "points", "source"))
     if "points" in found:
-        for other in ("base", "growth"):
-            if other in found:
-                scope.reader.mistake(found[other], f"{key}.{other}", "must not stand beside 'points'")
+        scope.reader.refuse_keys(node, key, ("base", "growth"), "must not stand beside 'points'")
         return _points(scope, found["points"], f"{key}.points", read_positive_duration, extended=True)
     for name in ("base", "growth"):
         if name not in found:
@@ -71,7 +69,8 @@ def _points(
         elif time is not None:
             points[time], last = value, time
     if not points:
-        scope.reader.mistake(node, key, "must have at least one point")
+        if not keys:
+            scope.reader.mistake(node, key, "must have at least one point")
         return Points((0.0,), (1.0,))
     return Points(tuple(points), tuple(points.values()), extended, scope.reader.place(node))
 
