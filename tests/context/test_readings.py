@@ -62,9 +62,9 @@ def test_what_a_signal_cannot_have_is_refused(values: dict[str, float | str | No
         Context.of(values).admitted(SIGNALS)
 
 
-@pytest.mark.parametrize("reading", [("x", float("nan"), 1.0), ("x", 0.0, float("inf"))])
+@pytest.mark.parametrize("reading", [("x", float("nan"), 1.0), ("x", 1e11, 1.0), ("x", 0.0, float("inf"))])
 def test_readings_are_finite(reading: tuple[str, float, float]) -> None:
-    with pytest.raises(FuzzytimeError, match="must be finite"):
+    with pytest.raises(FuzzytimeError, match=r"must be finite|must lie within"):
         Reading(*reading)
 
 

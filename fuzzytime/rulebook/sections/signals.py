@@ -4,10 +4,11 @@ import math
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
+from fuzzytime.context.signals import LARGEST, Approach, Course, Hold, Linear, Signal
 from fuzzytime.context.units import UNITS, convert, parse_quantity
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.times import DAY
 from fuzzytime.yaml_nodes import Node, Scalar
 
@@ -20,8 +21,6 @@ _COURSES: Mapping[str, tuple[str, ...]] = {
 
 _FOR_VALUES = ("unit", "range", "max_age", "max_gap", "forecast")
 """What only signals with values have."""
-
-LONGEST = 366 * DAY
 
 
 def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
@@ -92,6 +91,8 @@ def read_value(scope: Scope, node: Node, key: str, unit: str | None) -> float | 
 
     def converted(text: str) -> float:
         value, given = parse_quantity(text)
+        if abs(value) > LARGEST:
+            raise FuzzytimeError(f"must be at most {LARGEST:g}, got {text!r}")
         if given is None:
             return value
         if unit is None:

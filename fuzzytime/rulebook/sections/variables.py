@@ -7,7 +7,8 @@ from types import MappingProxyType
 
 from fuzzytime.rulebook.grammar import KEYWORDS
 from fuzzytime.rulebook.sections.scope import Scope
-from fuzzytime.rulebook.sections.signals import LONGEST, read_per, read_value
+from fuzzytime.rulebook.sections.signals import read_per, read_value
+from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.rulebook.variables import Power, Source, Term, Variable
 from fuzzytime.yaml_nodes import Node, suggestion
 

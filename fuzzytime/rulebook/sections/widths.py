@@ -10,13 +10,15 @@ from fuzzytime.requirement import Unit
 from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.width import Points, Roundness
-from fuzzytime.times import HOUR, parse_duration
+from fuzzytime.times import DAY, HOUR, parse_duration
 from fuzzytime.yaml_nodes import Node
 
 _E = TypeVar("_E", bound=StrEnum)
 _T = TypeVar("_T")
 
 MAX_FACTOR = 1000.0
+LONGEST = 366 * DAY
+"""The longest time that a table may speak of, but for validity."""
 
 
 def read_factor(scope: Scope, node: Node, key: str) -> float:
@@ -26,7 +28,7 @@ def read_factor(scope: Scope, node: Node, key: str) -> float:
 
 def read_positive_duration(scope: Scope, node: Node, key: str) -> float:
     """Read a duration of at least a millisecond."""
-    return scope.reader.duration(node, key, 1e-3)
+    return scope.reader.duration(node, key, 1e-3, LONGEST)
 
 
 def read_width(scope: Scope, node: Node, key: str) -> Points:
@@ -64,7 +66,7 @@ def _points(
         path = f"{key}.{text}"
         time = scope.reader.read(keys[text], path, parse_duration)
         value = read(scope, child, path)
-        if time is not None and (time < 0 or time <= last):
+        if time is not None and not max(last, -1e-9) < time <= LONGEST:
             scope.reader.mistake(keys[text], path, f"times must be at least 0 and increase, got {text!r}")
         elif time is not None:
             points[time], last = value, time
