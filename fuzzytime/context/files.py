@@ -3,6 +3,7 @@
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -52,59 +53,64 @@ def parse_assignment(text: str, signals: Mapping[str, Signal] | None = None) -> 
 
 
 def read_context_file(
-    path: Path, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+    path: Path, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Context:
     """Read a file of JSON lines: ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``.
 
-    Parameters
-    ----------
-    path
-        The file. Empty lines are passed over.
-    signals
-        The signals that there are, where readings are to be checked against them.
-    now
-        The instant that ``at`` counts from; without it only ``at_s``, in seconds, may stand.
+    Parameters and mistakes are those of `read_context_lines`.
 
     Raises
     ------
     DocumentError
-        With every mistake and its line.
+        With every mistake and its line, or because the file cannot be read.
     """
     try:
         with path.open("rb") as stream:
-            raw = stream.read(LARGEST_FILE + 1)
+            source = stream.read(LARGEST_FILE + 1)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise DocumentError((Mistake(str(path), 1, 1, "", f"the file cannot be read: {reason}"),)) from error
-    if len(raw) > LARGEST_FILE:
-        raise DocumentError(
-            (Mistake(str(path), 1, 1, "", f"a file must not be larger than {LARGEST_FILE:,} bytes"),)
-        )
-    return parse_context_lines(raw, str(path), signals, now)
+    return read_context_lines(source, str(path), now, signals)
 
 
-def parse_context_lines(
-    raw: bytes, shown: str, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+def read_context_lines(
+    source: bytes | str,
+    shown: str,
+    now: datetime | None = None,
+    signals: Mapping[str, Signal] | None = None,
 ) -> Context:
-    """Read the content of a file of JSON lines, which messages call ``shown``.
+    """Read one reading a line, as JSON; empty lines are passed over.
+
+    Parameters
+    ----------
+    source, shown
+        The lines, and how messages call them.
+    now
+        The instant that ``at`` counts from; without it only ``at_s``, in seconds, may stand.
+    signals
+        The signals that there are, where readings are to be checked against them.
 
     Raises
     ------
     DocumentError
         With every mistake and its line.
     """
+    raw = source.encode("utf-8", "surrogatepass") if isinstance(source, str) else source
+    if len(raw) > LARGEST_FILE:
+        message = f"readings must not be more than {LARGEST_FILE:,} bytes"
+        raise DocumentError((Mistake(shown, 1, 1, "", message),))
     readings: list[Reading] = []
     mistakes: list[Mistake] = []
     for number, line in enumerate(raw.removeprefix(b"\xef\xbb\xbf").split(b"\n"), 1):
         if not line.strip():
             continue
         try:
-            readings.append(parse_context_line(line, signals, now))
+            readings.append(parse_context_line(line, now, signals))
         except FuzzytimeError as error:
             text = line[:LONGEST_LINE].decode("utf-8", "replace").rstrip("\r")
-            column = getattr(error, "column", 1)
+            column = error.column if isinstance(error, LineError) else 1
             mistakes.append(Mistake(shown, number, column, "", str(error), text))
-        if len(readings) > MAX_READINGS:
+        if max(len(readings), len(mistakes)) > MAX_READINGS:
             message = f"a context must hold at most {MAX_READINGS:,} readings"
             raise DocumentError((*mistakes, Mistake(shown, number, 1, "", message)))
     if mistakes:
@@ -121,7 +127,7 @@ class LineError(FuzzytimeError):
 
 
 def parse_context_line(
-    line: bytes | str, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+    line: bytes | str, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Reading:
     """Read one reading from one line of JSON.
 
@@ -239,10 +245,11 @@ def _reading(
     reader: Reader, node: Node, key: str, name: str, signals: Mapping[str, Signal] | None
 ) -> list[Reading]:
     """Read one value, or a mapping with its time; nothing where it is none."""
-    at, value = 0.0, node
+    at, unit, value = 0.0, None, node
     if isinstance(node, MappingNode):
-        found = reader.mapping(node, key, ("at", "value"), ("at",))
+        found = reader.mapping(node, key, ("at", "value", "unit"))
         at = reader.duration(found["at"], f"{key}.at") if "at" in found else 0.0
+        unit = reader.string(found["unit"], f"{key}.unit") if "unit" in found else None
         value = found.get("value", Scalar("", node.line, node.column, node.index))
     if not isinstance(value, Scalar):
         reader.string(value, f"{key}.value")
@@ -250,6 +257,8 @@ def _reading(
 
     def converted(text: str) -> Reading:
         made = Reading.of(name, None if text in _NOTHING else text, at)
+        if unit is not None:
+            made = replace(made, unit=unit)
         if made.at > 0 and made.value is not None:
             raise FuzzytimeError(f"a reading must not lie in the future, got {made.at:g} s")
         return made if signals is None else admitted(made, signals)
