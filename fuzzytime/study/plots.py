@@ -72,15 +72,17 @@ def figures(analysis: Analysis) -> Iterator[tuple[str, Callable[[], "Figure"]]]:
         yield key, lambda described=described: _three_views(described)  # type: ignore[misc]
 
 
-def rendered(draw: Callable[[], "Figure"], form: str) -> bytes:
-    """Draw a figure and give it as ``svg`` or ``png``; the same figure gives the same bytes."""
+def rendered(draw: Callable[[], "Figure"], *forms: str) -> tuple[bytes, ...]:
+    """Draw a figure and give it in forms such as ``svg`` and ``png``; the same figure gives the same bytes."""
     import matplotlib as mpl
 
     with mpl.rc_context(dict(_SETTINGS)):
-        stream = io.BytesIO()
-        metadata = {"Date": None} if form == "svg" else {"Software": None}
-        draw().savefig(stream, format=form, metadata=metadata)
-    return stream.getvalue()
+        figure = draw()
+        streams = [io.BytesIO() for _ in forms]
+        for form, stream in zip(forms, streams, strict=True):
+            metadata = {"Date": None} if form == "svg" else {"Software": None}
+            figure.savefig(stream, format=form, metadata=metadata)
+    return tuple(stream.getvalue() for stream in streams)
 
 
 def _grid(analysis: Analysis, draw: Callable[["Axes", Analysis, Described], None]) -> "Figure":

@@ -33,10 +33,15 @@ class _Page:
     def table(self, caption: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
         """Add a table; a cell that is a number stands on the right."""
         self.tables += 1
-        cells = "".join(f"<th scope=col>{html.escape(cell)}</th>" for cell in head)
-        body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in rows)
+        listed = list(rows)
+        numeric = [all(_is_number(cell) for cell in column) for column in zip(*listed, strict=True)]
+        columns = zip(head, numeric or [False] * len(head), strict=True)
+        cells = "".join(
+            f"<th scope=col{' class=n' * number}>{html.escape(cell)}</th>" for cell, number in columns
+        )
+        body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in listed)
         self.parts.append(
-            f"<figure class=table><table>"
+            "<figure class=table><table>"
             f"<caption><b>Table {self.tables}.</b> {html.escape(caption)}</caption>"
             f"<thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></figure>"
         )
@@ -300,8 +305,11 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
 
 
 def _cell(text: str) -> str:
-    number = text.lstrip("-−").replace(".", "", 1).replace(",", "").isdigit() or text == "–"
-    return f"<td{' class=n' if number else ''}>{html.escape(text)}</td>"
+    return f"<td{' class=n' * _is_number(text)}>{html.escape(text)}</td>"
+
+
+def _is_number(text: str) -> bool:
+    return text == "–" or text.lstrip("-−").replace(".", "", 1).replace(",", "").isdigit()
 
 
 def _figure(value: float, digits: int) -> str:
