@@ -73,7 +73,7 @@ def figures(analysis: Analysis) -> Iterator[tuple[str, Callable[[], "Figure"]]]:
 
 
 def rendered(draw: Callable[[], "Figure"], *forms: str) -> tuple[bytes, ...]:
-    """Draw a figure and give it in forms such as ``svg`` and ``png``; the same figure gives the same bytes."""
+    """Draw a figure in forms such as ``svg`` and ``png``; the same figure gives the same bytes."""
     import matplotlib as mpl
 
     with mpl.rc_context(dict(_SETTINGS)):

@@ -272,10 +272,10 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
             f"Participants fall into two subgroups, clearly better than one, for: {texts}", "caution"
         )
     else:
-        page.paragraph("For no instruction two subgroups describe the participants clearly better than one.")
+        page.paragraph("In no instruction do two subgroups describe participants clearly better than one.")
     page.table(
         "Agreement: mean pointwise standard deviation where anybody is satisfied, variance of the median in "
-        "min², gradients per minute, and the silhouette of the best split into two subgroups (clear from 0.7).",
+        "min², gradients per minute, silhouette of the best split into two subgroups (clear from 0.7).",
         ("instruction", "deviation", "variance", "left", "right", "silhouette", "sizes"),
         (
             (
