@@ -166,24 +166,23 @@ class _Handler(BaseHTTPRequestHandler):
     def do_GET(self) -> None:
         """Give the page, or the design that it shows."""
         self._unread = "Content-Length" in self.headers
-        split = urlsplit(self.path)
+        path, token = self._asked()
         if not self._admitted():
             return
-        if split.path == "/":
-            token = parse_qs(split.query, max_num_fields=8).get("token", [""])[0]
+        if path == "/":
             if self._knows(token):
                 self._page()
-        elif split.path == "/design":
+        elif path == "/design":
             if self._knows(self.headers.get("X-Study-Token", "")):
                 self._send(HTTPStatus.OK, self.server.service.design())
-        elif split.path in StudyService.paths():
+        elif path in StudyService.paths():
             self._refuse(HTTPStatus.METHOD_NOT_ALLOWED, "only POST serves here")
         else:
             self._refuse(HTTPStatus.NOT_FOUND, "there is nothing here")
 
     def do_POST(self) -> None:
         """Save an answer."""
-        path = urlsplit(self.path).path
+        path, _ = self._asked()
         if not self._admitted() or not self._knows(self.headers.get("X-Study-Token", "")):
             return
         if path not in StudyService.paths():
@@ -201,6 +200,14 @@ class _Handler(BaseHTTPRequestHandler):
         except OSError as error:
             self.server.tell(f"an answer could not be saved: {error}")
             self._refuse(HTTPStatus.SERVICE_UNAVAILABLE, "the answer could not be saved")
+
+    def _asked(self) -> tuple[str, str]:
+        """Give the path and the token of the address; what is no address leads nowhere."""
+        try:
+            split = urlsplit(self.path)
+            return split.path, parse_qs(split.query, max_num_fields=8).get("token", [""])[0]
+        except ValueError:
+            return "", ""
 
     # -- who may ask ----------------------------------------------------------------------------------------
 

@@ -26,7 +26,11 @@ KIND = 0x667A7431
 SCHEMA = 1
 
 _TABLES = """
-CREATE TABLE study (only INTEGER PRIMARY KEY CHECK (only = 1), design TEXT NOT NULL);
+CREATE TABLE study (
+    only INTEGER PRIMARY KEY CHECK (only = 1),
+    design TEXT NOT NULL,
+    token TEXT NOT NULL DEFAULT ''
+);
 CREATE TABLE participants (
     position INTEGER PRIMARY KEY,
     name TEXT NOT NULL UNIQUE,
@@ -77,7 +81,7 @@ class AnswerStore:
         """
         database = Database(path, KIND, SCHEMA, _TABLES, create=True)
         with database.writing() as connection:
-            connection.execute("INSERT OR IGNORE INTO study VALUES (1, ?)", (design.yaml,))
+            connection.execute("INSERT OR IGNORE INTO study (only, design) VALUES (1, ?)", (design.yaml,))
         store = cls._of(database)
         if store.design.yaml != design.yaml:
             store.close()
@@ -120,6 +124,15 @@ class AnswerStore:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    def token(self, new: str) -> str:
+        """Give the token that requests to this study must know; the first time, it becomes ``new``.
+
+        A study keeps it, so that participants may come back after its server was started again.
+        """
+        with self._database.writing() as connection:
+            connection.execute("UPDATE study SET token = ? WHERE token = ''", (new,))
+            return str(connection.execute("SELECT token FROM study").fetchone()[0])
 
     # -- writing --------------------------------------------------------------------------------------------
 
@@ -302,7 +315,9 @@ def _participants(
         values,
     ).fetchall()
     for name, group, order, origin, control, finished, excluded in rows:
-        curves = connection.execute("SELECT instruction, samples FROM curves WHERE participant = ?", (name,))
+        curves = connection.execute(
+            "SELECT instruction, samples FROM curves WHERE participant = ? ORDER BY rowid", (name,)
+        )
         demographics = connection.execute(
             "SELECT question, answer FROM demographics WHERE participant = ?", (name,)
         )

@@ -60,7 +60,8 @@ def opened(browser: "sync_api.Browser", server: StudyServer) -> Iterator[Opened]
     yield open_page
     for context in contexts:
         context.close()
-    assert broken == []
+    # A refused answer is said on the page, and the browser notes it as well.
+    assert [line for line in broken if "status of 422" not in line] == []
 
 
 def agree(page: "sync_api.Page") -> None:

@@ -1,4 +1,4 @@
-"""The study's commands: simulate, import, export, list, exclude, analyse, calibrate; and serve."""
+"""The study's commands: serve, simulate, import, export, list, exclude, analyse, calibrate."""
 
 import sys
 from datetime import UTC, datetime
@@ -13,6 +13,7 @@ from fuzzytime_cli.faults import NoInputError, UsageError, report
 if TYPE_CHECKING:
     from fuzzytime.study import AnswerStore, Design
     from fuzzytime.study.analysis import Analysis
+    from fuzzytime.study.server import StudyServer
 
 app = typer.Typer(
     help="Collect what people draw, analyse it, and make a rule table of it.", no_args_is_help=True
@@ -51,6 +52,58 @@ def _opened(path: Path) -> "AnswerStore":
 
 def _now() -> str:
     return datetime.now(UTC).isoformat(timespec="seconds")
+
+
+@app.command()
+def serve(
+    design: Annotated[
+        Path | None, typer.Argument(help="The study's design (YAML); the paper's if none is given.")
+    ] = None,
+    *,
+    database: NewDatabase,
+    host: Annotated[
+        str, typer.Option(help="Where to listen. Anything but loopback lets others reach the page.")
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option(min=0, max=65535, help="0 takes a free one.")] = 8765,
+    name: Annotated[
+        list[str] | None, typer.Option("--name", help="Another host name by which people reach the page.")
+    ] = None,
+    browse: Annotated[bool, typer.Option("--open", help="Open the page in this computer's browser.")] = False,
+) -> None:
+    """Serve the page on which people draw, until Ctrl-C; every acknowledged answer is on the disk."""
+    import secrets
+
+    from fuzzytime.study import AnswerStore
+    from fuzzytime.study.server import StudyServer
+    from fuzzytime.study.service import StudyService
+
+    with AnswerStore.create(database, _design(design)) as store:
+        service = StudyService(store, _now, lambda: secrets.token_urlsafe(12))
+        token = store.token(secrets.token_urlsafe(16))
+        with StudyServer((host, port), service, token, names=tuple(name or ()), tell=report) as server:
+            if host not in ("127.0.0.1", "localhost", "::1"):
+                report("the page can be reached from other computers; its traffic is not encrypted")
+            report(f"{store.design.title}: give participants the address below; Ctrl-C ends")
+            sys.stdout.write(f"{server.url}\n")
+            sys.stdout.flush()
+            if browse:
+                typer.launch(server.url)
+            _serve_until_stopped(server)
+            report(f"{len(store.answers().participants)} participants in {database}")
+
+
+def _serve_until_stopped(server: "StudyServer") -> None:
+    """Serve until Ctrl-C, or until the system asks to stop."""
+    import signal
+
+    def stop(_number: int, _frame: object) -> None:
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGTERM, stop)
+    try:
+        server.serve_forever()
+    except KeyboardInterrupt:
+        report("stopped")
 
 
 @app.command()

@@ -1,6 +1,5 @@
 """What synthetic participants mean: ψ by a rule table, or written down for each instruction."""
 
-from collections.abc import Mapping
 from pathlib import Path
 
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -45,7 +44,7 @@ def _plain(reader: Reader, root: MappingNode, design: Design) -> Truth:
 
 def _tabled(design: Design, path: Path | None, profile: Profile, *, by_actor: bool) -> Truth:
     files = [path] if path is not None else []
-    books: Mapping[str, Rulebook] = {
+    books = {
         group: Rulebook.shipped(profile, Actor(group) if by_actor and group in set(Actor) else None, files)
         for group in design.groups
     }
