@@ -2,6 +2,7 @@
 
 import json
 import socket
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fuzzytime.study.server import StudyServer
@@ -50,10 +51,10 @@ def request(
     server: StudyServer,
     path: str,
     document: object = None,
+    headers: Mapping[str, str | None] | None = None,
     *,
     method: str | None = None,
     body: bytes | None = None,
-    **headers: str | None,
 ) -> Answer:
     """Send a request as the page would, but for the headers that are given (None leaves one out)."""
     content = body if body is not None else b"" if document is None else json.dumps(document).encode()
@@ -64,6 +65,6 @@ def request(
         "Content-Type": "application/json" if content else None,
         "Content-Length": str(len(content)) if verb == "POST" else None,
     }
-    fields |= {name.replace("_", "-"): value for name, value in headers.items()}
+    fields |= headers or {}
     head = "".join(f"{name}: {value}\r\n" for name, value in fields.items() if value is not None)
     return send(server.port, f"{verb} {path} HTTP/1.1\r\n{head}\r\n".encode("latin-1") + content)

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import pytest
@@ -10,6 +11,9 @@ import pytest
 from fuzzytime.study import AnswerStore, Design
 from fuzzytime.study.server import StudyServer
 from study.browser import ARGUMENTS, chromium, running
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
 
 sync_api = pytest.importorskip(
     "playwright.sync_api", reason="Playwright is not installed: the page is not tried"
@@ -25,7 +29,7 @@ PADDING = {"left": 52, "right": 28, "top": 18, "bottom": 34}
 
 
 @pytest.fixture(scope="module")
-def browser() -> Iterator["sync_api.Browser"]:
+def browser() -> Iterator["Browser"]:
     with sync_api.sync_playwright() as playwright:
         found = playwright.chromium.launch(executable_path=chromium(), args=ARGUMENTS)
         yield found
@@ -38,16 +42,16 @@ def server(tmp_path: Path, design: Design) -> Iterator[StudyServer]:
         yield server
 
 
-Opened = Callable[..., "sync_api.Page"]
+Opened = Callable[..., "Page"]
 
 
 @pytest.fixture
-def opened(browser: "sync_api.Browser", server: StudyServer) -> Iterator[Opened]:
+def opened(browser: "Browser", server: StudyServer) -> Iterator[Opened]:
     """Open pages whose scripts must not fail."""
     contexts = []
     broken: list[str] = []
 
-    def open_page(width: int = 1440, height: int = 900, *, touch: bool = False) -> "sync_api.Page":
+    def open_page(width: int = 1440, height: int = 900, *, touch: bool = False) -> "Page":
         context = browser.new_context(viewport={"width": width, "height": height}, has_touch=touch)
         context.set_default_timeout(15_000)
         contexts.append(context)
@@ -64,12 +68,12 @@ def opened(browser: "sync_api.Browser", server: StudyServer) -> Iterator[Opened]
     assert [line for line in broken if "status of 422" not in line] == []
 
 
-def agree(page: "sync_api.Page") -> None:
+def agree(page: "Page") -> None:
     page.get_by_role("checkbox").check()
     page.get_by_role("button", name="Begin").click()
 
 
-def reach_the_first_task(page: "sync_api.Page") -> None:
+def reach_the_first_task(page: "Page") -> None:
     agree(page)
     page.get_by_role("heading", name="About you").wait_for()
     page.get_by_role("button", name="Next").click()
@@ -81,7 +85,7 @@ def reach_the_first_task(page: "sync_api.Page") -> None:
 class Canvas:
     """Where a time and a satisfaction lie on the screen, while the window begins at a time."""
 
-    def __init__(self, page: "sync_api.Page", first: float = 0.0, span: float = 900.0) -> None:
+    def __init__(self, page: "Page", first: float = 0.0, span: float = 900.0) -> None:
         self.page, self.first, self.span = page, first, span
         canvas = page.locator("canvas.curve")
         canvas.scroll_into_view_if_needed()
@@ -110,7 +114,7 @@ def stored(server: StudyServer) -> dict[str, np.ndarray]:
     return dict(server.service.store.answers().participants[0].curves)
 
 
-def save_and_go_on(page: "sync_api.Page", position: int = 2) -> None:
+def save_and_go_on(page: "Page", position: int = 2) -> None:
     page.get_by_role("button", name="Next").click()
     page.get_by_role("heading", name=f"Instruction {position} of 14").wait_for()
 
@@ -331,7 +335,7 @@ def test_a_refused_answer_is_said_and_may_be_corrected(opened: Opened, server: S
 
 
 def test_an_answer_waits_for_a_server_that_is_away(
-    browser: "sync_api.Browser", tmp_path: Path, design: Design
+    browser: "Browser", tmp_path: Path, design: Design
 ) -> None:
     context = browser.new_context()
     page = context.new_page()

@@ -76,10 +76,10 @@ def test_the_design_does_not_say_which_time_is_specified(server: StudyServer) ->
 @pytest.mark.parametrize(
     "headers",
     [
-        {"X_Study_Token": None},
-        {"X_Study_Token": "wrong"},
-        {"X_Study_Token": TOKEN[:-1]},
-        {"X_Study_Token": "\xff" * 9},
+        {"X-Study-Token": None},
+        {"X-Study-Token": "wrong"},
+        {"X-Study-Token": TOKEN[:-1]},
+        {"X-Study-Token": "\xff" * 9},
         {"Host": "attacker.example"},
         {"Host": "attacker.example:80"},
         {"Host": None},
@@ -87,14 +87,14 @@ def test_the_design_does_not_say_which_time_is_specified(server: StudyServer) ->
         {"Origin": "http://attacker.example"},
         {"Origin": "null"},
         {"Origin": "https://127.0.0.1"},
-        {"Sec_Fetch_Site": "cross-site"},
-        {"Sec_Fetch_Site": "same-site"},
+        {"Sec-Fetch-Site": "cross-site"},
+        {"Sec-Fetch-Site": "same-site"},
     ],
 )
 def test_who_is_not_the_page_is_refused(server: StudyServer, headers: dict[str, str | None]) -> None:
     before = len(server.service.store.answers().participants)
-    assert request(server, "/join", {"consent": True}, **headers).status == 403
-    assert request(server, "/design", **headers).status == 403
+    assert request(server, "/join", {"consent": True}, headers).status == 403
+    assert request(server, "/design", None, headers).status == 403
     assert len(server.service.store.answers().participants) == before
 
 
@@ -102,20 +102,20 @@ def test_who_is_not_the_page_is_refused(server: StudyServer, headers: dict[str, 
     "query", ["", "?token=", "?token=wrong", "?token[]=x", "?token=wrong&a=1&b=2", "?token=%ff%00"]
 )
 def test_the_page_needs_the_token_too(server: StudyServer, query: str) -> None:
-    assert request(server, f"/{query}", X_Study_Token=None).status in (400, 403)
+    assert request(server, f"/{query}", None, {"X-Study-Token": None}).status in (400, 403)
 
 
 @pytest.mark.parametrize("address", ["/?" + "a=1&" * 50, "//[", "/?token=%zz", "http://[::1", "*"])
 def test_what_is_no_address_leads_nowhere(server: StudyServer, address: str) -> None:
     assert request(server, address).status in (400, 403, 404)
-    assert request(server, address, {"consent": True}).status == 404
+    assert request(server, address, {"consent": True}).status in (404, 405)
 
 
 def test_its_own_origin_is_admitted(server: StudyServer) -> None:
     own = f"http://127.0.0.1:{server.port}"
-    assert request(server, "/design", Origin=own, Sec_Fetch_Site="same-origin").status == 200
+    assert request(server, "/design", None, {"Origin": own, "Sec-Fetch-Site": "same-origin"}).status == 200
     host = f"localhost:{server.port}"
-    assert request(server, "/design", Host=host, Origin=f"http://{host}").status == 200
+    assert request(server, "/design", None, {"Host": host, "Origin": f"http://{host}"}).status == 200
 
 
 @pytest.mark.parametrize(
@@ -161,21 +161,21 @@ def test_ten_megabytes_are_refused_and_not_kept(server: StudyServer) -> None:
 @pytest.mark.parametrize(
     ("headers", "status"),
     [
-        ({"Content_Type": "text/plain"}, 415),
-        ({"Content_Type": "application/x-www-form-urlencoded"}, 415),
-        ({"Content_Type": None}, 415),
-        ({"Content_Length": None}, 411),
-        ({"Content_Length": "-1"}, 411),
-        ({"Content_Length": "1e3"}, 411),
-        ({"Content_Length": "\xb3"}, 411),
-        ({"Content_Length": "9" * 40}, 411),
-        ({"Transfer_Encoding": "chunked"}, 411),
+        ({"Content-Type": "text/plain"}, 415),
+        ({"Content-Type": "application/x-www-form-urlencoded"}, 415),
+        ({"Content-Type": None}, 415),
+        ({"Content-Length": None}, 411),
+        ({"Content-Length": "-1"}, 411),
+        ({"Content-Length": "1e3"}, 411),
+        ({"Content-Length": "\xb3"}, 411),
+        ({"Content-Length": "9" * 40}, 411),
+        ({"Transfer-Encoding": "chunked"}, 411),
     ],
 )
 def test_bodies_of_another_kind_or_of_unknown_length_are_refused(
     server: StudyServer, headers: dict[str, str | None], status: int
 ) -> None:
-    assert request(server, "/join", {"consent": True}, **headers).status == status
+    assert request(server, "/join", {"consent": True}, headers).status == status
 
 
 @pytest.mark.parametrize(
@@ -333,9 +333,9 @@ def test_many_may_answer_at_once(server: StudyServer) -> None:
 
 def test_it_listens_on_loopback_only(server: StudyServer) -> None:
     assert server.server_address[0] == "127.0.0.1"
-    others = {entry[4][0] for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)}
+    others = {str(entry[4][0]) for entry in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)}
     for address in others - {"127.0.0.1"}:
-        if str(address).startswith("127."):
+        if address.startswith("127."):
             continue
         with pytest.raises(OSError):  # noqa: PT011 - refused or unreachable, as the system says it
             socket.create_connection((address, server.port), timeout=2)
