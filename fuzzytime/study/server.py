@@ -142,6 +142,7 @@ class _Handler(BaseHTTPRequestHandler):
     server_version = "fuzzytime"
     sys_version = ""
     protocol_version = "HTTP/1.1"
+    default_request_version = "HTTP/1.0"
 
     _READ: ClassVar[frozenset[str]] = frozenset({"/", "/design"})
     _unread: bool = True
