@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from fuzzytime_cli.commands import config, doctor, explain, parse, plan, rules
+from fuzzytime_cli.commands import config, doctor, parse, plan, rules
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 
@@ -21,7 +21,6 @@ app = typer.Typer(
 )
 app.command("plan")(plan.plan)
 app.command("parse")(parse.parse)
-app.command("explain")(explain.explain)
 app.add_typer(rules.app, name="rules")
 app.add_typer(config.app, name="config")
 app.command("doctor")(doctor.doctor)

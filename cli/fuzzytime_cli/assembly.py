@@ -1,6 +1,7 @@
 """From options and settings to the library's values: interpreter, context, solver, limits, request."""
 
 import os
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import datetime, tzinfo
 from pathlib import Path
@@ -12,8 +13,11 @@ from fuzzytime_cli.options import Moment, Solving, Understanding
 from fuzzytime_cli.settings import Settings, Value, load_settings
 
 if TYPE_CHECKING:
-    from fuzzytime.context import Context
+    from collections.abc import Mapping
+
+    from fuzzytime.context import Context, Signal
     from fuzzytime.interpreter import Interpreter, Plan, Request
+    from fuzzytime.language import Language
     from fuzzytime.rulebook import Rulebook
     from fuzzytime.scheduling import Limits, Solver
 
@@ -73,8 +77,21 @@ class Assembly:
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
 
+    def language(self) -> "Language":
+        """Load the language, with the cache of parses.
+
+        Raises
+        ------
+        ConfigError
+            If a word table breaks a rule, or the model is not installed.
+        """
+        from fuzzytime.language import Language
+
+        with as_config():
+            return Language.shipped(cache=parse_cache(os.environ))
+
     def interpreter(self) -> "Interpreter":
-        """Put language and rulebook together, with the cache of parses.
+        """Put language and rulebook together.
 
         Raises
         ------
@@ -82,13 +99,12 @@ class Assembly:
             If a table breaks a rule.
         """
         from fuzzytime.interpreter import Interpreter
-        from fuzzytime.language import Language
 
-        with as_config():
-            language = Language.shipped(cache=parse_cache(os.environ))
-        return Interpreter(language, self.rulebook())
+        return Interpreter(self.language(), self.rulebook())
 
-    def context(self, understanding: Understanding, now: datetime, rulebook: "Rulebook") -> "Context":
+    def context(
+        self, understanding: Understanding, now: datetime, signals: "Mapping[str, Signal]"
+    ) -> "Context":
         """Read ``--context`` and ``--ctx``.
 
         Raises
@@ -96,17 +112,16 @@ class Assembly:
         UsageError, DocumentError
             If one of them breaks a rule.
         """
-        from fuzzytime.context import Context, parse_assignment, read_context_lines
+        from fuzzytime.context import Context, parse_assignment, read_context_file
 
         context = Context()
         if understanding.context is not None:
-            from fuzzytime_cli.inputs.source import read_source
-
-            source = read_source(str(understanding.context))
-            context = read_context_lines(source.text, source.name, now)
+            if not understanding.context.is_file():
+                raise NoInputError(f"{understanding.context}: there is no such context file")
+            context = read_context_file(understanding.context, signals, now)
         for assignment in understanding.ctx or ():
             with as_usage("--ctx"):
-                context = context.with_reading(parse_assignment(assignment))
+                context = context.with_reading(parse_assignment(assignment, signals))
         return context
 
     def solver(self) -> "Solver":
@@ -114,19 +129,11 @@ class Assembly:
         from fuzzytime import scheduling
 
         seed = int(self.settings.number("seed"))
-        match SolverChoice(self.settings.text("solver")):
-            case SolverChoice.AUTO:
-                return scheduling.Auto()
-            case SolverChoice.EXACT:
-                return scheduling.Labels()
-            case SolverChoice.EXHAUSTIVE:
-                return scheduling.ExhaustiveSampling()
-            case SolverChoice.HILL_CLIMBING:
-                return scheduling.HillClimbing(seed=seed)
-            case SolverChoice.ANNEALING:
-                return scheduling.SimulatedAnnealing(seed=seed)
-            case SolverChoice.GENETIC:
-                return scheduling.Genetic(seed=seed)
+        solvers: dict[SolverChoice, Callable[[], Solver]] = {
+            SolverChoice.AUTO: scheduling.Auto,
+            SolverChoice.EXACT: scheduling.HeldKarp,
+        }
+        return solvers[SolverChoice(self.settings.text("solver"))]()
 
     def limits(self) -> "Limits":
         """Give the limits of time."""

@@ -7,12 +7,11 @@ from fuzzytime.language import Reading, Token
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook import Resolution, Share, Trace
 from fuzzytime.satisfaction import SatisfactionFunction
-from fuzzytime.scheduling import explain
 from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import Chart, Curve, Mark, Panel, satisfaction_panel, window_of
 from fuzzytime_cli.drawing.terminal import chart_lines
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import reason_of
+from fuzzytime_cli.formats.reasons import explain, reason_of
 from fuzzytime_cli.render import fitted, plain, width_of
 
 INDENT = "  "

@@ -1,6 +1,26 @@
 """Readings of the world over time, and forecasts of them."""
 
+from fuzzytime.context.files import (
+    parse_assignment,
+    parse_context_line,
+    parse_context_lines,
+    read_context_file,
+    read_context_node,
+)
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
 
-__all__ = ["Approach", "Context", "Course", "Hold", "Linear", "Reading", "Signal"]
+__all__ = [
+    "Approach",
+    "Context",
+    "Course",
+    "Hold",
+    "Linear",
+    "Reading",
+    "Signal",
+    "parse_assignment",
+    "parse_context_line",
+    "parse_context_lines",
+    "read_context_file",
+    "read_context_node",
+]

@@ -3,7 +3,7 @@
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.planner import Plan, plan, task_of
-from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Started, Wish
 
 __all__ = [
     "MAX_HORIZON",
@@ -16,6 +16,7 @@ __all__ = [
     "ProblemKind",
     "Request",
     "SpokenWish",
+    "Started",
     "Wish",
     "plan",
     "task_of",

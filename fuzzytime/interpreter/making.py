@@ -1,13 +1,15 @@
 """From one instruction, read, to the fuzzy skills it asks for."""
 
+import math
 from dataclasses import dataclass, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
-from fuzzytime.satisfaction import ALWAYS, SatisfactionFunction, product
+from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
 
@@ -102,14 +104,16 @@ class Maker:
         What the readings tell counts from their now; everything else from when it was said.
         """
         given = seconds_between(self.request.now, wish.given)
-        joined: SatisfactionFunction = ALWAYS.shifted(min(given, 0.0))
+        joined: SatisfactionFunction = (
+            Rectangle(-math.inf, math.inf) if requirements else ALWAYS.shifted(given)
+        )
         for requirement, resolution in zip(requirements, resolutions, strict=True):
             from_readings = requirement.condition is not None or requirement.anchor is not None
             part = resolution.satisfaction.shifted(0.0 if from_readings else given)
             joined = (
                 part
                 if joined.model == "trapezoid" and joined.best.high == float("inf")
-                else _both(joined, part)
+                else both(joined, part)
             )
         return joined
 
@@ -174,17 +178,3 @@ def _parameters(operation: Operation | None) -> dict[str, str]:
         return {}
     parts = {"verb": operation.verb, "object": operation.object, "place": operation.place}
     return {name: words for name, words in parts.items() if words}
-
-
-def _both(first: SatisfactionFunction, second: SatisfactionFunction) -> SatisfactionFunction:
-    """Join two wishes; one that is full wherever the other is above 0 changes nothing."""
-    for one, other in ((first, second), (second, first)):
-        window = other.support
-        if (
-            not window.empty
-            and one.best.low <= window.low
-            and window.high <= one.best.high
-            and one(window.low) == 1
-        ):
-            return other
-    return product(first, second)

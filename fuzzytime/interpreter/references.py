@@ -11,10 +11,11 @@ from dataclasses import dataclass, field, replace
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.satisfaction import Interval, product
+from fuzzytime.satisfaction import Interval
 from fuzzytime.skills import FuzzyTask, Precedence
 from fuzzytime.yaml_nodes import suggestion
 
@@ -163,7 +164,7 @@ class _Tie:
             else 1.0
         )
         wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
-        joined = wide if alone else product(own, wide)
+        joined = wide if alone else both(own, wide)
         return replace(self.this, skill=replace(self.this.skill, satisfaction=joined))
 
 

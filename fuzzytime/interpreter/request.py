@@ -67,6 +67,17 @@ class DirectWish(Wish):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Started:
+    """A skill of an earlier plan that has started, and so stays where it is; times in seconds from now."""
+
+    identifier: str
+    start: float
+    end: float
+    done: float
+    agent: int = 1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Request:
     """Everything that planning needs to know.
 
@@ -84,6 +95,8 @@ class Request:
         Times that are taken, in seconds relative to ``now``.
     horizon
         Seconds ahead; None takes the end of the last window, at most `MAX_HORIZON`.
+    started
+        Skills of these wishes that have started.
     """
 
     now: datetime
@@ -92,3 +105,4 @@ class Request:
     context: Context = field(default_factory=Context)
     busy: tuple[Busy, ...] = ()
     horizon: float | None = None
+    started: tuple[Started, ...] = ()

@@ -7,7 +7,7 @@ moves the peak as well: here a hedge scales about the anchor, by m_p = 1 / widen
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from itertools import pairwise
 from types import MappingProxyType
 
@@ -23,15 +23,15 @@ from fuzzytime.satisfaction import Bell, SatisfactionFunction, Trapezoid
 class Wanted:
     """A model and what rows and rules fix of it, before hedges and widths.
 
-    ``width`` is the half-base in seconds where one is fixed; ``scale`` holds rules' factors of t and w.
+    ``width`` is the half-base in seconds, ``scale`` a factor of it that rules ask for.
     """
 
     model: Model
     t: float | None
-    width: float | None = None
+    width: float
     interval: tuple[float, float] | None = None
     hedges: tuple[str, ...] = ()
-    scale: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    scale: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,17 +59,15 @@ def law(tables: Tables, t: float, actor: Actor | None) -> float:
     return tables.width(ahead) * factor
 
 
-def adapt(wanted: Wanted, requirement: TimeRequirement, tables: Tables, actor: Actor | None) -> Adapted:
+def adapt(wanted: Wanted, requirement: TimeRequirement, tables: Tables) -> Adapted:
     """Fill a model: scale it about its anchor by the hedges, then shift it to the time that was said."""
     known = [tables.time_hedges[name] for name in wanted.hedges if name in tables.time_hedges]
     notes = tuple(
         f"unknown hedge {name!r}: taken as none" for name in wanted.hedges if name not in tables.time_hedges
     )
-    named = wanted.t if wanted.t is not None else max(wanted.interval[0], 0.0) if wanted.interval else 0.0
-    t = named * wanted.scale.get("t", 1.0)
-    width = wanted.width if wanted.width is not None else _said_width(requirement, tables, t, actor)
+    t = wanted.t if wanted.t is not None else max(wanted.interval[0], 0.0) if wanted.interval else 0.0
     effects = tuple(_effect(hedge, requirement, tables) for hedge in known)
-    width *= math.prod(effect.factor for effect in effects) * wanted.scale.get("w", 1.0)
+    width = wanted.width * wanted.scale * math.prod(effect.factor for effect in effects)
     plateau = (tables.plateau or 0.0) * width
     parameters = {"t": t, "w": width, "c": plateau}
     if wanted.interval is not None:
@@ -83,7 +81,7 @@ def adapt(wanted: Wanted, requirement: TimeRequirement, tables: Tables, actor: A
     return Adapted(function, MappingProxyType(spoken), effects, notes)
 
 
-def _said_width(requirement: TimeRequirement, tables: Tables, t: float, actor: Actor | None) -> float:
+def said_width(requirement: TimeRequirement, tables: Tables, t: float, actor: Actor | None) -> float:
     """Give the law's width, for a clock time at most what its grain allows ("at 6:28" is meant finely)."""
     width = law(tables, t, actor)
     if requirement.constraint is Constraint.AT and requirement.grain is not None:

@@ -17,7 +17,10 @@ from fuzzytime.rulebook.sections.rows import (
     read_rows,
     read_time_hedges,
 )
+from fuzzytime.rulebook.sections.rules import read_norm, read_rules
 from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.rulebook.sections.signals import read_signals
+from fuzzytime.rulebook.sections.variables import read_term_hedges, read_variables
 from fuzzytime.rulebook.sections.widths import (
     read_actors,
     read_clock,
@@ -30,7 +33,7 @@ from fuzzytime.rulebook.vocabulary import Vocabulary
 from fuzzytime.yaml_nodes import Node, Reader
 
 VERSION = "1"
-SHIPPED = ("lookup.yaml", "durations.yaml")
+SHIPPED = ("lookup.yaml", "durations.yaml", "kitchen.yaml", "household.yaml", "workshop.yaml")
 """The shipped rule files, in rising precedence."""
 
 _SECTIONS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
@@ -48,6 +51,15 @@ _SECTIONS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
     "entries": read_entries,
 }
 """Sections of the lookup, which a profile may hold as well; each fills the field of `Tables` of its name."""
+
+_OTHERS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
+    "options": read_norm,
+    "durations": read_durations,
+    "signals": read_signals,
+    "variables": read_variables,
+    "rules": read_rules,
+}
+"""Sections that every profile shares."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,17 +127,15 @@ def _opened(document: Document) -> Reader:
 
 
 def _tables(reader: Reader, root: Node, names: Vocabulary, profile: Profile) -> Tables:
-    allowed = ("fuzzytime", "source", "profiles", "hedges", "durations", *_SECTIONS)
+    allowed = ("fuzzytime", "source", "profiles", "hedges", *_SECTIONS, *_OTHERS)
     found = reader.mapping(root, "", allowed, ("fuzzytime",))
     if "fuzzytime" in found:
         version = reader.string(found["fuzzytime"], "fuzzytime")
         if version != VERSION:
             reader.mistake(found["fuzzytime"], "fuzzytime", f"the version must be {VERSION}, got {version!r}")
     scope = Scope(reader, names)
-    tables = _lookup_tables(scope, found, "")
-    if "durations" in found:
-        durations = read_durations(scope, found["durations"], "durations")
-        tables = tables.overridden(Tables(durations=durations))
+    others = {name: read(scope, found[name], name) for name, read in _OTHERS.items() if name in found}
+    tables = _lookup_tables(scope, found, "").overridden(Tables(**others))
     if "profiles" in found:
         for name, node in reader.mapping(found["profiles"], "profiles", tuple(Profile)).items():
             path = f"profiles.{name}"
@@ -146,4 +156,6 @@ def _lookup_tables(scope: Scope, found: Mapping[str, Node], prefix: str) -> Tabl
         hedges = scope.reader.mapping(found["hedges"], f"{prefix}hedges", ("time", "term"))
         if "time" in hedges:
             read["time_hedges"] = read_time_hedges(scope, hedges["time"], f"{prefix}hedges.time")
+        if "term" in hedges:
+            read["term_hedges"] = read_term_hedges(scope, hedges["term"], f"{prefix}hedges.term")
     return Tables(**read)

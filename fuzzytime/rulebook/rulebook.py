@@ -1,22 +1,22 @@
 """The rulebook: from a time requirement and a context to ψ over start times, with its explanation."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import FuzzytimeError, Mistake
-from fuzzytime.requirement import Constraint, TimeRequirement
-from fuzzytime.rulebook.adapt import Wanted, adapt
+from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook.documents import SHIPPED, Document, load, mistakes_in
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
-from fuzzytime.rulebook.lookup import find
 from fuzzytime.rulebook.profile import Actor, Profile
-from fuzzytime.rulebook.resolution import Resolution, Share
+from fuzzytime.rulebook.question import Question
+from fuzzytime.rulebook.resolution import Resolution
+from fuzzytime.rulebook.resolving import answer
 from fuzzytime.rulebook.tables import Tables
-from fuzzytime.satisfaction import ALWAYS, NEVER
+from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
 
 HORIZON = 48 * HOUR
@@ -38,7 +38,6 @@ class Rulebook:
     tables: Tables
     profile: Profile = Profile.EVERYDAY
     actor: Actor | None = None
-    signals: Mapping[str, Signal] = field(default_factory=lambda: MappingProxyType({}))
 
     @classmethod
     def shipped(
@@ -56,6 +55,11 @@ class Rulebook:
         """
         documents = [*map(Document.shipped, SHIPPED), *map(Document.given, files)]
         return cls(load(documents, profile), profile, actor)
+
+    @property
+    def signals(self) -> Mapping[str, Signal]:
+        """The signals that the tables declare: what a context may hold readings of."""
+        return self.tables.signals
 
     def resolve(
         self,
@@ -94,38 +98,22 @@ class Rulebook:
         for name, value in (("duration", duration), ("elapsed time", elapsed or 0.0), ("horizon", horizon)):
             if not 0 <= value < float("inf"):
                 raise FuzzytimeError(f"a {name} must be finite and at least 0, got {value}")
-        context.admitted(self.signals)
-        if requirement.constraint is Constraint.WHEN:
-            return self._unknown_condition(requirement)
-        found = find(requirement, self.tables, verb)
-        wanted = Wanted(
-            model=found.model,
-            t=found.row.t,
-            width=found.row.w,
-            interval=found.interval,
-            hedges=found.hedges,
-        )
-        adapted = adapt(wanted, requirement, self.tables, self.actor)
+        admitted = context.admitted(self.signals)
+        said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
         until_done = duration if elapsed is None else elapsed
-        function = over_starts(adapted.satisfaction, requirement.reference, duration, until_done, horizon)
+        function = over_starts(said.satisfaction, requirement.reference, duration, until_done, horizon)
+        reason = said.reason or reason_for_never(
+            said.satisfaction, function, requirement.reference, until_done
+        )
         return Resolution(
             satisfaction=function,
-            model=found.model.name,
-            parameters=adapted.parameters,
-            shares=(Share(name=found.row.name, source=found.row.source, share=1.0),),
-            hedges=adapted.hedges,
-            reason=reason_for_never(adapted.satisfaction, function, requirement.reference, until_done),
-            notes=(*found.notes, *adapted.notes),
-        )
-
-    def _unknown_condition(self, requirement: TimeRequirement) -> Resolution:
-        text = requirement.condition.text if requirement.condition else requirement.text
-        return Resolution(
-            satisfaction=NEVER,
-            model="when",
-            parameters=MappingProxyType({}),
-            shares=(),
-            reason=f"no signal tells {text!r}",
+            model=said.model,
+            parameters=said.parameters,
+            shares=said.shares,
+            hedges=said.hedges,
+            reason=reason,
+            notes=said.notes,
+            trace=said.trace,
         )
 
     def untimed(self) -> Resolution:

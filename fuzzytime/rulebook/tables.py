@@ -8,11 +8,15 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any, TypeVar
 
+from fuzzytime.context import Signal
 from fuzzytime.requirement import Constraint, Unit
 from fuzzytime.rulebook.durations import Durations
 from fuzzytime.rulebook.expression import Sum
 from fuzzytime.rulebook.matching import Match
+from fuzzytime.rulebook.norms import Norm
 from fuzzytime.rulebook.profile import Actor
+from fuzzytime.rulebook.rules import Rule
+from fuzzytime.rulebook.variables import Power, Variable
 from fuzzytime.rulebook.width import Points, Roundness
 
 _K = TypeVar("_K")
@@ -131,11 +135,21 @@ class Tables:
     entries: tuple[Entry, ...] = ()
     time_hedges: Mapping[str, Hedge] = field(default_factory=_none)
     durations: Durations = field(default_factory=Durations)
+    signals: Mapping[str, Signal] = field(default_factory=_none)
+    variables: Mapping[str, Variable] = field(default_factory=_none)
+    term_hedges: Mapping[str, Power] = field(default_factory=_none)
+    rules: Mapping[str, Rule] = field(default_factory=_none)
+    options: Norm | None = None
+
+    @property
+    def norm(self) -> Norm:
+        """How degrees are joined."""
+        return self.options or Norm.MIN
 
     def overridden(self, by: "Tables") -> "Tables":
         """Give these tables with another's laid over them: its rows replace rows of the same name.
 
-        Entries of the other come first, as the first that matches wins.
+        The other's entries and rules come first, as the first that matches, or among equals, wins.
         """
         names = [entry.name for entry in fields(self)]
         merged: dict[str, Any] = {name: _merged(getattr(self, name), getattr(by, name)) for name in names}
@@ -146,7 +160,7 @@ def _merged(lower: object, upper: object) -> object:
     if isinstance(lower, Durations) and isinstance(upper, Durations):
         return lower.overridden(upper)
     if isinstance(lower, Mapping) and isinstance(upper, Mapping):
-        return MappingProxyType({**lower, **upper})
+        return MappingProxyType({**upper, **{key: row for key, row in lower.items() if key not in upper}})
     if isinstance(lower, tuple) and isinstance(upper, tuple):
         return (*upper, *lower)
     return lower if upper is None else upper

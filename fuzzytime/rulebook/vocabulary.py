@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 
 from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node
+from fuzzytime.yaml_nodes import Node, Scalar
 
 CLAUSE_MODELS = ("when", "while", "until")
 """Models of clauses, which need no breakpoints: they follow a condition's trace."""
@@ -16,18 +16,20 @@ CLAUSE_MODELS = ("when", "while", "until")
 
 @dataclass(frozen=True, slots=True)
 class Vocabulary:
-    """Declared names; ``terms`` are by variable."""
+    """Declared names: ``units`` by signal (None for a bare number), ``terms`` by variable."""
 
     models: frozenset[str]
     time_hedges: frozenset[str]
     term_hedges: frozenset[str]
-    signals: frozenset[str]
+    units: Mapping[str, str | None]
+    events: frozenset[str]
     terms: Mapping[str, frozenset[str]]
 
     @classmethod
     def of(cls, roots: Iterable[Node]) -> "Vocabulary":
         """Gather the names of documents; what is malformed is passed over here and reported later."""
-        models, time_hedges, term_hedges, signals = set[str](), set[str](), set[str](), set[str]()
+        models, time_hedges, term_hedges, events = set[str](), set[str](), set[str](), set[str]()
+        units: dict[str, str | None] = {}
         terms: dict[str, frozenset[str]] = {}
         for root in roots:
             for part in (root, *_children(_child(root, "profiles"))):
@@ -35,7 +37,13 @@ class Vocabulary:
                 hedges = _child(part, "hedges")
                 time_hedges.update(_names(_child(hedges, "time")))
                 term_hedges.update(_names(_child(hedges, "term")))
-            signals.update(_names(_child(root, "signals")))
+            signals = _child(root, "signals")
+            for name in _names(signals):
+                unit = _child(_child(signals, name), "unit")
+                event = _child(_child(signals, name), "event")
+                units[name] = unit.text if isinstance(unit, Scalar) else None
+                if isinstance(event, Scalar) and event.text == "true":
+                    events.add(name)
             variables = _child(root, "variables")
             for name in _names(variables):
                 terms[name] = frozenset(_names(_child(_child(variables, name), "terms")))
@@ -43,7 +51,8 @@ class Vocabulary:
             frozenset(models),
             frozenset(time_hedges),
             frozenset(term_hedges),
-            frozenset(signals),
+            MappingProxyType(units),
+            frozenset(events),
             MappingProxyType(terms),
         )
 

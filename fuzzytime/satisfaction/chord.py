@@ -21,7 +21,7 @@ def linear_chord_error(first: Floats, last: Floats) -> Floats:
         mean = step / np.log1p(step)
         error = np.log(mean) - 1 + 1 / mean
     # The closed form cancels near r = 1; there the error is below (r − 1)² / 8.
-    error = np.where(step < 1e-3, step**2 / 8, error)
+    error = np.where(step < 1e-3, np.minimum(step, 1.0) ** 2 / 8, error)
     return np.where(np.minimum(first, last) > 0, error, np.inf)
 
 

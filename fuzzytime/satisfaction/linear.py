@@ -2,7 +2,7 @@
 
 import math
 from abc import ABC, abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +25,14 @@ class Knots:
     right: Floats
     before: float
     after: float
+    _nodes: tuple[Floats, Floats] = field(init=False)
+    _jumps: tuple[Floats, Floats] = field(init=False)
+
+    def __post_init__(self) -> None:
+        nodes = np.repeat(self.times, 2), np.column_stack([self.left, self.right]).ravel()
+        jumps = (self.at != self.left) | (self.at != self.right)
+        object.__setattr__(self, "_nodes", nodes)
+        object.__setattr__(self, "_jumps", (self.times[jumps], self.at[jumps]))
 
     def segments(self) -> tuple[Floats, Floats]:
         """Values at the start and end of the segments between neighbouring knots."""
@@ -33,17 +41,14 @@ class Knots:
     def evaluate(self, times: Floats) -> Floats:
         """Give ψ at times of any shape."""
         if not self.times.size:
-            return np.full(times.shape, self.before)
-        index = np.searchsorted(self.times, times, "right") - 1
-        here = np.clip(index, 0, self.times.size - 1)
-        following = np.clip(index + 1, 0, self.times.size - 1)
-        start, end = self.times[here], self.times[following]
-        with np.errstate(invalid="ignore", divide="ignore"):
-            share = np.where(following > here, (times - start) / (end - start), 0.0)
-            between = self.right[here] * (1 - share) + self.left[following] * share
-        value = np.where(index < 0, self.before, np.where(index == self.times.size - 1, self.after, between))
-        value = np.where((index >= 0) & (times == start), self.at[here], value)
-        return np.where(np.isnan(times), np.nan, value)
+            return np.where(np.isnan(times), np.nan, self.before)
+        value = np.asarray(np.interp(times, *self._nodes, left=self.before, right=self.after))
+        jump_times, jump_values = self._jumps
+        if jump_times.size:
+            # Between two equal nodes interpolation takes the later one: the limit from the right.
+            index = np.minimum(np.searchsorted(jump_times, times), jump_times.size - 1)
+            value = np.where(times == jump_times[index], jump_values[index], value)
+        return value
 
 
 class PiecewiseLinear(ABC):

@@ -60,7 +60,7 @@ def show(
     assembly = Assembly.of(moment, understanding, Solving())
     interpreter = assembly.interpreter()
     now = assembly.moment()
-    context = assembly.context(understanding, now, interpreter.rulebook)
+    context = assembly.context(understanding, now, interpreter.rulebook.signals)
     request = Request(now=now, wishes=(SpokenWish(text=text, given=now),), context=context)
     screen = Screen.of(sys.stdout, dict(os.environ))
     screen.write(*Explanation(request, interpreter, screen.width).rules())

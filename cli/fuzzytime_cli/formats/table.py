@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from rich.text import Text
 
 from fuzzytime.interpreter import Plan, ProblemKind
-from fuzzytime.scheduling import Status, explain
+from fuzzytime.scheduling import Status
 from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import reason_of
+from fuzzytime_cli.formats.reasons import explain, reason_of
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 

@@ -1,0 +1,178 @@
+"""Local search over who does what in which order: take a job out, put it back where it is best.
+
+Each agent's order has the tables of `fuzzytime.scheduling.orders`, so that one job is tried at every place of
+every agent at once, with the best slots for all others. Jobs that start next to each other are improved
+together, a stretch of them after the other, while the rest stands still. Lags cut a job's curve by where the
+other job is at the time.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from fuzzytime.scheduling.grid import ROUNDING, Curve, Grid
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.orders import Order
+from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.settle import lanes_of_agents
+from fuzzytime.scheduling.solver import Draft
+
+STRETCH = 40
+"""Jobs that are improved together."""
+
+IMPROVEMENT = 1e-7
+"""A change of order must gain more than this."""
+
+
+class Rough:
+    """A plan in slots: for every job an agent and a start, or the time where it would like to start.
+
+    Parameters
+    ----------
+    problem, grid
+        What is planned.
+    warm
+        Where to begin; jobs that it rejects are left out at first.
+    """
+
+    def __init__(self, problem: Problem, grid: Grid, warm: Draft) -> None:
+        self.problem = problem
+        self.grid = grid
+        self.lanes = lanes_of_agents(problem)
+        self.agents = list(warm.agents.tolist())
+        self.placed = [not math.isnan(start) for start in warm.starts.tolist()]
+        self.slots = [_favourite(grid, job) for job in range(len(self.placed))]
+        for job, start in enumerate(warm.starts.tolist()):
+            if self.placed[job]:
+                self.slots[job] = round(start / grid.step) - grid.origin
+        self._before: dict[int, list[tuple[int, float, float]]] = {}
+        self._after: dict[int, list[tuple[int, float, float]]] = {}
+        for lag in problem.lags:
+            low = math.floor(lag.low / grid.step + ROUNDING)
+            high = math.ceil(lag.high / grid.step - ROUNDING) if lag.high < math.inf else math.inf
+            self._before.setdefault(lag.second, []).append((lag.first, low, high))
+            self._after.setdefault(lag.first, []).append((lag.second, low, high))
+
+    def improve(self, watch: Stopwatch, generator: np.random.Generator) -> None:
+        """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
+        count = len(self.placed)
+        better = True
+        while better and not watch.is_over():
+            better = False
+            for first in range(0, max(count - STRETCH // 2, 1), STRETCH // 2):
+                ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
+                better |= self._improve_stretch(ranking[first : first + STRETCH], watch, generator)
+                if watch.is_over():
+                    break
+            if count <= STRETCH:
+                break
+
+    def _improve_stretch(
+        self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator
+    ) -> bool:
+        """Take out and put back each of some jobs until nothing more is gained; tell whether anything was."""
+        stretch = _Stretch(self, members)
+        begun = stretch.gain
+        better = True
+        while better and not watch.is_over():
+            better = False
+            for job in generator.permutation(members).tolist():
+                better |= stretch.reinsert(job)
+        stretch.settle()
+        return stretch.gain < begun - IMPROVEMENT
+
+    def span(self, job: int) -> tuple[float, float]:
+        """Give the first and last slot at which a job keeps its lags to jobs that are placed."""
+        low, high = -math.inf, math.inf
+        for first, least, most in self._before.get(job, ()):
+            if not self.placed[first]:
+                return math.inf, -math.inf
+            low, high = max(low, self.slots[first] + least), min(high, self.slots[first] + most)
+        for second, least, most in self._after.get(job, ()):
+            if self.placed[second]:
+                low, high = max(low, self.slots[second] - most), min(high, self.slots[second] - least)
+        return low, high
+
+
+class _Stretch:
+    """Some jobs of a rough plan that move while the others stand still."""
+
+    def __init__(self, plan: Rough, members: Sequence[int]) -> None:
+        self.plan = plan
+        self.members = members
+        grid, moving = plan.grid, set(members)
+        durations = grid.durations.tolist()
+        first = min(plan.slots[job] for job in members)
+        begins, ends = dict.fromkeys(plan.lanes, 0), dict.fromkeys(plan.lanes, grid.slots)
+        for job, agent in enumerate(plan.agents):
+            if job in moving or not plan.placed[job]:
+                continue
+            if plan.slots[job] <= first:
+                begins[agent] = max(begins[agent], plan.slots[job] + durations[job])
+            else:
+                ends[agent] = min(ends[agent], plan.slots[job])
+        self.origin = min(begins.values())
+        self.durations = {job: durations[job] for job in members}
+        self.orders = {}
+        for agent, lane in plan.lanes.items():
+            begin, end = begins[agent] - self.origin, ends[agent] - self.origin
+            curves = {job: self._cut(grid.curves[job][lane], job, end) for job in members}
+            self.orders[agent] = Order(curves, self.durations, begin, max(end, begin))
+        self.agent_of: dict[int, int] = {}
+        for job in sorted(members, key=lambda job: (plan.slots[job], self.durations[job], job)):
+            if plan.placed[job]:
+                agent = self.agent_of[job] = plan.agents[job]
+                self.orders[agent].insert(len(self.orders[agent].sequence), job)
+        for job in members:
+            if job not in self.agent_of:
+                self.reinsert(job)
+
+    def _cut(self, curve: Curve, job: int, end: int) -> Curve:
+        """Give a curve on the stretch's slots, where the job ends in time and keeps its lags."""
+        low, high = self.plan.span(job)
+        first = int(max(curve.first, self.origin, low)) if low < math.inf else curve.stop
+        last = min(curve.stop - 1, self.origin + end - self.durations[job], high)
+        stop = int(last) + 1 if last > -math.inf else first
+        gains = curve.gains[first - curve.first : max(stop, first) - curve.first]
+        return Curve(first - self.origin, gains) if gains.size else Curve(0, gains)
+
+    @property
+    def gain(self) -> float:
+        """What the members cost less their rejection."""
+        return math.fsum(order.gain for order in self.orders.values())
+
+    def reinsert(self, job: int) -> bool:
+        """Put a job where it is best, and tell whether that gained anything."""
+        agent, place, now = self.agent_of.get(job), 0, self.gain
+        if agent is not None:
+            place = self.orders[agent].remove(job)
+        rest = self.gain
+        best, target, where = min(
+            (rest - order.gain + cost, name, where)
+            for name, order in self.orders.items()
+            for cost, where in [order.best_insertion(job)]
+        )
+        if best < now - IMPROVEMENT:
+            self.agent_of[job] = target
+            self.orders[target].insert(where, job)
+            return True
+        if agent is not None:
+            self.orders[agent].insert(place, job)
+        return False
+
+    def settle(self) -> None:
+        """Write the slots that were found into the plan."""
+        plan = self.plan
+        for job in self.members:
+            plan.placed[job] = False
+        for agent, order in self.orders.items():
+            for job, slot in order.starts().items():
+                plan.placed[job], plan.slots[job], plan.agents[job] = True, slot + self.origin, agent
+
+
+def _favourite(grid: Grid, job: int) -> int:
+    """Give the middle of the best slots of a job."""
+    curve = min(grid.curves[job], key=lambda curve: curve.gains.min(initial=np.inf))
+    best = np.flatnonzero(curve.gains <= curve.gains.min(initial=np.inf) + ROUNDING)
+    return curve.first + int(best.mean()) if best.size else 0

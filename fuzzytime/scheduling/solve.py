@@ -1,0 +1,86 @@
+"""Solve a task: its problem, group by group, then real start times for all, with the certificate."""
+
+import math
+from dataclasses import replace
+
+from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.placement import place_rest
+from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.schedule import OPTIMAL_GAP, THRESHOLD, TINY, Certificate, Schedule, Status
+from fuzzytime.scheduling.solver import Solver
+from fuzzytime.skills import FuzzyTask
+
+
+def solve(
+    task: FuzzyTask,
+    *,
+    solver: Solver | None = None,
+    threshold: float = THRESHOLD,
+    limits: Limits | None = None,
+) -> Schedule:
+    """Find start times that satisfy most, and prove how good they are.
+
+    Maximises ∏ max(ψ_i(t_i), ε)^priority over start times t_i ≥ 0 at which no agent does two things at once
+    (the paper's eqs. 4 and 5).
+
+    Parameters
+    ----------
+    task
+        Skills, agents, precedences and busy times.
+    solver
+        How; None picks by the task.
+    threshold
+        ε: a skill is placed where ψ > ε, or rejected and counted as ε; 0 for the paper's strict product.
+    limits
+        Time and memory; out of either the best schedule so far comes back, with its gap.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the threshold is not in [0, 1), or no agent ever has time for some skill.
+    RefusedError
+        If the solver cannot solve such a task at all.
+
+    >>> from fuzzytime.satisfaction import Triangle
+    >>> from fuzzytime.skills import FuzzySkill
+    >>> flip = FuzzySkill("flip the pancakes", Triangle(60, 120, 180), duration=30)
+    >>> pour = FuzzySkill("pour the coffee", Triangle(60, 120, 180), duration=30)
+    >>> schedule = solve(FuzzyTask((flip, pour)))
+    >>> schedule.start_times, schedule.satisfactions, str(schedule.certificate.status)
+    ((105.0, 135.0), (0.75, 0.75), 'optimal')
+    """
+    chosen = Auto() if solver is None else solver
+    watch = Stopwatch(limits or Limits())
+    problem = problem_of(task, threshold)
+    starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
+    lower = math.fsum(job.rejection for job in problem.apart)
+    for members in problem.groups():
+        group = problem.select(members)
+        draft = chosen.search(group, watch)
+        lower += draft.lower_cost
+        for job, start, agent in zip(group.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
+            starts[job.position], agents[job.position] = start, agent
+    place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
+    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, chosen.name, watch.seconds)
+    found = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
+    return replace(found, certificate=_certificate(found, lower, open_end))
+
+
+def _certificate(schedule: Schedule, lower: float, plain: Certificate) -> Certificate:
+    """Say what a lower bound proves about a schedule."""
+    if lower == -math.inf:
+        return plain
+    worst = -math.log(TINY) * math.fsum(skill.priority for skill in schedule.task.skills)
+    if schedule.threshold == 0 and any(schedule.rejected):
+        # Every schedule without a rejection costs at most this, so that a bound above it leaves none.
+        if lower > worst:
+            return replace(plain, status=Status.INFEASIBLE, lower_cost=math.inf, gap=0.0)
+        return replace(plain, status=Status.BOUNDED, lower_cost=lower)
+    cost = schedule.weighted_cost
+    weight = math.fsum(skill.priority for skill in schedule.task.skills)
+    lower = min(lower, cost)
+    gap = math.expm1((cost - lower) / weight) if weight else 0.0
+    return replace(
+        plain, status=Status.OPTIMAL if gap <= OPTIMAL_GAP else Status.BOUNDED, lower_cost=lower, gap=gap
+    )

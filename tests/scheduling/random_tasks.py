@@ -1,0 +1,116 @@
+"""Random small tasks of every kind of ψ, and what every schedule must keep."""
+
+import numpy as np
+
+from fuzzytime.satisfaction import (
+    ALWAYS,
+    Bell,
+    Rectangle,
+    Sampled,
+    SatisfactionFunction,
+    Trapezoid,
+    Triangle,
+)
+from fuzzytime.scheduling import Schedule
+from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+
+KINDS = ("trapezoid", "triangle", "rectangle", "spike", "bell", "points", "after", "always")
+
+
+def random_function(generator: np.random.Generator, horizon: float) -> SatisfactionFunction:
+    """Draw ψ about some time before the horizon, with whole numbers every other time."""
+    centre, width = generator.uniform(0, horizon), generator.uniform(0.02, 0.4) * horizon
+    if generator.random() < 0.5:
+        centre, width = round(centre), max(1, round(width))
+    match generator.choice(KINDS):
+        case "trapezoid":
+            return Trapezoid(
+                *np.sort(np.round(generator.uniform(centre - width, centre + width, 4), 1)).tolist()
+            )
+        case "triangle":
+            return Triangle(centre - width, centre, centre + width)
+        case "rectangle":
+            return Rectangle(centre, centre + width)
+        case "spike":
+            return Rectangle(centre, centre)
+        case "bell":
+            return Bell(centre, width / 2, float(generator.uniform(0.6, 4)))
+        case "points":
+            return _random_points(generator, centre, width)
+        case "after":
+            return Trapezoid(centre, centre + width, np.inf, np.inf)
+        case _:
+            return ALWAYS
+
+
+def _random_points(generator: np.random.Generator, centre: float, width: float) -> Sampled:
+    """A curve with holes, and often a jump."""
+    times = np.unique(
+        np.round(generator.uniform(centre - width, centre + width, generator.integers(2, 9)), 1)
+    )
+    values = generator.uniform(0, 1, times.size)
+    values[generator.random(times.size) < 0.25] = 0
+    if times.size > 2 and generator.random() < 0.4:
+        times, values = np.insert(times, 1, times[1]), np.insert(values, 1, generator.uniform(0, 1))
+    return Sampled(times, values)
+
+
+def random_task(seed: int, most: int = 5) -> FuzzyTask:
+    """Draw a task for one agent, often with busy times and precedences."""
+    generator = np.random.default_rng(seed)
+    count = int(generator.integers(2, most + 1))
+    durations = generator.uniform(0, 60, count)
+    if generator.random() < 0.6:
+        durations = np.round(durations)
+    if generator.random() < 0.2:
+        durations[0] = 0.0
+    horizon = max(float(durations.sum()), 5.0) / generator.choice([0.4, 0.8, 1.5])
+    skills = tuple(
+        FuzzySkill(
+            f"skill {index}",
+            random_function(generator, horizon),
+            float(duration),
+            priority=float(generator.choice([1, 1, 2, 0.5])),
+        )
+        for index, duration in enumerate(durations)
+    )
+    busy: tuple[Busy, ...] = ()
+    if generator.random() < 0.4:
+        starts = np.round(generator.uniform(0, horizon, generator.integers(1, 3)), 1)
+        busy = tuple(Busy(start, start + float(generator.integers(1, 30))) for start in starts.tolist())
+    precedences: tuple[Precedence, ...] = ()
+    if generator.random() < 0.3:
+        pairs = [(first, second) for second in range(count) for first in range(second)]
+        precedences = tuple(Precedence(*pair) for pair in pairs if generator.random() < 0.3)
+    return FuzzyTask(skills, precedences=precedences, busy=busy)
+
+
+def _inside(start: float, end: float, low: float, high: float) -> bool:
+    if start == end:
+        return low + 1e-9 < start < high - 1e-9
+    return low == high and start + 1e-9 < low < end - 1e-9
+
+
+def faults(schedule: Schedule) -> list[str]:
+    """Say in which way a schedule breaks its task: overlaps, lags, times before now."""
+    task, found = schedule.task, []
+    taken = {
+        agent: [(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}]
+        for agent in range(1, task.agents + 1)
+    }
+    for skill in sorted(schedule.skills, key=lambda skill: (skill.start, skill.duration)):
+        if skill.start < 0:
+            found.append(f"{skill.name} starts at {skill.start}")
+        for low, high in taken[skill.agent]:
+            # What takes no time must not lie strictly inside, either.
+            if min(skill.end, high) - max(skill.start, low) > 1e-9 or _inside(
+                skill.start, skill.end, low, high
+            ):
+                found.append(f"{skill.name} at {skill.start} overlaps {low} to {high}")
+        taken[skill.agent].append((skill.start, skill.end))
+    for entry in task.precedences:
+        gap = schedule.start_times[entry.second] - schedule.skills[entry.first].done
+        late = gap > entry.maximum_lag + 1e-9 and not schedule.rejected[entry.second]
+        if gap < entry.minimum_lag - 1e-9 or late:
+            found.append(f"skill {entry.second} starts {gap} s after skill {entry.first} is done")
+    return found

@@ -1,0 +1,130 @@
+"""Solving whole tasks: against an independent optimiser, and what a person would expect."""
+
+import math
+
+import numpy as np
+import pytest
+
+from fuzzytime.errors import FuzzytimeError, RefusedError
+from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
+from fuzzytime.scheduling import HeldKarp, Limits, Status, solve
+from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.oracle import best_cost
+from scheduling.random_tasks import faults, random_task
+
+
+@pytest.mark.parametrize("block", range(6))
+def test_random_tasks_are_solved_as_all_permutations_are(block: int) -> None:
+    for seed in range(20 * block, 20 * block + 20):
+        task = random_task(seed)
+        schedule = solve(task)
+        best = best_cost(task, 1e-3)
+        assert not faults(schedule), seed
+        # The oracle's lattice is not infinitely fine.
+        assert best - 1e-3 <= schedule.weighted_cost <= best + 1e-6, seed
+        assert schedule.certificate.lower_cost <= best + 1e-9, seed
+        assert schedule.certificate.status is Status.OPTIMAL, seed
+
+
+def test_two_jobs_at_the_same_time_share_the_loss() -> None:
+    wish = Trapezoid(480, 576, 624, 720)
+    schedule = solve(FuzzyTask((FuzzySkill("sweep", wish, 300), FuzzySkill("mop", wish, 300))))
+    assert list(schedule.order) == [0, 1]
+    assert sum(schedule.rejected) == 1
+
+
+def test_a_skill_that_never_satisfies_is_rejected_and_the_rest_is_planned() -> None:
+    task = FuzzyTask((FuzzySkill("flip", NEVER, 60), FuzzySkill("stir", Triangle(0, 60, 120), 30)))
+    schedule = solve(task)
+    assert list(schedule.rejected) == [True, False]
+    assert list(schedule.start_times) == [90, 60]
+    assert schedule.satisfaction == pytest.approx(1e-3)
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_what_must_follow_a_rejected_skill_is_rejected() -> None:
+    task = FuzzyTask(
+        (FuzzySkill("fry", NEVER, 60), FuzzySkill("serve", Triangle(0, 60, 120), 30)),
+        precedences=(Precedence(0, 1),),
+    )
+    assert list(solve(task).rejected) == [True, True]
+
+
+def test_skills_without_a_wish_are_done_at_once_and_in_their_order() -> None:
+    task = FuzzyTask(
+        (FuzzySkill("a", ALWAYS, 60), FuzzySkill("b", ALWAYS, 30), FuzzySkill("c", Rectangle(70, 75), 10))
+    )
+    schedule = solve(task)
+    assert list(schedule.start_times) == [0, 80, 70]
+    assert schedule.satisfaction == 1
+
+
+def test_no_skill_starts_before_now() -> None:
+    schedule = solve(FuzzyTask((FuzzySkill("late already", Trapezoid(-100, -80, -60, 60), 10),)))
+    assert list(schedule.start_times) == [0]
+    assert list(schedule.satisfactions) == [0.5]
+
+
+def test_appointments_are_kept_free() -> None:
+    wish = Trapezoid(0, 60, 80, 200)
+    task = FuzzyTask((FuzzySkill("call", wish, 20),), busy=(Busy(50, 95, "lunch"),))
+    schedule = solve(task)
+    assert list(schedule.start_times) == [95]
+    assert not faults(schedule)
+
+
+def test_an_empty_task_is_satisfied() -> None:
+    schedule = solve(FuzzyTask(()))
+    assert schedule.satisfaction == 1
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_the_strict_product_of_a_clash_is_infeasible() -> None:
+    task = FuzzyTask((FuzzySkill("a", Rectangle(10, 12), 5), FuzzySkill("b", Rectangle(10, 12), 5)))
+    schedule = solve(task, threshold=0)
+    assert schedule.certificate.status is Status.INFEASIBLE
+    assert schedule.satisfaction == 0
+    assert schedule.certificate.upper_bound == 0
+
+
+def test_the_strict_product_prefers_many_small_losses_to_a_rejection() -> None:
+    wish = Triangle(0, 1, 1000)
+    schedule = solve(FuzzyTask(tuple(FuzzySkill(str(k), wish, 120) for k in range(8))), threshold=0)
+    assert not any(schedule.rejected)
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_priority_decides_who_gets_the_better_time() -> None:
+    wish = Triangle(0, 100, 200)
+    task = FuzzyTask((FuzzySkill("a", wish, 60), FuzzySkill("b", wish, 60, priority=3)))
+    schedule = solve(task)
+    assert schedule.satisfactions[1] > schedule.satisfactions[0]
+
+
+def test_out_of_time_the_best_so_far_comes_back_with_its_gap() -> None:
+    generator = np.random.default_rng(1)
+    skills = tuple(
+        FuzzySkill(str(k), Triangle(t - 500, t, t + 500), 100)
+        for k, t in enumerate(generator.uniform(500, 1500, 10))
+    )
+    schedule = solve(FuzzyTask(skills), limits=Limits(seconds=0))
+    assert not faults(schedule)
+    assert schedule.certificate.lower_cost <= schedule.weighted_cost
+
+
+@pytest.mark.parametrize("threshold", [-0.1, 1.0, math.nan])
+def test_a_threshold_that_is_none_is_refused(threshold: float) -> None:
+    with pytest.raises(FuzzytimeError, match="threshold"):
+        solve(FuzzyTask(()), threshold=threshold)
+
+
+def test_a_skill_that_nobody_ever_has_time_for_is_an_error() -> None:
+    task = FuzzyTask((FuzzySkill("sleep", ALWAYS, 60),), busy=(Busy(30, math.inf),))
+    with pytest.raises(FuzzytimeError, match="sleep"):
+        solve(task)
+
+
+def test_held_karp_says_what_it_cannot_do() -> None:
+    skills = tuple(FuzzySkill(str(k), Triangle(0, 50, 100), 10) for k in range(3))
+    with pytest.raises(RefusedError, match="one agent"):
+        solve(FuzzyTask(skills, agents=2), solver=HeldKarp())
