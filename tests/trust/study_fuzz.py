@@ -12,7 +12,7 @@ from pathlib import Path
 
 from fuzzytime.study import Design
 from study.browser import TOKEN, running
-from study.raw_http import send
+from study.raw_http import request, send
 
 PATHS = ("/", "/design", "/join", "/resume", "/demographics", "/curve", "/control", "/finish", "/x", "/../..")
 METHODS = ("GET", "POST", "PUT", "HEAD", "OPTIONS", "DELETE", "get", "POST\t", "")
@@ -97,19 +97,18 @@ def main() -> int:
     parser.add_argument("requests", nargs="?", type=int, default=10_000)
     parser.add_argument("--seed", type=int, default=1)
     chosen = parser.parse_args()
-    chance = random.Random(chosen.seed)  # noqa: S311 - fuzz, no secrets
+    chance = random.Random(chosen.seed)
     counts: Counter[int] = Counter()
-    with tempfile.TemporaryDirectory() as folder:
-        with running(Path(folder) / "answers.sqlite", Design.shipped(), patience=2.0) as server:
-            names: list[str] = []
-            for number in range(chosen.requests):
-                if number % 500 == 0:
-                    names.append(server.service.store.join(f"known-{number}", "").name)
-                counts[send(server.port, fuzzed(chance, server.port, names), patience=5.0).status] += 1
-            alive = send(
-                server.port,
-                f"GET /design HTTP/1.1\r\nHost: 127.0.0.1:{server.port}\r\nX-Study-Token: {TOKEN}\r\n\r\n".encode(),
-            ).status
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        running(Path(folder) / "answers.sqlite", Design.shipped(), patience=2.0) as server,
+    ):
+        names: list[str] = []
+        for number in range(chosen.requests):
+            if number % 500 == 0:
+                names.append(server.service.store.join(f"known-{number}", "").name)
+            counts[send(server.port, fuzzed(chance, server.port, names), patience=5.0).status] += 1
+        alive = request(server, "/design").status
     bad = sum(count for status, count in counts.items() if status >= 500)
     print(f"{chosen.requests} requests, {bad} answers of the 500s; by status: {dict(sorted(counts.items()))}")
     return 1 if bad or alive != 200 or not counts[200] else 0

@@ -99,7 +99,7 @@ def main() -> int:
     parser.add_argument("kills", nargs="?", type=int, default=1000)
     parser.add_argument("--seed", type=int, default=1)
     chosen = parser.parse_args()
-    chance = random.Random(chosen.seed)  # noqa: S311 - moments of kills, no secrets
+    chance = random.Random(chosen.seed)
     total = missing = 0
     with tempfile.TemporaryDirectory() as folder:
         for count in range(chosen.kills):

@@ -13,7 +13,6 @@ from fuzzytime_cli.faults import NoInputError, UsageError, report
 if TYPE_CHECKING:
     from fuzzytime.study import AnswerStore, Design
     from fuzzytime.study.analysis import Analysis
-    from fuzzytime.study.server import StudyServer
 
 app = typer.Typer(
     help="Collect what people draw, analyse it, and make a rule table of it.", no_args_is_help=True
@@ -72,6 +71,7 @@ def serve(
 ) -> None:
     """Serve the page on which people draw, until Ctrl-C; every acknowledged answer is on the disk."""
     import secrets
+    import signal
 
     from fuzzytime.study import AnswerStore
     from fuzzytime.study.server import StudyServer
@@ -83,27 +83,21 @@ def serve(
         with StudyServer((host, port), service, token, names=tuple(name or ()), tell=report) as server:
             if host not in ("127.0.0.1", "localhost", "::1"):
                 report("the page can be reached from other computers; its traffic is not encrypted")
-            report(f"{store.design.title}: give participants the address below; Ctrl-C ends")
-            sys.stdout.write(f"{server.url}\n")
-            sys.stdout.flush()
-            if browse:
-                typer.launch(server.url)
-            _serve_until_stopped(server)
-            report(f"{len(store.answers().participants)} participants in {database}")
+            signal.signal(signal.SIGTERM, _stop)
+            try:
+                report(f"{store.design.title}: give participants the address below; Ctrl-C ends")
+                sys.stdout.write(f"{server.url}\n")
+                sys.stdout.flush()
+                if browse:
+                    typer.launch(server.url)
+                server.serve_forever()
+            except KeyboardInterrupt:
+                report(f"stopped, with {len(store.answers().participants)} participants in {database}")
 
 
-def _serve_until_stopped(server: "StudyServer") -> None:
-    """Serve until Ctrl-C, or until the system asks to stop."""
-    import signal
-
-    def stop(_number: int, _frame: object) -> None:
-        raise KeyboardInterrupt
-
-    signal.signal(signal.SIGTERM, stop)
-    try:
-        server.serve_forever()
-    except KeyboardInterrupt:
-        report("stopped")
+def _stop(_number: int, _frame: object) -> None:
+    """Stop as Ctrl-C does, where the system asks to."""
+    raise KeyboardInterrupt
 
 
 @app.command()
