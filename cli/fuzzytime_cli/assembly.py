@@ -124,16 +124,15 @@ class Assembly:
                 context = context.with_reading(parse_assignment(assignment, signals))
         return context
 
-    def solver(self) -> "Solver":
-        """Choose the solver."""
+    def solver(self, choice: SolverChoice | None = None) -> "Solver":
+        """Give a solver: the one asked for, or that of the settings."""
         from fuzzytime import scheduling
 
-        seed = int(self.settings.number("seed"))
         solvers: dict[SolverChoice, Callable[[], Solver]] = {
             SolverChoice.AUTO: scheduling.Auto,
             SolverChoice.EXACT: scheduling.HeldKarp,
         }
-        return solvers[SolverChoice(self.settings.text("solver"))]()
+        return solvers[choice or SolverChoice(self.settings.text("solver"))]()
 
     def limits(self) -> "Limits":
         """Give the limits of time."""
@@ -192,7 +191,7 @@ def local_zone() -> tzinfo | None:
     return datetime.now().astimezone().tzinfo
 
 
-def standing_rules(environment: "os._Environ[str] | dict[str, str]") -> tuple[Path, ...]:
+def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
     """Give the user's and the project's own rule tables, where they are."""
     from fuzzytime_cli.settings import user_file
 
@@ -200,7 +199,7 @@ def standing_rules(environment: "os._Environ[str] | dict[str, str]") -> tuple[Pa
     return tuple(path for path in candidates if path.is_file())
 
 
-def parse_cache(environment: "os._Environ[str] | dict[str, str]") -> Path | None:
+def parse_cache(environment: "Mapping[str, str]") -> Path | None:
     """Give the folder of the cache of parses; None where FUZZYTIME_CACHE is empty."""
     where = environment.get("FUZZYTIME_CACHE")
     if where is not None:

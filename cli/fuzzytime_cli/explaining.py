@@ -158,7 +158,7 @@ def chart_of(interpreted: Interpreted, plan: Plan, position: int | None = None) 
             )
             panels += _trace_panels(trace, start, end)
     panels.append(satisfaction_panel(function, start, end, "ψ: satisfaction with a start at that time"))
-    marks = ()
+    marks: tuple[Mark, ...] = ()
     if position is not None:
         when = plan.schedule.start_times[position]
         marks = (Mark(when, f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"),)
@@ -203,6 +203,7 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
     asked = [
         line for requirement in interpreted.requirements for line in requirement_lines(requirement, clock)
     ]
+    lines += _section("left", left_lines(reading) if reading is not None else [])
     lines += _section("time", asked or ["no words about time: any time from now on satisfies"])
     lines += _section(
         "rows and rules", [x for part in interpreted.resolutions for x in resolution_lines(part)]
@@ -234,6 +235,38 @@ def _why_line(plan: Plan, position: int) -> str:
 
 def _section(title: str, lines: list[str]) -> list[str]:
     return ["", title, *(INDENT + line for line in lines)] if lines else []
+
+
+def reading_lines(reading: Reading, width: int) -> list[str]:
+    """Explain a text that gives no skill: its tree, what was found, and what was left."""
+    del width
+    clock = Clock(reading.now, with_seconds=False) if reading.now is not None else None
+    found = [
+        line
+        for instruction in reading.instructions
+        for requirement in instruction.requirements
+        for line in (
+            requirement_lines(requirement, clock) if clock is not None else [plain(requirement.text)]
+        )
+    ]
+    return [
+        *_section("tree", tree_lines(reading)),
+        *_section("the paper's reading", [strict_line(reading)]),
+        *_section("time", found or ["no words about time"]),
+        *_section("left", left_lines(reading)),
+    ]
+
+
+def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
+    """Give rows, rules and ψ of every skill of a plan."""
+    lines = []
+    clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
+    for interpreted in plan.skills:
+        for requirement, resolution in zip(interpreted.requirements, interpreted.resolutions, strict=False):
+            lines += requirement_lines(requirement, clock)
+            lines += [INDENT + line for line in resolution_lines(resolution)]
+        lines += chart_lines(chart_of(interpreted, plan), width, unicode=unicode)
+    return lines
 
 
 def left_lines(reading: Reading) -> list[str]:

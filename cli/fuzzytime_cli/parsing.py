@@ -39,7 +39,7 @@ def lines_of(stream: BinaryIO) -> Iterator[bytes]:
 
 
 def asked_of(line: bytes, now: datetime, *, objects: bool) -> Asked:
-    """Read a line as text; where ``objects`` is set and it starts with a brace, as ``{"text": …, "now": …}``."""
+    """Read a line as text; with ``objects``, one that starts with a brace as ``{"text": …, "now": …}``."""
     if len(line) > MAX_LINE:
         return Asked(
             line[:200].decode("utf-8", "replace") + "…", now, f"a line must not exceed {MAX_LINE:,} bytes"

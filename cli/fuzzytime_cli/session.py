@@ -153,6 +153,11 @@ def state_of(text: str) -> State:
         raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
 
 
+def _started_of(text: str) -> Started:
+    data = json.loads(text)
+    return Started(**{**data, **{key: _instant(data[key]) for key in ("start", "end", "done")}})
+
+
 _TABLES = """
 CREATE TABLE IF NOT EXISTS sessions (name TEXT PRIMARY KEY, head INTEGER NOT NULL);
 CREATE TABLE IF NOT EXISTS steps (
@@ -163,6 +168,9 @@ CREATE TABLE IF NOT EXISTS started (
     session TEXT NOT NULL, identifier TEXT NOT NULL, skill TEXT NOT NULL, PRIMARY KEY (session, identifier)
 );
 """
+
+
+_HEAD = "SELECT {} FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?"
 
 
 class SessionStore:
@@ -216,7 +224,7 @@ class SessionStore:
     def state(self, name: str) -> State:
         """Give the state that a session stands at; an empty one for a new session."""
         row = self._connection.execute(
-            "SELECT state FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?",
+            _HEAD.format("state"),
             (name,),
         ).fetchone()
         return state_of(row[0]) if row is not None else State()
@@ -256,7 +264,7 @@ class SessionStore:
         """Go back one step and say which; empty where there is none."""
         with self._writing() as connection:
             row = connection.execute(
-                "SELECT parent, what FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?",
+                _HEAD.format("parent, what"),
                 (name,),
             ).fetchone()
             if row is None:
@@ -273,7 +281,7 @@ class SessionStore:
         """Go forward again to the step undone last and say which; empty where there is none."""
         with self._writing() as connection:
             row = connection.execute(
-                "SELECT number, what FROM steps WHERE session = ? AND parent = ? ORDER BY number DESC LIMIT 1",
+                "SELECT number, what FROM steps WHERE session = ? AND parent = ? ORDER BY number DESC",
                 (name, self.version(name)),
             ).fetchone()
             if row is None:
@@ -281,19 +289,14 @@ class SessionStore:
             self._move(name, int(row[0]))
             return str(row[1])
 
-    # -- what has started is history: it is kept beside the steps, and no undo changes it ----------------------
+    # -- what has started is history: it is kept beside the steps, and no undo changes it -----------------
 
     def started(self, name: str) -> tuple[Started, ...]:
         """Give the skills that have started."""
         rows = self._connection.execute(
             "SELECT skill FROM started WHERE session = ? ORDER BY rowid", (name,)
         ).fetchall()
-        found = []
-        for (text,) in rows:
-            data = json.loads(text)
-            times = {key: _instant(data.pop(key)) for key in ("start", "end", "done")}
-            found.append(Started(**times, **data))
-        return tuple(found)
+        return tuple(_started_of(text) for (text,) in rows)
 
     def note_started(self, name: str, started: Started) -> bool:
         """Note that a skill has started, and say whether it is news: another terminal may have noted it."""
@@ -323,7 +326,7 @@ class SessionStore:
             )
 
 
-def open_store(path: Path) -> tuple[SessionStore, str]:
+def open_store(path: Path | None) -> tuple[SessionStore, str]:
     """Open the store; where that is not possible, keep the session in memory and say why."""
     try:
         return SessionStore(path), ""

@@ -72,7 +72,7 @@ class Interpreted:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interpretation:
-    """All wishes understood: skills in order, what binds them, what could not be understood, how far ahead."""
+    """All wishes understood: skills in order, what binds them, what was not understood, how far ahead."""
 
     skills: tuple[Interpreted, ...]
     precedences: tuple[Precedence, ...] = ()

@@ -62,7 +62,7 @@ class Interpreter:
         InstructionError
             If it is not exactly one instruction, or holds words about time that are not understood.
         """
-        given = now if now is not None else datetime.min
+        given = now if now is not None else datetime.min  # noqa: DTZ901 - no moment: nothing is counted from it
         wish = SpokenWish(text=text, given=given, hands_on=duration, elapsed=duration)
         reading = self.language.read(text, now=now)
         for problem in remarks_of(reading, wish):

@@ -84,9 +84,8 @@ def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Preced
         for name in interpreted.wish.after:
             if name not in by_identifier:
                 where = f"line {interpreted.wish.line}: " if interpreted.wish.line is not None else ""
-                raise FuzzytimeError(
-                    f"{where}'after' must name the id of a skill, got {name!r}{suggestion(name, by_identifier)}"
-                )
+                meant = suggestion(name, by_identifier)
+                raise FuzzytimeError(f"{where}'after' must name the id of a skill, got {name!r}{meant}")
             found += [
                 (position, Precedence(first, position)) for first in by_identifier[name] if first != position
             ]
@@ -140,7 +139,7 @@ class _Tie:
         return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
 
     def precedence(self, target: int, this: int) -> Precedence:
-        """Give the interval of x as lags between the one that comes first being done and the other's start."""
+        """Give the interval of x as lags from the one that comes first being done to the other's start."""
         x = self.allowed()
         comes_first = self.requirement.constraint is Constraint.BEFORE or self.anchor.lag < 0
         if comes_first:

@@ -46,6 +46,8 @@ def _overlap(first: tuple[int, int], second: tuple[int, int]) -> bool:
 
 def notes_of(interpreted: Interpreted) -> list[Problem]:
     """Give what the rulebook noted about a skill, each sentence once."""
+    if not interpreted.requirements:
+        return []  # that any time satisfies is not news where no time was asked for
     notes = dict.fromkeys(note for resolution in interpreted.resolutions for note in resolution.notes)
     wish, identifier = interpreted.wish, interpreted.identifier
     return [problem_of(wish, ProblemKind.NOTE, note, identifier=identifier) for note in notes]

@@ -47,7 +47,8 @@ class Wish:
     def __post_init__(self) -> None:
         if self.hands_on is not None and self.elapsed is not None and self.elapsed < self.hands_on:
             raise FuzzytimeError(
-                f"elapsed time must not be shorter than hands-on time, got {self.elapsed:g} s and {self.hands_on:g} s"
+                "elapsed time must not be shorter than hands-on time, "
+                f"got {self.elapsed:g} s and {self.hands_on:g} s"
             )
 
 

@@ -52,15 +52,18 @@ def show(
     """Show which rows and rules apply to words about time, and the satisfaction they give."""
     import os
 
-    from fuzzytime.interpreter import Request, SpokenWish
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.explaining import Explanation
+    from fuzzytime_cli.commands.plan import is_fault, report_problem
+    from fuzzytime_cli.explaining import rules_lines
     from fuzzytime_cli.render import Screen
+    from fuzzytime_cli.showing import shown_plan
 
     assembly = Assembly.of(moment, understanding, Solving())
-    interpreter = assembly.interpreter()
-    now = assembly.moment()
-    context = assembly.context(understanding, now, interpreter.rulebook.signals)
-    request = Request(now=now, wishes=(SpokenWish(text=text, given=now),), context=context)
+    made = shown_plan(text, assembly, understanding)
+    for problem in made.problems:
+        if is_fault(problem):
+            report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
-    screen.write(*Explanation(request, interpreter, screen.width).rules())
+    screen.write(*rules_lines(made, screen.width, unicode=screen.unicode))
+    if not made.skills:
+        raise typer.Exit(Exit.BAD_DATA)

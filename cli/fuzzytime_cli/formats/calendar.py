@@ -37,7 +37,7 @@ def calendar_text(plan: Plan) -> str:
             facts.append(f"agent {specific.agent}")
         event.add("description", "\n".join(facts))
         calendar.add_component(event)
-    return calendar.to_ical().decode("utf-8")
+    return str(calendar.to_ical(), "utf-8")
 
 
 def _written(instant: datetime) -> datetime:

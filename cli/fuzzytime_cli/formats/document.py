@@ -6,8 +6,8 @@ from typing import Any
 
 from fuzzytime.interpreter import Interpreted, Plan, Problem
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime_cli.formats.reasons import explain
 from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime_cli.formats.reasons import explain
 
 SCHEMA = "fuzzytime-plan/1"
 

@@ -65,9 +65,9 @@ class _Picture:
         for busy in self.plan.request.busy:
             if busy.start < self.end and busy.end > 0:
                 x, end = self.across(busy.start), self.across(busy.end)
-                size = {"width": max(1.0, end - x), "height": self.bottom - TOP}
                 title = element("title", words(busy.what or "busy"))
-                parts.append(element("rect", title, class_="busy", x=x, y=TOP, **size))
+                width, height = max(1.0, end - x), self.bottom - TOP
+                parts.append(element("rect", title, class_="busy", x=x, y=TOP, width=width, height=height))
         return parts
 
     def _lane(self, position: int, base: float) -> list[str]:
@@ -78,11 +78,12 @@ class _Picture:
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
         said = element("title", words(getattr(interpreted.wish, "text", specific.name)))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
-        size = {"width": max(2.0, end - start), "height": 9, "rx": 2}
+        width = max(2.0, end - start)
+        shown = "rejected" if rejected else kind
         parts = [
             element("text", words(_shortened(specific.name, 30)) + said, class_="label", x=8, y=base - 5),
             self._wish(interpreted, base),
-            element("rect", class_="rejected" if rejected else kind, x=start, y=base - 9, **size),
+            element("rect", class_=shown, x=start, y=base - 9, width=width, height=9, rx=2),
             element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
         ]
         if specific.done > specific.end:

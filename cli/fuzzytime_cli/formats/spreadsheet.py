@@ -7,7 +7,10 @@ from fuzzytime.interpreter import Plan
 from fuzzytime_cli.formats.document import skills_of
 from fuzzytime_cli.render import plain
 
-COLUMNS = tuple("id start end done agent name satisfaction alone rejected asked instruction".split())
+COLUMNS = (
+    *("id", "start", "end", "done", "agent", "name"),
+    *("satisfaction", "alone", "rejected", "asked", "instruction"),
+)
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "|", "%")
 
 

@@ -58,7 +58,8 @@ class PlanView:
         times = [time for skill in self.schedule.skills for time in (skill.start, skill.end)]
         self.clock = Clock.for_times(plan.request.now, times)
         self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
-        self.label_width = min(12, max(map(width_of, self.labels), default=2))
+        labels = [*self.labels, *(["busy"] if plan.request.busy else [])]
+        self.label_width = min(12, max(map(width_of, labels), default=2))
 
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""
@@ -69,10 +70,20 @@ class PlanView:
             Text(),
             *self._timeline(),
             Text(),
-            self._summary(),
-            *self._losses(),
-            *self._notes(),
+            *self._wrapped(self._summary(), 2),
+            *(line for loss in self._losses() for line in self._wrapped(loss, self.label_width + 1)),
+            *(line for note in self._notes() for line in self._wrapped(note, 2)),
         ]
+
+    def _wrapped(self, line: Text, indent: int) -> list[Text]:
+        """Break a line between words where it is too long; what follows is indented."""
+        if width_of(line.plain) <= self.width:
+            return [line]
+        at = line.plain.rfind(" ", indent + 1, self.width)
+        if at <= indent:
+            return [line]
+        rest = Text(" " * indent).append_text(line[at + 1 :])
+        return [line[:at], *self._wrapped(rest, indent)]
 
     def sentences(self) -> list[str]:
         """Give what is proved, and why each loss, as plain sentences."""

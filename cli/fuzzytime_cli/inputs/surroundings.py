@@ -40,7 +40,7 @@ def moment_of(text: str, now: datetime) -> float:
     except FuzzytimeError as error:
         raise FuzzytimeError(
             f"a time must look like 09:30, 2026-03-04T09:30 or '30 min' (from now), got {text!r}"
-        )
+        ) from error
 
 
 def read_busy(
