@@ -71,10 +71,12 @@ def main() -> None:
         json.dumps(numbers(analyse(answers)))
 
     def stored() -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            with AnswerStore.create(Path(folder) / "a.sqlite", design) as store:
-                store.add(answers.participants)
-                store.answers()
+        with (
+            tempfile.TemporaryDirectory() as folder,
+            AnswerStore.create(Path(folder) / "a.sqlite", design) as store,
+        ):
+            store.add(answers.participants)
+            store.answers()
 
     def drawings() -> None:
         report(analysis, {name: rendered(draw, "svg")[0] for name, draw in figures(analysis)})

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import Floats
 from fuzzytime.study.analysis import Analysis, Described
 from fuzzytime.study.characteristics import histogram
 from fuzzytime.study.density import SQUARE_MINUTE
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 SHOWN_CURVES = 10
 """Curves of single participants in one panel, as many as the paper shows for a better overview."""
+
+TIME_BINS = 100
+"""Times of a histogram: finer ones are stripes, not a picture."""
 
 COLUMNS = 3
 """Panels beside each other where every instruction has one."""
@@ -177,16 +181,16 @@ def _three_views(entry: Described) -> "Figure":
     for row in rows:
         shown = _visible(entry)
         curves.plot(times[shown] / MINUTE, entry.subjective.values[row, shown], lw=0.9, alpha=0.85)
-    counts = histogram(entry.subjective)
-    image = density.imshow(
+    window = _visible(entry)
+    counts, edges = _binned(histogram(entry.subjective)[:, window], times[window] / MINUTE)
+    image = density.pcolormesh(
+        edges,
+        np.linspace(-0.025, 1.025, counts.shape[0] + 1),
         np.where(counts > 0, counts, np.nan),
-        origin="lower",
-        aspect="auto",
-        extent=(times[0] / MINUTE, times[-1] / MINUTE, -0.025, 1.025),
         cmap="viridis",
-        interpolation="nearest",
         vmin=0,
         vmax=entry.subjective.participants,
+        rasterized=True,
     )
     figure.colorbar(image, ax=density, pad=0.02, fraction=0.06)
     _distribution(spread, entry, _GREEN)
@@ -200,6 +204,16 @@ def _three_views(entry: Described) -> "Figure":
         panel.set_xlabel("start time [min]")
     curves.set_ylabel("satisfaction")
     return figure
+
+
+def _binned(counts: Floats, minutes: Floats) -> tuple[Floats, Floats]:
+    """Average counts of shape (bins, k) over neighbouring times; give them and the edges between them."""
+    together = -(-minutes.size // TIME_BINS)
+    starts = np.arange(0, minutes.size, together)
+    sizes = np.diff(np.append(starts, minutes.size))
+    step = minutes[1] - minutes[0]
+    edges = np.append(minutes[starts], minutes[-1] + step) - step / 2
+    return np.add.reduceat(counts, starts, axis=1) / sizes, edges
 
 
 def _distribution(axes: "Axes", entry: Described, colour: str) -> None:

@@ -143,7 +143,7 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
         ),
     )
     page.table(
-        "Flanks of the medians: mean absolute gradients per minute, and where the plateau starts.",
+        "Flanks of the fitted trapezoids: mean absolute gradients per minute, and where the plateau starts.",
         ("preposition", "left", "right", "start of plateau − specified time"),
         (
             (
@@ -165,6 +165,18 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
         ("instruction", "rise start", "full start", "full end", "fall end", "SSE", "RMSE", "R²"),
         (_trapezoid_row(entry) for entry in analysis.overall.values() if entry.fits),
     )
+    if analysis.intervals:
+        page.table(
+            "95 % intervals of those corners, by the bootstrap over participants, in minutes.",
+            ("instruction", "rise start", "full start", "full end", "fall end"),
+            (
+                (
+                    analysis.overall[key].instruction.text,
+                    *(f"{low / MINUTE:.2f}–{high / MINUTE:.2f}" for low, high in intervals),
+                )
+                for key, intervals in analysis.intervals.items()
+            ),
+        )
     page.table(
         "Bells 1 / (1 + |(t − centre) / width|^(2·slope)) fitted to the same medians, times in minutes.",
         ("instruction", "centre", "width", "slope", "SSE", "RMSE", "R²"),

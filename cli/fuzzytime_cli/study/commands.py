@@ -284,7 +284,10 @@ def analyse(
     permutations: Annotated[
         int, typer.Option(min=1, max=1_000_000, help="Permutations of the test between groups.")
     ] = 999,
-    seed: Annotated[int, typer.Option(min=0, help="Of the permutations.")] = 0,
+    resamples: Annotated[
+        int, typer.Option(min=0, max=100_000, help="Bootstrap samples for intervals of corners; 0 for none.")
+    ] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Of permutations and resamples.")] = 0,
 ) -> None:
     """Analyse a study: a summary here, and with --out a report in HTML, plots, and numbers as JSON."""
     import json as encoding
@@ -297,7 +300,7 @@ def analyse(
 
     with _opened(database) as store:
         answers = store.answers()
-    found = analysed(answers, permutations=permutations, seed=seed)
+    found = analysed(answers, permutations=permutations, resamples=resamples, seed=seed)
     if json:
         sys.stdout.write(encoding.dumps(numbers(found), ensure_ascii=True, allow_nan=False) + "\n")
     else:
