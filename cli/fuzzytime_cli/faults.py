@@ -27,7 +27,7 @@ def as_config() -> Iterator[None]:
     """Count errors inside as errors of the configuration: rule tables, settings."""
     try:
         yield
-    except ConfigError:
+    except (ConfigError, NoInputError):
         raise
     except FuzzytimeError as error:
         raise ConfigError(str(error)) from error

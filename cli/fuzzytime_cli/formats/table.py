@@ -43,6 +43,7 @@ class _Columns:
     """Widths of the table's columns; a column that does not fit has none."""
 
     time: int
+    end: int
     agent: int
     name: int
     bar: int
@@ -101,22 +102,26 @@ class PlanView:
     # -- the table ------------------------------------------------------------------------------------------
 
     def _columns(self) -> _Columns:
+        """Share the width: bar and asked words give way first, then the end, then the name is cut."""
         positions = range(len(self.plan.skills))
         times = [self.clock.of(time) for s in self.schedule.skills for time in (s.start, s.end)]
         time = max(5, *map(width_of, times))
         agent = 2 if self.plan.request.agents > 1 else 0
-        fixed = self.label_width + 2 * (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
+        fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
+        end = time if self.width >= fixed + time + 16 else 0
+        fixed += end + 1 if end else 0
         bar_width = _BAR if self.width >= fixed + 26 + _BAR else 0
         rest = self.width - fixed - (bar_width + 1 if bar_width else 0) - 1
         longest_name = max(width_of(plain(self.plan.skills[i].skill.name)) for i in positions)
         longest_asked = max(width_of(plain(self.asked(i))) for i in positions)
         asked = min(longest_asked, max(rest * 2 // 5, rest - longest_name - 1)) if rest >= 30 else 0
         name = min(longest_name, rest - (asked + 1 if asked else 0))
-        return _Columns(time, agent, max(6, name), bar_width, asked)
+        return _Columns(time, end, agent, max(4, name), bar_width, asked)
 
     def _table(self) -> list[Text]:
         columns = self._columns()
-        cells = [fitted("", self.label_width), fitted("start", columns.time), fitted("end", columns.time)]
+        cells = [fitted("", self.label_width), fitted("start", columns.time)]
+        cells += [fitted("end", columns.end)] if columns.end else []
         cells += ["by"] if columns.agent else []
         cells += [fitted("what", columns.name)]
         cells += [fitted("satisfied" if columns.bar else "", columns.bar + 5 if columns.bar else 4)]
@@ -130,7 +135,8 @@ class PlanView:
         style = style_of(satisfaction, rejected=rejected)
         row = Text(fitted(self.labels[position], self.label_width), style="dim")
         row.append(" " + fitted(self.clock.of(specific.start), columns.time), "bold")
-        row.append(" " + fitted(self.clock.of(specific.end), columns.time), "not dim")
+        if columns.end:
+            row.append(" " + fitted(self.clock.of(specific.end), columns.end), "not dim")
         if columns.agent:
             row.append(f" {specific.agent:>2}", "not dim")
         row.append(" " + fitted(plain(specific.name), columns.name), "not dim")
@@ -159,7 +165,8 @@ class PlanView:
             yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
         waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
         legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
-        yield Text(f"{' ' * self.label_width} {legend}", style="dim")
+        indent = self.label_width + 1
+        yield from self._wrapped(Text(f"{' ' * indent}{legend}", style="dim"), indent)
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""
