@@ -53,7 +53,7 @@ CREATE TABLE curves (
 def participants_in(
     connection: sqlite3.Connection, where: str = "", values: tuple[str, ...] = ()
 ) -> Iterator[Participant]:
-    """Read participants with all their answers; ``where`` is SQL of this module's callers, never of people."""
+    """Read participants with all their answers; ``where`` is SQL of the program's own, never of people."""
     rows = connection.execute(
         "SELECT name, actor, instructions, origin, control, finished, excluded "  # noqa: S608 - two fixed texts
         f"FROM participants {where} ORDER BY position",

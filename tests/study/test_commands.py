@@ -32,9 +32,19 @@ def fine(*arguments: object) -> Result:
 
 
 @pytest.fixture(scope="module")
-def simulated(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The paper's design with the four plain instructions with "in", which is quicker to analyse."""
+    lines = (ROOT / "rules/study/sucker2024.yaml").read_text(encoding="utf-8").splitlines()
+    kept = [line for line in lines if not line.startswith(("  after", "  before", "  soon", "  in-about"))]
+    path = tmp_path_factory.mktemp("design") / "small.yaml"
+    path.write_text("\n".join(kept), encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def simulated(tmp_path_factory: pytest.TempPathFactory, small: Path) -> Path:
     path = tmp_path_factory.mktemp("study") / "answers.sqlite"
-    assert fine("simulate", "--participants", 8, "--seed", 1, "--db", path).stdout == ""
+    assert fine("simulate", "--participants", 8, "--seed", 1, "--db", path, "--design", small).stdout == ""
     return path
 
 
@@ -45,7 +55,7 @@ def test_participants_are_listed_with_what_became_of_them(simulated: Path) -> No
     assert lines[-1] == "sucker2024: 8 participants count (4 robot, 4 person), 0 set aside"
     rows = [json.loads(line) for line in fine("list", simulated, "--json").stdout.splitlines()]
     assert len(rows) == 8
-    assert rows[0]["curves"] == 14
+    assert rows[0]["curves"] == 4
     assert rows[0]["set_aside"] is None
 
 
@@ -71,11 +81,7 @@ def test_the_analysis_is_a_summary_or_json(simulated: Path) -> None:
 
 def test_the_report_is_a_folder_of_page_plots_and_numbers(simulated: Path, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="matplotlib is not installed: no figure is drawn")
-    design = (ROOT / "rules/study/sucker2024.yaml").read_text(encoding="utf-8").splitlines()
-    kept = [line for line in design if not line.startswith(("  after", "  before", "  soon", "  in-about"))]
-    (tmp_path / "small.yaml").write_text("\n".join(kept), encoding="utf-8")
-    fine("simulate", "--participants", 6, "--db", tmp_path / "a.sqlite", "--design", tmp_path / "small.yaml")
-    fine("analyse", tmp_path / "a.sqlite", "--out", tmp_path / "report", "--permutations", 9)
+    fine("analyse", simulated, "--out", tmp_path / "report", "--permutations", 9)
     names = {path.name for path in (tmp_path / "report").iterdir()}
     assert {"report.html", "numbers.json", "fits.svg", "fits.png", "in-30.svg", "in-30.png"} <= names
     without = tmp_path / "without"
@@ -91,11 +97,11 @@ def test_a_calibrated_table_is_checked_and_written(simulated: Path, tmp_path: Pa
     assert check([tmp_path / "mine.yaml"]) == ()
 
 
-def test_answers_go_out_and_come_back(simulated: Path, tmp_path: Path) -> None:
+def test_answers_go_out_and_come_back(simulated: Path, small: Path, tmp_path: Path) -> None:
     for form in ("csv", "json"):
         text = fine("export", simulated, f"--{form}").stdout
         (tmp_path / f"answers.{form}").write_text(text, encoding="utf-8", newline="")
-        fine("import", tmp_path / f"answers.{form}", "--db", tmp_path / f"{form}.sqlite")
+        fine("import", tmp_path / f"answers.{form}", "--db", tmp_path / f"{form}.sqlite", "--design", small)
         assert fine("export", tmp_path / f"{form}.sqlite", f"--{form}").stdout == text
     fine("export", simulated, "-o", tmp_path / "again.csv")
     assert (tmp_path / "again.csv").read_bytes() == (tmp_path / "answers.csv").read_bytes()
@@ -104,15 +110,17 @@ def test_answers_go_out_and_come_back(simulated: Path, tmp_path: Path) -> None:
     assert "must differ, got 's1-001' twice" in str(twice)
 
 
-def test_the_truth_may_be_a_rule_table_or_written_for_each_instruction(tmp_path: Path) -> None:
+def test_the_truth_may_be_a_rule_table_or_written_for_each_instruction(small: Path, tmp_path: Path) -> None:
     (tmp_path / "wide.yaml").write_text("fuzzytime: 1\nwidth: {base: 300 s, growth: 0.1}\n")
-    keys = [entry.key for entry in Design.shipped().instructions]
+    keys = [entry.key for entry in Design.of_file(small).instructions]
     plain = "".join(f"{key}: {{rectangle: [0 s, 40 min]}}\n" for key in keys)
     (tmp_path / "plain.yaml").write_text(plain)
     variances = {}
     for name in ("wide", "plain"):
         fine(
             "simulate",
+            "--design",
+            small,
             "--db",
             tmp_path / f"{name}.sqlite",
             "--participants",
@@ -127,16 +135,18 @@ def test_the_truth_may_be_a_rule_table_or_written_for_each_instruction(tmp_path:
     # A trapezoid with half-base w and half-plateau 0.4 w has the variance (1 + 0.16) w² / 6.
     assert variances["wide"]["in-30"] == pytest.approx(1.16 * 8**2 / 6, rel=0.1)
     assert variances["plain"]["in-30"] == pytest.approx(40**2 / 12, rel=0.05)
-    (tmp_path / "part.yaml").write_text("soon: {rectangle: [0 s, 1 min]}\n")
-    missing = run("simulate", "--db", tmp_path / "x.sqlite", "--truth", tmp_path / "part.yaml").exception
+    (tmp_path / "part.yaml").write_text("in-1: {rectangle: [0 s, 1 min]}\n")
+    missing = run(
+        "simulate", "--design", small, "--db", tmp_path / "x.sqlite", "--truth", tmp_path / "part.yaml"
+    ).exception
     assert isinstance(missing, DocumentError)
     assert "missing key 'in-now'" in str(missing)
 
 
-def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(tmp_path: Path) -> None:
+def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(small: Path, tmp_path: Path) -> None:
     def ratio(*more: object) -> float:
         path = tmp_path / f"{len(list(tmp_path.iterdir()))}.sqlite"
-        fine("simulate", "--db", path, "--participants", 16, *more)
+        fine("simulate", "--design", small, "--db", path, "--participants", 16, *more)
         groups = json.loads(fine("analyse", path, "--json", "--permutations", 9).stdout)["instructions"][
             "in-30"
         ]["groups"]

@@ -101,7 +101,7 @@ class Canvas:
             self.top + self.height * (1 - value),
         )
 
-    def draw(self, curve: Callable[[float], float], low: float, high: float, points: int = 40) -> None:
+    def draw(self, curve: Callable[[float], float], low: float, high: float, points: int = 14) -> None:
         times = np.linspace(low, high, points).tolist()
         self.page.mouse.move(*self.at(times[0], curve(times[0])))
         self.page.mouse.down()
@@ -130,7 +130,7 @@ def test_a_drawn_curve_comes_back_within_three_hundredths_everywhere(
 ) -> None:
     page = opened(width, height)
     reach_the_first_task(page)
-    Canvas(page).draw(hill, 0, 880, points=120)
+    Canvas(page).draw(hill, 0, 880, points=90)
     save_and_go_on(page)
     (curve,) = stored(server).values()
     times = server.service.store.design.timeline.times
@@ -250,7 +250,7 @@ def test_a_finger_draws(opened: Opened, server: StudyServer) -> None:
     reach_the_first_task(page)
     canvas = Canvas(page)
     session = page.context.new_cdp_session(page)
-    path = [canvas.at(time, hill(time)) for time in np.linspace(0, 880, 100).tolist()]
+    path = [canvas.at(time, hill(time)) for time in np.linspace(0, 880, 90).tolist()]
     for kind, (x, y) in [("touchStart", path[0]), *(("touchMove", point) for point in path[1:])]:
         session.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y}]})
     session.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
@@ -273,7 +273,7 @@ def test_a_whole_study_from_consent_to_thanks(opened: Opened, server: StudyServe
     for position in range(14):
         page.get_by_role("heading", name=f"Instruction {position + 1} of 14").wait_for()
         seen.append(page.locator("p.instruction").inner_text())
-        Canvas(page).draw(lambda _time: 0.7, 10, 800, points=8)
+        Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
         page.get_by_role("button", name="Next").click()
     page.get_by_role("heading", name="One last question").wait_for()
     assert "three minutes late" in page.locator("legend").inner_text()
@@ -296,9 +296,9 @@ def test_a_whole_study_from_consent_to_thanks(opened: Opened, server: StudyServe
 def test_who_comes_back_goes_on_with_what_was_drawn(opened: Opened, server: StudyServer) -> None:
     page = opened()
     reach_the_first_task(page)
-    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=8)
+    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
     save_and_go_on(page)
-    Canvas(page).draw(lambda _time: 0.4, 10, 800, points=8)
+    Canvas(page).draw(lambda _time: 0.4, 10, 800, points=4)
     second = page.locator("p.instruction").inner_text()
     page.reload()
     page.get_by_text("Welcome back").wait_for()
@@ -343,7 +343,7 @@ def test_an_answer_waits_for_a_server_that_is_away(
         port = server.port
         page.goto(server.url)
         reach_the_first_task(page)
-    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=8)
+    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
     page.get_by_role("button", name="Next").click()
     page.get_by_text("your drawing is kept").wait_for()
     with running(tmp_path / "answers.sqlite", design, port):

@@ -1,6 +1,6 @@
 """Send the study's server requests that an attacker, or a broken client, might send: no 5xx, no crash.
 
-``python tests/trust/study_fuzz.py [REQUESTS]`` (10,000 by default).
+``PYTHONPATH=.:tests python tests/trust/study_fuzz.py [REQUESTS]`` (10,000 by default).
 """
 
 import argparse
