@@ -4,8 +4,11 @@ from fuzzytime.context.files import (
     parse_assignment,
     parse_context_line,
     parse_context_lines,
+    parse_fields,
     read_context_file,
     read_context_node,
+    reading_of,
+    time_of,
 )
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
@@ -21,6 +24,9 @@ __all__ = [
     "parse_assignment",
     "parse_context_line",
     "parse_context_lines",
+    "parse_fields",
     "read_context_file",
     "read_context_node",
+    "reading_of",
+    "time_of",
 ]
