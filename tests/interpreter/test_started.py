@@ -1,4 +1,4 @@
-"""Planning on: what started stays, what waits for it is released, and what needs a failed skill has no time."""
+"""Planning on: what started stays, what waits is released, and what needs a failed skill has no time."""
 
 import math
 from datetime import datetime
