@@ -3,9 +3,12 @@
 from fuzzytime.context.files import (
     parse_assignment,
     parse_context_line,
+    parse_fields,
     read_context_file,
     read_context_lines,
     read_context_node,
+    reading_of,
+    time_of,
 )
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
@@ -21,8 +24,11 @@ __all__ = [
     "Signal",
     "parse_assignment",
     "parse_context_line",
+    "parse_fields",
     "parse_quantity",
     "read_context_file",
     "read_context_lines",
     "read_context_node",
+    "reading_of",
+    "time_of",
 ]

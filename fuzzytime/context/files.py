@@ -136,7 +136,31 @@ def parse_context_line(
     FuzzytimeError
         If it is none, or not one that its signal can have.
     """
-    fields = _fields(line)
+    return reading_of(parse_fields(line), signals, now)
+
+
+def reading_of(
+    fields: Mapping[str, Any],
+    signals: Mapping[str, Signal] | None = None,
+    now: datetime | None = None,
+    latest: float = 0.0,
+) -> Reading:
+    """Make a reading of the fields of a JSON object.
+
+    Parameters
+    ----------
+    fields
+        ``signal``, and perhaps ``value``, ``unit``, and one of ``at`` and ``at_s``.
+    signals, now
+        As in `read_context_file`.
+    latest
+        The time, in seconds from now, after which no value may lie.
+
+    Raises
+    ------
+    FuzzytimeError
+        If they are none, or not one that its signal can have.
+    """
     for name in fields:
         if name not in _KEYS:
             raise LineError(f"unknown key {name!r}{suggestion(name, _KEYS)}")
@@ -152,14 +176,20 @@ def parse_context_line(
         unit = said if unit is None else unit
     elif value is not None:
         value = _number(value, "value")
-    reading = Reading(signal, _time(fields, now), value, unit)
-    if reading.at > 0 and value is not None:
+    reading = Reading(signal, time_of(fields, now), value, unit)
+    if reading.at > latest and value is not None:
         raise LineError(f"a reading must not lie in the future, got {reading.at:g} s")
     return reading if signals is None else admitted(reading, signals)
 
 
-def _fields(line: bytes | str) -> dict[str, Any]:
-    """Give the fields of a line that is a flat JSON object."""
+def parse_fields(line: bytes | str) -> dict[str, Any]:
+    """Give the fields of a line that is a JSON object, with distinct keys and finite numbers.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none.
+    """
     if len(line) > LONGEST_LINE:
         raise LineError(f"a line must not be longer than {LONGEST_LINE} bytes, got {len(line)}")
     try:
@@ -202,8 +232,14 @@ def _number(value: object, name: str) -> float:
     return number
 
 
-def _time(fields: Mapping[str, Any], now: datetime | None) -> float:
-    """Give the time of a reading in seconds from now; now where none is said."""
+def time_of(fields: Mapping[str, Any], now: datetime | None) -> float:
+    """Give the time that ``at`` or ``at_s`` says, in seconds from now; 0 where none is said.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is no time.
+    """
     if "at" in fields and "at_s" in fields:
         raise LineError("a time must be given by 'at' or by 'at_s', not both")
     if "at_s" in fields:

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Reference, TimeRequirement
+from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
@@ -115,6 +116,10 @@ class Rulebook:
             notes=said.notes,
             trace=said.trace,
         )
+
+    def signals_for(self, requirement: TimeRequirement, verb: str | None = None) -> frozenset[str]:
+        """Give the signals whose readings may change what a requirement resolves to, read or not."""
+        return signals_for(requirement, verb, self.tables)
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""

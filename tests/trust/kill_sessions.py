@@ -41,7 +41,7 @@ def killed_once(path: Path, session: str, seed: int) -> tuple[int, int]:
     )
     assert child.stdout is not None
     child.stdout.readline()
-    time.sleep(random.Random(seed).uniform(0.0, 0.03))  # noqa: S311 - no secret
+    time.sleep(random.Random(seed).uniform(0.0, 0.03))
     os.kill(child.pid, signal.SIGKILL)
     rest = child.communicate()[0].decode().split("\n")
     acknowledged = max((int(line) for line in rest[:-1] if line), default=1)
