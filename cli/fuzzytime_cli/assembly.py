@@ -118,7 +118,7 @@ class Assembly:
         if understanding.context is not None:
             if not understanding.context.is_file():
                 raise NoInputError(f"{understanding.context}: there is no such context file")
-            context = read_context_file(understanding.context, signals, now)
+            context = read_context_file(understanding.context, now, signals)
         for assignment in understanding.ctx or ():
             with as_usage("--ctx"):
                 context = context.with_reading(parse_assignment(assignment, signals))

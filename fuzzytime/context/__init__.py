@@ -3,12 +3,16 @@
 from fuzzytime.context.files import (
     parse_assignment,
     parse_context_line,
-    parse_context_lines,
+    parse_fields,
     read_context_file,
+    read_context_lines,
     read_context_node,
+    reading_of,
+    time_of,
 )
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
+from fuzzytime.context.units import parse_quantity
 
 __all__ = [
     "Approach",
@@ -20,7 +24,11 @@ __all__ = [
     "Signal",
     "parse_assignment",
     "parse_context_line",
-    "parse_context_lines",
+    "parse_fields",
+    "parse_quantity",
     "read_context_file",
+    "read_context_lines",
     "read_context_node",
+    "reading_of",
+    "time_of",
 ]

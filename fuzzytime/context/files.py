@@ -3,6 +3,7 @@
 import json
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import Any
@@ -52,59 +53,64 @@ def parse_assignment(text: str, signals: Mapping[str, Signal] | None = None) -> 
 
 
 def read_context_file(
-    path: Path, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+    path: Path, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Context:
     """Read a file of JSON lines: ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``.
 
-    Parameters
-    ----------
-    path
-        The file. Empty lines are passed over.
-    signals
-        The signals that there are, where readings are to be checked against them.
-    now
-        The instant that ``at`` counts from; without it only ``at_s``, in seconds, may stand.
+    Parameters and mistakes are those of `read_context_lines`.
 
     Raises
     ------
     DocumentError
-        With every mistake and its line.
+        With every mistake and its line, or because the file cannot be read.
     """
     try:
         with path.open("rb") as stream:
-            raw = stream.read(LARGEST_FILE + 1)
+            source = stream.read(LARGEST_FILE + 1)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         raise DocumentError((Mistake(str(path), 1, 1, "", f"the file cannot be read: {reason}"),)) from error
-    if len(raw) > LARGEST_FILE:
-        raise DocumentError(
-            (Mistake(str(path), 1, 1, "", f"a file must not be larger than {LARGEST_FILE:,} bytes"),)
-        )
-    return parse_context_lines(raw, str(path), signals, now)
+    return read_context_lines(source, str(path), now, signals)
 
 
-def parse_context_lines(
-    raw: bytes, shown: str, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+def read_context_lines(
+    source: bytes | str,
+    shown: str,
+    now: datetime | None = None,
+    signals: Mapping[str, Signal] | None = None,
 ) -> Context:
-    """Read the content of a file of JSON lines, which messages call ``shown``.
+    """Read one reading a line, as JSON; empty lines are passed over.
+
+    Parameters
+    ----------
+    source, shown
+        The lines, and how messages call them.
+    now
+        The instant that ``at`` counts from; without it only ``at_s``, in seconds, may stand.
+    signals
+        The signals that there are, where readings are to be checked against them.
 
     Raises
     ------
     DocumentError
         With every mistake and its line.
     """
+    raw = source.encode("utf-8", "surrogatepass") if isinstance(source, str) else source
+    if len(raw) > LARGEST_FILE:
+        message = f"readings must not be more than {LARGEST_FILE:,} bytes"
+        raise DocumentError((Mistake(shown, 1, 1, "", message),))
     readings: list[Reading] = []
     mistakes: list[Mistake] = []
     for number, line in enumerate(raw.removeprefix(b"\xef\xbb\xbf").split(b"\n"), 1):
         if not line.strip():
             continue
         try:
-            readings.append(parse_context_line(line, signals, now))
+            readings.append(parse_context_line(line, now, signals))
         except FuzzytimeError as error:
             text = line[:LONGEST_LINE].decode("utf-8", "replace").rstrip("\r")
-            column = getattr(error, "column", 1)
+            column = error.column if isinstance(error, LineError) else 1
             mistakes.append(Mistake(shown, number, column, "", str(error), text))
-        if len(readings) > MAX_READINGS:
+        if max(len(readings), len(mistakes)) > MAX_READINGS:
             message = f"a context must hold at most {MAX_READINGS:,} readings"
             raise DocumentError((*mistakes, Mistake(shown, number, 1, "", message)))
     if mistakes:
@@ -121,7 +127,7 @@ class LineError(FuzzytimeError):
 
 
 def parse_context_line(
-    line: bytes | str, signals: Mapping[str, Signal] | None = None, now: datetime | None = None
+    line: bytes | str, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Reading:
     """Read one reading from one line of JSON.
 
@@ -130,7 +136,31 @@ def parse_context_line(
     FuzzytimeError
         If it is none, or not one that its signal can have.
     """
-    fields = _fields(line)
+    return reading_of(parse_fields(line), signals, now)
+
+
+def reading_of(
+    fields: Mapping[str, Any],
+    signals: Mapping[str, Signal] | None = None,
+    now: datetime | None = None,
+    latest: float = 0.0,
+) -> Reading:
+    """Make a reading of the fields of a JSON object.
+
+    Parameters
+    ----------
+    fields
+        ``signal``, and perhaps ``value``, ``unit``, and one of ``at`` and ``at_s``.
+    signals, now
+        As in `read_context_file`.
+    latest
+        The time, in seconds from now, after which no value may lie.
+
+    Raises
+    ------
+    FuzzytimeError
+        If they are none, or not one that its signal can have.
+    """
     for name in fields:
         if name not in _KEYS:
             raise LineError(f"unknown key {name!r}{suggestion(name, _KEYS)}")
@@ -146,14 +176,20 @@ def parse_context_line(
         unit = said if unit is None else unit
     elif value is not None:
         value = _number(value, "value")
-    reading = Reading(signal, _time(fields, now), value, unit)
-    if reading.at > 0 and value is not None:
+    reading = Reading(signal, time_of(fields, now), value, unit)
+    if reading.at > latest and value is not None:
         raise LineError(f"a reading must not lie in the future, got {reading.at:g} s")
     return reading if signals is None else admitted(reading, signals)
 
 
-def _fields(line: bytes | str) -> dict[str, Any]:
-    """Give the fields of a line that is a flat JSON object."""
+def parse_fields(line: bytes | str) -> dict[str, Any]:
+    """Give the fields of a line that is a JSON object, with distinct keys and finite numbers.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none.
+    """
     if len(line) > LONGEST_LINE:
         raise LineError(f"a line must not be longer than {LONGEST_LINE} bytes, got {len(line)}")
     try:
@@ -196,8 +232,14 @@ def _number(value: object, name: str) -> float:
     return number
 
 
-def _time(fields: Mapping[str, Any], now: datetime | None) -> float:
-    """Give the time of a reading in seconds from now; now where none is said."""
+def time_of(fields: Mapping[str, Any], now: datetime | None) -> float:
+    """Give the time that ``at`` or ``at_s`` says, in seconds from now; 0 where none is said.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is no time.
+    """
     if "at" in fields and "at_s" in fields:
         raise LineError("a time must be given by 'at' or by 'at_s', not both")
     if "at_s" in fields:
@@ -239,10 +281,11 @@ def _reading(
     reader: Reader, node: Node, key: str, name: str, signals: Mapping[str, Signal] | None
 ) -> list[Reading]:
     """Read one value, or a mapping with its time; nothing where it is none."""
-    at, value = 0.0, node
+    at, unit, value = 0.0, None, node
     if isinstance(node, MappingNode):
-        found = reader.mapping(node, key, ("at", "value"), ("at",))
+        found = reader.mapping(node, key, ("at", "value", "unit"))
         at = reader.duration(found["at"], f"{key}.at") if "at" in found else 0.0
+        unit = reader.string(found["unit"], f"{key}.unit") if "unit" in found else None
         value = found.get("value", Scalar("", node.line, node.column, node.index))
     if not isinstance(value, Scalar):
         reader.string(value, f"{key}.value")
@@ -250,6 +293,8 @@ def _reading(
 
     def converted(text: str) -> Reading:
         made = Reading.of(name, None if text in _NOTHING else text, at)
+        if unit is not None:
+            made = replace(made, unit=unit)
         if made.at > 0 and made.value is not None:
             raise FuzzytimeError(f"a reading must not lie in the future, got {made.at:g} s")
         return made if signals is None else admitted(made, signals)

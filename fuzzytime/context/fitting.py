@@ -128,12 +128,10 @@ def fit_approach(readings: Readings, last: float, level: float | Normal, log_tau
 
     ``last`` is the time t₀ from which the curves count.
     """
-    low, high = math.log(_SHORTEST), math.log(_LONGEST)
-    model = _Projection(readings, level, 1.0)
-    table = np.linspace(low, high, 3 * _TABLE)
-    misfit = float(model.projected(np.exp(table)).squares.min()) / readings.times.size
+    widest = np.linspace(math.log(_SHORTEST), math.log(_LONGEST), 3 * _TABLE)
+    misfit = _least_squares(_Projection(readings, level, 1.0), widest) / readings.times.size
     model = _Projection(readings, level, readings.inflation(misfit))
-    logs = model.log_posterior(table, log_tau)
+    table, logs = widest, model.log_posterior(widest, log_tau)
     for _ in range(2):
         inside = np.flatnonzero(logs > logs.max() - _DEPTH)
         low, high = table[max(inside[0] - 1, 0)], table[min(inside[-1] + 1, table.size - 1)]
@@ -146,6 +144,16 @@ def fit_approach(readings: Readings, last: float, level: float | Normal, log_tau
     at_last = amplitudes * np.exp(-(last - readings.times[0]) / taus)
     belief = log_tau.log_density(float(table[np.argmax(logs)]))
     return Fitted(Curves(levels, np.zeros_like(taus), at_last, taus), misfit, readings.times.size, belief)
+
+
+def _least_squares(model: "_Projection", log_taus: Floats) -> float:
+    """Give the least sum of squares over log τ, by tables around the least of the table before."""
+    table = log_taus
+    for _ in range(2):
+        least = int(np.argmin(model.projected(np.exp(table)).squares))
+        around = table[max(least - 1, 0)], table[min(least + 1, table.size - 1)]
+        table = np.linspace(*around, _TABLE)
+    return float(model.projected(np.exp(table)).squares.min())
 
 
 def fit_line(readings: Readings, last: float, rate: float | None, steepest: Normal) -> Fitted:

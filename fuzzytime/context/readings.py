@@ -10,6 +10,8 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.yaml_nodes import suggestion
 
 MAX_READINGS = 200_000
+FARTHEST = 1e10
+"""How many seconds from now a reading may lie at most."""
 
 Value = float | str | None
 """A number, a text such as ``"180 degC"``, or None for an event that happens."""
@@ -22,7 +24,7 @@ class Reading:
     Raises
     ------
     FuzzytimeError
-        If the time or the value is not finite.
+        If the value is not finite, or the time is not within some centuries.
     """
 
     signal: str
@@ -31,8 +33,8 @@ class Reading:
     unit: str | None = None
 
     def __post_init__(self) -> None:
-        if not abs(self.at) < float("inf"):
-            raise FuzzytimeError(f"a reading's time must be finite, got {self.at}")
+        if not abs(self.at) <= FARTHEST:
+            raise FuzzytimeError(f"a reading's time must lie within {FARTHEST:g} s, got {self.at}")
         if self.value is not None and not abs(self.value) < float("inf"):
             raise FuzzytimeError(f"a reading's value must be finite, got {self.value}")
 
@@ -102,7 +104,7 @@ class Context:
         """Give a context with more readings."""
         return Context((*self.readings, *readings))
 
-    def joined(self, other: "Context") -> "Context":
+    def merged(self, other: "Context") -> "Context":
         """Give a context with the readings of both; at one time those of the other stand."""
         return Context((*self.readings, *other.readings))
 

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from fuzzytime.context.units import convert
 from fuzzytime.errors import FuzzytimeError
 
+LARGEST = 1e12
+"""The largest value that a signal may have, whatever its range."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Hold:
@@ -91,8 +94,8 @@ class Signal:
             return None
         if value is None:
             raise FuzzytimeError(f"a reading of {self.name!r} must have a value")
-        if not math.isfinite(value):
-            raise FuzzytimeError(f"a reading of {self.name!r} must be finite, got {value}")
+        if not abs(value) <= LARGEST:
+            raise FuzzytimeError(f"a reading of {self.name!r} must be at most {LARGEST:g}, got {value:g}")
         if unit is not None and self.unit is None:
             raise FuzzytimeError(f"{self.name!r} has no unit, got {unit!r}")
         converted = value if unit is None or self.unit is None else convert(value, unit, self.unit)

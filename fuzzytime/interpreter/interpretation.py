@@ -57,6 +57,8 @@ class Interpreted:
         The fuzzy skill, ψ over seconds from the request's now.
     reason
         Why ψ is 0 everywhere; empty where it is not.
+    follows
+        Identifiers of the skills that it asked to come after; without them it makes no sense.
     """
 
     identifier: str
@@ -68,6 +70,7 @@ class Interpreted:
     requirements: tuple[TimeRequirement, ...] = ()
     resolutions: tuple[Resolution, ...] = ()
     reason: str = ""
+    follows: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -70,7 +70,12 @@ def link(
             tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
             linked[position] = tie.follower()
             wanted.append((position, tie.precedence(targets[0], position)))
-    return linked, _without_circles(linked, wanted, problems), problems
+    kept = _without_circles(linked, wanted, problems)
+    for position, precedence in wanted:
+        if position == precedence.second and precedence in kept:
+            follows = (*linked[position].follows, skills[precedence.first].identifier)
+            linked[position] = replace(linked[position], follows=follows)
+    return linked, kept, problems
 
 
 def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Precedence]]:

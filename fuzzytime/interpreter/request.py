@@ -69,7 +69,10 @@ class DirectWish(Wish):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Started:
-    """A skill of an earlier plan that has started, and so stays where it is; times in seconds from now."""
+    """A skill of an earlier plan that has started, and so stays where it is; times in seconds from now.
+
+    ``done`` is infinite for one that failed: what asked to come after it cannot be done either.
+    """
 
     identifier: str
     start: float

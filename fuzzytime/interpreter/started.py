@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.request import Started
-from fuzzytime.satisfaction import Rectangle
+from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence
 
 
@@ -15,17 +15,18 @@ def without_started(
 ) -> tuple[Interpretation, tuple[Busy, ...]]:
     """Take started skills out of an interpretation, and give the time for which they hold their agents.
 
-    A skill that must come after a started one starts between that one's being done plus the lags; what must
-    come before a started one is no longer bound.
+    A skill that must come after a started one starts between that one's being done plus the lags, and never
+    where it asked to come after one that failed; what must come before a started one is no longer bound.
     """
     by_identifier = {one.identifier: one for one in started}
+    failed = {one.identifier for one in started if one.done == math.inf}
     open_positions = [
         position
         for position, interpreted in enumerate(interpretation.skills)
         if interpreted.identifier not in by_identifier
     ]
     moved = {position: place for place, position in enumerate(open_positions)}
-    skills = {position: interpretation.skills[position] for position in open_positions}
+    skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
     kept = []
     for precedence in interpretation.precedences:
         if precedence.first in moved and precedence.second in moved:
@@ -43,7 +44,18 @@ def without_started(
     return remaining, busy
 
 
+def _possible(interpreted: Interpreted, failed: set[str]) -> Interpreted:
+    """Give a skill as it is, or never satisfied where it asked to come after one that failed."""
+    lost = next((identifier for identifier in interpreted.follows if identifier in failed), None)
+    if lost is None:
+        return interpreted
+    never = replace(interpreted.skill, satisfaction=NEVER)
+    return replace(interpreted, skill=never, reason=f"must come after {lost}, which failed")
+
+
 def _released(interpreted: Interpreted, first: Started, precedence: Precedence) -> Interpreted:
+    if first.done == math.inf:
+        return interpreted
     earliest = first.done + precedence.minimum_lag
     latest = first.done + precedence.maximum_lag
     if earliest <= 0 and latest == math.inf:

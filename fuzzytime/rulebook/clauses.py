@@ -54,12 +54,14 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
     comes_true = _first_reached(times, degrees)
     reason: str | None = None
     if model == "until":
-        degrees = 1.0 - np.maximum.accumulate(degrees)
+        degrees = 1.0 - _saturated(np.maximum.accumulate(degrees), 1.0)
         reason = None if degrees.max() >= NEVER_BELOW else f"too late: {formula} already holds"
     elif comes_true is None:
         reason = why_never(formula, world, traced, horizon, NEVER_BELOW)
     elif model == "when":
         times, degrees = _prompt(times, degrees, comes_true, core, fade)
+    else:
+        degrees = _saturated(degrees, float(degrees.max()))
     satisfaction = NEVER if reason is not None else Sampled(*thinned(times, degrees))
     return Awaited(satisfaction, comes_true, reason, drawn(formula, world, traced, ahead, satisfaction))
 
@@ -83,6 +85,14 @@ def _first_reached(times: Floats, degrees: Floats) -> float | None:
         return float(times[0])
     low, high = degrees[after - 1], degrees[after]
     return float(times[after - 1] + (level - low) / (high - low) * (times[after] - times[after - 1]))
+
+
+def _saturated(degrees: Floats, peak: float) -> Floats:
+    """Count what has come true by all but a little as come true, or the best time would lie far away.
+
+    An expected trace creeps up to its maximum, as the last of the curves that it is the mean of come true.
+    """
+    return np.minimum(degrees / _REACHED, peak)
 
 
 def _prompt(

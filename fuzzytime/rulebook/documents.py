@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -74,46 +75,62 @@ class Document:
         """Give one of the shipped files, called by a short path."""
         return cls(rules_directory() / name, f"rules/{name}")
 
-    @classmethod
-    def given(cls, path: Path) -> "Document":
-        """Give a user's file, called as it was given."""
-        return cls(path, str(path))
+
+@cache
+def shipped_tables(profile: Profile) -> Tables:
+    """Give the shipped tables for a profile; they are read once, as they do not change."""
+    return load([Document.shipped(name) for name in SHIPPED], profile)
 
 
-def load(documents: Sequence[Document], profile: Profile) -> Tables:
-    """Read files in rising precedence into tables for a profile.
+def load(documents: Sequence[Document], profile: Profile, over: Tables | None = None) -> Tables:
+    """Read files in rising precedence into tables for a profile, laid over others.
 
     Raises
     ------
     DocumentError
         With every mistake of every file.
     """
-    tables, mistakes = _read(documents, profile)
-    if mistakes:
-        raise DocumentError(mistakes)
-    return tables
-
-
-def mistakes_in(documents: Sequence[Document]) -> tuple[Mistake, ...]:
-    """Give every mistake of every file, in the order of their places."""
-    return tuple(sorted(_read(documents, Profile.EVERYDAY)[1]))
-
-
-def _read(documents: Sequence[Document], profile: Profile) -> tuple[Tables, tuple[Mistake, ...]]:
-    opened: list[tuple[Reader, Node]] = []
+    readers: list[Reader] = []
     mistakes: list[Mistake] = []
     for document in documents:
         try:
-            reader = _opened(document)
+            readers.append(_opened(document))
+        except DocumentError as error:
+            mistakes += error.mistakes
+    tables, found = read_over(over or Tables(), readers, profile)
+    if mistakes or found:
+        raise DocumentError((*mistakes, *found))
+    return tables
+
+
+def read_over(
+    tables: Tables, readers: Sequence[Reader], profile: Profile
+) -> tuple[Tables, tuple[Mistake, ...]]:
+    """Lay documents over tables; give the tables and every mistake of every document."""
+    opened: list[tuple[Reader, Node]] = []
+    mistakes: list[Mistake] = []
+    for reader in readers:
+        try:
             opened.append((reader, reader.root()))
         except DocumentError as error:
             mistakes += error.mistakes
-    names = Vocabulary.of(root for _, root in opened)
-    tables = Tables()
+    names = vocabulary_of(tables).joined(Vocabulary.of(root for _, root in opened))
     for reader, root in opened:
         tables = tables.overridden(_tables(reader, root, names, profile))
         mistakes += reader.mistakes
     return tables, tuple(mistakes)
+
+
+def vocabulary_of(tables: Tables) -> Vocabulary:
+    """Give the names that tables declare."""
+    return Vocabulary(
+        models=frozenset(tables.models),
+        time_hedges=frozenset(tables.time_hedges),
+        term_hedges=frozenset(tables.term_hedges),
+        units={name: signal.unit for name, signal in tables.signals.items()},
+        events=frozenset(name for name, signal in tables.signals.items() if signal.event),
+        terms={name: frozenset(variable.terms) for name, variable in tables.variables.items()},
+    )
 
 
 def _opened(document: Document) -> Reader:
@@ -121,9 +138,8 @@ def _opened(document: Document) -> Reader:
         return Reader.of_file(document.path, document.shown)
     except OSError as error:
         reason = error.strerror or type(error).__name__
-        raise DocumentError(
-            (Mistake(document.shown, 1, 1, "", f"the file cannot be read: {reason}"),)
-        ) from error
+        mistake = Mistake(document.shown, 1, 1, "", f"the file cannot be read: {reason}")
+        raise DocumentError((mistake,)) from error
 
 
 def _tables(reader: Reader, root: Node, names: Vocabulary, profile: Profile) -> Tables:

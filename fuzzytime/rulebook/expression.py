@@ -19,6 +19,9 @@ VARIABLES: Mapping[str, str] = {
 }
 """What a sum may speak of; all are times in seconds."""
 
+LARGEST = 1e6
+"""The largest factor or number of a duration in a sum."""
+
 _UNITS = {"ms": 0.001, "s": 1.0, "sec": 1.0, "min": 60.0, "h": 3600.0}
 _SUMMAND = re.compile(r"\s*([-+]?)\s*(\d+(?:\.\d*)?|\.\d+)?\s*\*?\s*([A-Za-z]+)?\s*")
 
@@ -67,6 +70,8 @@ def parse_sum(text: str) -> Sum:
         if part is None or (part[2] is None and part[3] is None) or (at > 0 and not part[1]):
             raise SumError(f"a sum must look like 't - 0.4w + 10 s', got {text!r}", at)
         size = float(part[2] or 1.0) * (-1.0 if part[1] == "-" else 1.0)
+        if abs(size) > LARGEST:
+            raise SumError(f"a number in a sum must be at most {LARGEST:g}, got {part[2]!r}", part.start(2))
         name = part[3]
         if name in VARIABLES:
             factors[name] = factors.get(name, 0.0) + size

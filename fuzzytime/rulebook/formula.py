@@ -1,7 +1,7 @@
 """Conditions as values: atoms such as "pan is very hot", joined and looked at through windows of time."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from fuzzytime.times import format_duration
@@ -131,6 +131,19 @@ def variables(formula: Formula) -> tuple[str, ...]:
 def events(formula: Formula) -> tuple[str, ...]:
     """Give the events that a formula waits for, each once."""
     return tuple(dict.fromkeys(node.event for node in nodes(formula) if isinstance(node, Happened)))
+
+
+def with_hedges_of(said: Formula, formula: Formula) -> Formula:
+    """Give a formula with the hedges that a sentence's atom has on the same term: "very hot" for "hot"."""
+    if isinstance(formula, Is):
+        if not isinstance(said, Is) or (said.variable, said.term) != (formula.variable, formula.term):
+            return formula
+        return replace(formula, hedges=(*said.hedges, *formula.hedges))
+    if isinstance(formula, Not | Window):
+        return replace(formula, part=with_hedges_of(said, formula.part))
+    if isinstance(formula, And | Or):
+        return replace(formula, parts=tuple(with_hedges_of(said, part) for part in formula.parts))
+    return formula
 
 
 def window_reach(formula: Formula, direction: Direction) -> float:

@@ -8,7 +8,7 @@ from fuzzytime.requirement import Anchor, Condition, Constraint
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.beside import at_a_distance, not_happened, on_one_side
 from fuzzytime.rulebook.clauses import wait_for
-from fuzzytime.rulebook.formula import Formula, variables
+from fuzzytime.rulebook.formula import Formula, variables, with_hedges_of
 from fuzzytime.rulebook.inference import Base, Chosen, Heard, choose, matching, signals_of
 from fuzzytime.rulebook.lookup import Found, find
 from fuzzytime.rulebook.question import Question, Said, notes_on
@@ -96,12 +96,12 @@ def _adapted(question: Question, found: Found, chosen: Chosen, notes: tuple[str,
 def _clause(question: Question) -> Said:
     """Resolve "when the pan is hot": the sentence's own condition, or that of a rule for its words."""
     tables, requirement = question.tables, question.requirement
-    condition = requirement.condition or Condition(text=requirement.text)
     row = tables.clauses.get(requirement.preposition or "", tables.constraints[Constraint.WHEN])
-    understood = understand(condition, tables)
+    understood = understand(requirement.condition or Condition(text=requirement.text), tables)
+    condition = understood.condition
     rules = [
         rule
-        for rule in matching(requirement, question.verb, tables)
+        for rule in matching(replace(requirement, condition=condition), question.verb, tables)
         if rule.effect.model not in CLAUSE_MODELS or _is_about(rule, condition, question)
     ]
     heard = question.heard(rules)
@@ -112,6 +112,8 @@ def _clause(question: Question) -> Said:
         return _adapted(question, found, chosen, notes)
     rest = max(0.0, 1.0 - sum(part.weight for part in heard if not part.rule.effect.only_scales))
     formula = _strongest(heard, chosen.model, understood.formula, rest)
+    if formula is not None and understood.formula not in (None, formula):
+        formula = with_hedges_of(understood.formula, formula)
     if formula is None:
         reason = _why_not_understood(understood, rules, question)
         return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
@@ -119,12 +121,14 @@ def _clause(question: Question) -> Said:
 
 
 def _is_about(rule: Rule, condition: Condition, question: Question) -> bool:
-    """Tell whether a rule for a clause is about the thing that the sentence names.
+    """Tell whether a rule for a clause is about the thing that the sentence names, and does not deny it.
 
-    It is where it says so itself (``subject``), where the sentence names one of its variables, or where
-    none of its variables is tied to a thing by words.
+    It is about it where it says so itself (``subject``), where the sentence names one of its variables, or
+    where none of its variables is tied to a thing by words.
     """
-    if "subject" in rule.match.keys or rule.condition is None:
+    if condition.negated or rule.condition is None:
+        return False
+    if "subject" in rule.match.keys:
         return True
     spoken = [question.tables.variables[name] for name in variables(rule.condition)]
     if not any(variable.words for variable in spoken):
@@ -161,7 +165,9 @@ def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[
 
 def _why_not_understood(understood: Understood, rules: list[Rule], question: Question) -> str:
     """Say why a clause has no condition to wait for: unknown words, or a rule without any reading."""
-    waiting = [rule.condition for rule in rules if rule.condition is not None]
+    waiting = [
+        rule.condition for rule in rules if rule.effect.model in CLAUSE_MODELS and rule.condition is not None
+    ]
     missing = dict.fromkeys(name for formula in waiting for name in signals_of(formula, question.tables))
     if missing:
         return f"not enough readings of {' and '.join(missing)}"

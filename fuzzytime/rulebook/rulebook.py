@@ -6,9 +6,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
-from fuzzytime.errors import FuzzytimeError, Mistake
-from fuzzytime.requirement import TimeRequirement
-from fuzzytime.rulebook.documents import SHIPPED, Document, load, mistakes_in
+from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
+from fuzzytime.requirement import Reference, TimeRequirement
+from fuzzytime.rulebook.dependence import signals_for
+from fuzzytime.rulebook.documents import Document, load, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
 from fuzzytime.rulebook.profile import Actor, Profile
@@ -53,8 +54,8 @@ class Rulebook:
         DocumentError
             With every mistake of every file.
         """
-        documents = [*map(Document.shipped, SHIPPED), *map(Document.given, files)]
-        return cls(load(documents, profile), profile, actor)
+        tables = load([Document(path, str(path)) for path in files], profile, shipped_tables(profile))
+        return cls(tables, profile, actor)
 
     @property
     def signals(self) -> Mapping[str, Signal]:
@@ -101,10 +102,10 @@ class Rulebook:
         admitted = context.admitted(self.signals)
         said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
         until_done = duration if elapsed is None else elapsed
-        function = over_starts(said.satisfaction, requirement.reference, duration, until_done, horizon)
-        reason = said.reason or reason_for_never(
-            said.satisfaction, function, requirement.reference, until_done
-        )
+        # What goes on until a condition comes true ends when it does, and only has to start before.
+        reference = Reference.START if said.model == "until" else requirement.reference
+        function = over_starts(said.satisfaction, reference, duration, until_done, horizon)
+        reason = said.reason or reason_for_never(said.satisfaction, function, reference, until_done)
         return Resolution(
             satisfaction=function,
             model=said.model,
@@ -115,6 +116,10 @@ class Rulebook:
             notes=said.notes,
             trace=said.trace,
         )
+
+    def signals_for(self, requirement: TimeRequirement, verb: str | None = None) -> frozenset[str]:
+        """Give the signals whose readings may change what a requirement resolves to, read or not."""
+        return signals_for(requirement, verb, self.tables)
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""
@@ -131,6 +136,10 @@ class Rulebook:
         return self.tables.durations.of(lemma, thing)
 
 
-def check(paths: Sequence[Path]) -> tuple[Mistake, ...]:
+def check(paths: Sequence[Path] = ()) -> tuple[Mistake, ...]:
     """Give every mistake of rule files, read over the shipped ones as `Rulebook.shipped` reads them."""
-    return mistakes_in([*map(Document.shipped, SHIPPED), *map(Document.given, paths)])
+    try:
+        Rulebook.shipped(files=paths)
+    except DocumentError as error:
+        return error.mistakes
+    return ()

@@ -5,7 +5,6 @@ So a file may speak of what another declares, and every unknown name is a mistak
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from types import MappingProxyType
 
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Scalar
@@ -14,7 +13,7 @@ CLAUSE_MODELS = ("when", "while", "until")
 """Models of clauses, which need no breakpoints: they follow a condition's trace."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Vocabulary:
     """Declared names: ``units`` by signal (None for a bare number), ``terms`` by variable."""
 
@@ -48,12 +47,23 @@ class Vocabulary:
             for name in _names(variables):
                 terms[name] = frozenset(_names(_child(_child(variables, name), "terms")))
         return cls(
-            frozenset(models),
-            frozenset(time_hedges),
-            frozenset(term_hedges),
-            MappingProxyType(units),
-            frozenset(events),
-            MappingProxyType(terms),
+            models=frozenset(models),
+            time_hedges=frozenset(time_hedges),
+            term_hedges=frozenset(term_hedges),
+            units=units,
+            events=frozenset(events),
+            terms=terms,
+        )
+
+    def joined(self, other: "Vocabulary") -> "Vocabulary":
+        """Give the names of both; what the other says of a name stands."""
+        return Vocabulary(
+            models=self.models | other.models,
+            time_hedges=self.time_hedges | other.time_hedges,
+            term_hedges=self.term_hedges | other.term_hedges,
+            units={**self.units, **other.units},
+            events=(self.events - other.units.keys()) | other.events,
+            terms={**self.terms, **other.terms},
         )
 
 

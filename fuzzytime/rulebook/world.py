@@ -96,7 +96,7 @@ class World:
         for name in names:
             signal, readings = tables.signals[name], context.of_signal(name)
             if signal.event:
-                happened[name] = np.array([reading.at for reading in readings])
+                happened[name] = np.array([reading.at for reading in readings], float)
             else:
                 series[name] = Series.of(signal, readings)
         return cls(tables, series, happened)

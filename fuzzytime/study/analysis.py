@@ -19,6 +19,9 @@ from fuzzytime.study.start_times import StartTimeInfluence, influence_of_start_t
 from fuzzytime.study.subgroups import Subgroups, subgroups
 from fuzzytime.study.subjective import SubjectiveSatisfaction
 
+Intervals = tuple[tuple[float, float], ...]
+"""Low and high ends, one pair for each corner."""
+
 BYTES = 8
 """What one number takes in memory."""
 
@@ -82,7 +85,8 @@ class PrepositionModels:
     left_edges
         Seconds from the specified time to the start of the plateau, where its rise is on the timeline.
     left, right
-        Means over the instructions of the flanks' absolute gradients, per second; NaN where none is seen.
+        Means over the instructions of the fitted flanks' absolute gradients, per second; NaN where there is
+        none. `Described.flanks` measures the medians themselves, which are as steep as the sampling at most.
     """
 
     preposition: str
@@ -132,6 +136,8 @@ class Analysis:
         F2: variances, and answers to the control question. None where a group is too small.
     start_times
         F3 over everybody (None) and each group; empty where fewer than two times were asked.
+    intervals
+        95 % intervals of the trapezoids' corners by key, in seconds; empty where none were asked for.
     """
 
     answers: Answers
@@ -142,6 +148,7 @@ class Analysis:
     comparison: Comparison | None
     scale: ScaleComparison | None
     start_times: Mapping[str | None, StartTimeInfluence]
+    intervals: Mapping[str, Intervals]
 
     @property
     def memory(self) -> Memory:
@@ -154,20 +161,26 @@ class Analysis:
         return tuple(key for key, described in self.overall.items() if described.subgroups.divergent)
 
 
-def analyse(answers: Answers, *, permutations: int = PERMUTATIONS, seed: int = 0) -> Analysis:
+def analyse(
+    answers: Answers, *, permutations: int = PERMUTATIONS, resamples: int = 0, seed: int = 0
+) -> Analysis:
     """Analyse a study.
 
     Parameters
     ----------
     answers : Answers
         At least one participant who counts.
-    permutations, seed : int
+    permutations : int
         Of the test between groups.
+    resamples : int
+        Of the bootstrap that gives corners their intervals; 0 gives none.
+    seed : int
+        Of both.
 
     Raises
     ------
     FuzzytimeError
-        If nobody counts.
+        If nobody counts, or there are fewer than 20 resamples.
     """
     overall = _described(answers, None)
     groups = [group for group in answers.design.groups if answers.members(group)]
@@ -184,6 +197,11 @@ def analyse(answers: Answers, *, permutations: int = PERMUTATIONS, seed: int = 0
         comparison=_compared(answers, compared, permutations, seed),
         scale=_scale(answers, compared),
         start_times={**_start_times(None, overall), **_of_groups(by_group)},
+        intervals={
+            key: corner_intervals(described, resamples=resamples, seed=seed)
+            for key, described in overall.items()
+            if resamples and described.median.any()
+        },
     )
 
 
@@ -211,6 +229,8 @@ def _models(preposition: str, chosen: Sequence[Described]) -> PrepositionModels:
     }
     better = sum(entry.fits[Model.TRAPEZOID].sse <= entry.fits[Model.BELL].sse for entry in fitted)
     encloses, edges = 0, []
+    rises: list[float] = []
+    falls: list[float] = []
     for entry in fitted:
         function, t_spec = entry.fits[Model.TRAPEZOID].function, entry.instruction.t_spec
         if isinstance(function, Trapezoid):
@@ -218,20 +238,18 @@ def _models(preposition: str, chosen: Sequence[Described]) -> PrepositionModels:
             encloses += function.full_start - step <= t_spec <= function.full_end + step
             if function.rise_start < function.full_start:
                 edges.append(function.full_start - t_spec)
+                rises.append(1 / (function.full_start - function.rise_start))
+            if function.full_end < function.fall_end:
+                falls.append(1 / (function.fall_end - function.full_end))
     return PrepositionModels(
         preposition=preposition,
         errors=errors,
         best=(better, len(fitted)),
         encloses=encloses,
         left_edges=tuple(edges),
-        left=_mean([entry.flanks.left for entry in fitted]),
-        right=_mean([entry.flanks.right for entry in fitted]),
+        left=float(np.mean(rises)) if rises else float("nan"),
+        right=float(np.mean(falls)) if falls else float("nan"),
     )
-
-
-def _mean(values: Sequence[float]) -> float:
-    seen = [value for value in values if not np.isnan(value)]
-    return float(np.mean(seen)) if seen else float("nan")
 
 
 def _compared(
@@ -281,9 +299,7 @@ def _start_times(
     return {group: influence_of_start_times([*chosen], [*chosen.values()])}
 
 
-def corner_intervals(
-    described: Described, *, resamples: int = 200, seed: int = 0
-) -> tuple[tuple[float, float], ...]:
+def corner_intervals(described: Described, *, resamples: int = 200, seed: int = 0) -> Intervals:
     """Give 95 % bootstrap intervals of the fitted trapezoid's corners, in seconds.
 
     Participants are drawn with replacement, and the trapezoid is fitted to each sample's median.

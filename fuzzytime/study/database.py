@@ -101,10 +101,10 @@ class Database:
 
     @contextmanager
     def _errors(self) -> Iterator[None]:
-        """Say what is wrong with the file: what cannot be written is an `OSError`."""
+        """Say what is wrong: a file that cannot be written, or was closed, is an `OSError`."""
         try:
             yield
-        except sqlite3.OperationalError as error:
+        except (sqlite3.OperationalError, sqlite3.ProgrammingError) as error:
             raise OSError(f"{self.path}: {error}") from error
         except (sqlite3.DatabaseError, ValueError) as error:
             raise FuzzytimeError(f"{self.path} holds nothing that can be read: {error}") from error

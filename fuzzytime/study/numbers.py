@@ -51,6 +51,10 @@ def numbers(analysis: Analysis, *, curves: bool = True) -> dict[str, Json]:
         "f1": {name: _models(found) for name, found in analysis.models.items()},
         "f2": _groups(analysis),
         "f3": {group or "all": _start_times(found) for group, found in analysis.start_times.items()},
+        "corner_intervals_s": {
+            key: [[_number(low), _number(high)] for low, high in intervals]
+            for key, intervals in analysis.intervals.items()
+        },
         "memory": {
             "samples": analysis.memory.samples,
             "sampled_bytes": analysis.memory.sampled_bytes,

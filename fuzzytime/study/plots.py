@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import Floats
 from fuzzytime.study.analysis import Analysis, Described
 from fuzzytime.study.characteristics import histogram
 from fuzzytime.study.density import SQUARE_MINUTE
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
 
 SHOWN_CURVES = 10
 """Curves of single participants in one panel, as many as the paper shows for a better overview."""
+
+TIME_BINS = 100
+"""Times of a histogram: finer ones are stripes, not a picture."""
 
 COLUMNS = 3
 """Panels beside each other where every instruction has one."""
@@ -72,15 +76,17 @@ def figures(analysis: Analysis) -> Iterator[tuple[str, Callable[[], "Figure"]]]:
         yield key, lambda described=described: _three_views(described)  # type: ignore[misc]
 
 
-def rendered(draw: Callable[[], "Figure"], form: str) -> bytes:
-    """Draw a figure and give it as ``svg`` or ``png``; the same figure gives the same bytes."""
+def rendered(draw: Callable[[], "Figure"], *forms: str) -> tuple[bytes, ...]:
+    """Draw a figure in forms such as ``svg`` and ``png``; the same figure gives the same bytes."""
     import matplotlib as mpl
 
     with mpl.rc_context(dict(_SETTINGS)):
-        stream = io.BytesIO()
-        metadata = {"Date": None} if form == "svg" else {"Software": None}
-        draw().savefig(stream, format=form, metadata=metadata)
-    return stream.getvalue()
+        figure = draw()
+        streams = [io.BytesIO() for _ in forms]
+        for form, stream in zip(forms, streams, strict=True):
+            metadata = {"Date": None} if form == "svg" else {"Software": None}
+            figure.savefig(stream, format=form, metadata=metadata)
+    return tuple(stream.getvalue() for stream in streams)
 
 
 def _grid(analysis: Analysis, draw: Callable[["Axes", Analysis, Described], None]) -> "Figure":
@@ -175,16 +181,16 @@ def _three_views(entry: Described) -> "Figure":
     for row in rows:
         shown = _visible(entry)
         curves.plot(times[shown] / MINUTE, entry.subjective.values[row, shown], lw=0.9, alpha=0.85)
-    counts = histogram(entry.subjective)
-    image = density.imshow(
+    window = _visible(entry)
+    counts, edges = _binned(histogram(entry.subjective)[:, window], times[window] / MINUTE)
+    image = density.pcolormesh(
+        edges,
+        np.linspace(-0.025, 1.025, counts.shape[0] + 1),
         np.where(counts > 0, counts, np.nan),
-        origin="lower",
-        aspect="auto",
-        extent=(times[0] / MINUTE, times[-1] / MINUTE, -0.025, 1.025),
         cmap="viridis",
-        interpolation="nearest",
         vmin=0,
         vmax=entry.subjective.participants,
+        rasterized=True,
     )
     figure.colorbar(image, ax=density, pad=0.02, fraction=0.06)
     _distribution(spread, entry, _GREEN)
@@ -198,6 +204,16 @@ def _three_views(entry: Described) -> "Figure":
         panel.set_xlabel("start time [min]")
     curves.set_ylabel("satisfaction")
     return figure
+
+
+def _binned(counts: Floats, minutes: Floats) -> tuple[Floats, Floats]:
+    """Average counts of shape (bins, k) over neighbouring times; give them and the edges between them."""
+    together = -(-minutes.size // TIME_BINS)
+    starts = np.arange(0, minutes.size, together)
+    sizes = np.diff(np.append(starts, minutes.size))
+    step = minutes[1] - minutes[0]
+    edges = np.append(minutes[starts], minutes[-1] + step) - step / 2
+    return np.add.reduceat(counts, starts, axis=1) / sizes, edges
 
 
 def _distribution(axes: "Axes", entry: Described, colour: str) -> None:

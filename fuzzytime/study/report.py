@@ -33,10 +33,15 @@ class _Page:
     def table(self, caption: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
         """Add a table; a cell that is a number stands on the right."""
         self.tables += 1
-        cells = "".join(f"<th scope=col>{html.escape(cell)}</th>" for cell in head)
-        body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in rows)
+        listed = list(rows)
+        numeric = [all(_is_number(cell) for cell in column) for column in zip(*listed, strict=True)]
+        columns = zip(head, numeric or [False] * len(head), strict=True)
+        cells = "".join(
+            f"<th scope=col{' class=n' * number}>{html.escape(cell)}</th>" for cell, number in columns
+        )
+        body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in listed)
         self.parts.append(
-            f"<figure class=table><table>"
+            "<figure class=table><table>"
             f"<caption><b>Table {self.tables}.</b> {html.escape(caption)}</caption>"
             f"<thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></figure>"
         )
@@ -138,7 +143,7 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
         ),
     )
     page.table(
-        "Flanks of the medians: mean absolute gradients per minute, and where the plateau starts.",
+        "Flanks of the fitted trapezoids: mean absolute gradients per minute, and where the plateau starts.",
         ("preposition", "left", "right", "start of plateau − specified time"),
         (
             (
@@ -160,6 +165,18 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
         ("instruction", "rise start", "full start", "full end", "fall end", "SSE", "RMSE", "R²"),
         (_trapezoid_row(entry) for entry in analysis.overall.values() if entry.fits),
     )
+    if analysis.intervals:
+        page.table(
+            "95 % intervals of those corners, by the bootstrap over participants, in minutes.",
+            ("instruction", "rise start", "full start", "full end", "fall end"),
+            (
+                (
+                    analysis.overall[key].instruction.text,
+                    *(f"{low / MINUTE:.2f}–{high / MINUTE:.2f}" for low, high in intervals),
+                )
+                for key, intervals in analysis.intervals.items()
+            ),
+        )
     page.table(
         "Bells 1 / (1 + |(t − centre) / width|^(2·slope)) fitted to the same medians, times in minutes.",
         ("instruction", "centre", "width", "slope", "SSE", "RMSE", "R²"),
@@ -267,10 +284,10 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
             f"Participants fall into two subgroups, clearly better than one, for: {texts}", "caution"
         )
     else:
-        page.paragraph("For no instruction two subgroups describe the participants clearly better than one.")
+        page.paragraph("In no instruction do two subgroups describe participants clearly better than one.")
     page.table(
         "Agreement: mean pointwise standard deviation where anybody is satisfied, variance of the median in "
-        "min², gradients per minute, and the silhouette of the best split into two subgroups (clear from 0.7).",
+        "min², gradients per minute, silhouette of the best split into two subgroups (clear from 0.7).",
         ("instruction", "deviation", "variance", "left", "right", "silhouette", "sizes"),
         (
             (
@@ -300,8 +317,11 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
 
 
 def _cell(text: str) -> str:
-    number = text.lstrip("-−").replace(".", "", 1).replace(",", "").isdigit() or text == "–"
-    return f"<td{' class=n' if number else ''}>{html.escape(text)}</td>"
+    return f"<td{' class=n' * _is_number(text)}>{html.escape(text)}</td>"
+
+
+def _is_number(text: str) -> bool:
+    return text == "–" or text.lstrip("-−").replace(".", "", 1).replace(",", "").isdigit()
 
 
 def _figure(value: float, digits: int) -> str:

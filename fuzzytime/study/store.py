@@ -6,7 +6,7 @@ without any other file. Curves are little-endian doubles, one per sample.
 
 import json
 import sqlite3
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import TracebackType
 from typing import Self
@@ -15,43 +15,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.satisfaction import Floats
 from fuzzytime.study.answers import Answers, Origin, Participant
 from fuzzytime.study.database import Database
 from fuzzytime.study.design import Design
-
-KIND = 0x667A7431
-"""Marks the file as a study's."""
-
-SCHEMA = 1
-
-_TABLES = """
-CREATE TABLE study (only INTEGER PRIMARY KEY CHECK (only = 1), design TEXT NOT NULL);
-CREATE TABLE participants (
-    position INTEGER PRIMARY KEY,
-    name TEXT NOT NULL UNIQUE,
-    actor TEXT NOT NULL,
-    instructions TEXT NOT NULL,
-    origin TEXT NOT NULL,
-    control INTEGER,
-    finished INTEGER NOT NULL DEFAULT 0,
-    excluded TEXT,
-    joined TEXT NOT NULL DEFAULT ''
-);
-CREATE TABLE demographics (
-    participant TEXT NOT NULL REFERENCES participants (name),
-    question TEXT NOT NULL,
-    answer TEXT NOT NULL,
-    PRIMARY KEY (participant, question)
-);
-CREATE TABLE curves (
-    participant TEXT NOT NULL REFERENCES participants (name),
-    instruction TEXT NOT NULL,
-    samples BLOB NOT NULL,
-    saved TEXT NOT NULL DEFAULT '',
-    PRIMARY KEY (participant, instruction)
-);
-"""
+from fuzzytime.study.store_rows import KIND, SCHEMA, TABLES, checked_curve, must_exist, participants_in
 
 
 class AnswerStore:
@@ -75,9 +42,9 @@ class AnswerStore:
         FuzzytimeError
             If it is there and is no study, or one with another design.
         """
-        database = Database(path, KIND, SCHEMA, _TABLES, create=True)
+        database = Database(path, KIND, SCHEMA, TABLES, create=True)
         with database.writing() as connection:
-            connection.execute("INSERT OR IGNORE INTO study VALUES (1, ?)", (design.yaml,))
+            connection.execute("INSERT OR IGNORE INTO study (only, design) VALUES (1, ?)", (design.yaml,))
         store = cls._of(database)
         if store.design.yaml != design.yaml:
             store.close()
@@ -97,7 +64,7 @@ class AnswerStore:
         FuzzytimeError
             If it is no study, or one of a later version of fuzzytime.
         """
-        return cls._of(Database(path, KIND, SCHEMA, _TABLES, create=False))
+        return cls._of(Database(path, KIND, SCHEMA, TABLES, create=False))
 
     @classmethod
     def _of(cls, database: Database) -> "AnswerStore":
@@ -120,6 +87,15 @@ class AnswerStore:
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         self.close()
+
+    def token(self, new: str) -> str:
+        """Give the token that requests to this study must know; the first time, it becomes ``new``.
+
+        A study keeps it, so that participants may come back after its server was started again.
+        """
+        with self._database.writing() as connection:
+            connection.execute("UPDATE study SET token = ? WHERE token = ''", (new,))
+            return str(connection.execute("SELECT token FROM study").fetchone()[0])
 
     # -- writing --------------------------------------------------------------------------------------------
 
@@ -161,7 +137,7 @@ class AnswerStore:
         """
         checked = {key: self.design.question(key).checked(answer) for key, answer in answers.items()}
         with self._database.writing() as connection:
-            _must_exist(connection, name)
+            must_exist(connection, name)
             connection.execute("DELETE FROM demographics WHERE participant = ?", (name,))
             connection.executemany(
                 "INSERT INTO demographics VALUES (?, ?, ?)",
@@ -184,7 +160,7 @@ class AnswerStore:
         self.design.instruction(key)
         samples = checked_curve(values, self.design)
         with self._database.writing() as connection:
-            _must_exist(connection, name)
+            must_exist(connection, name)
             connection.execute(
                 "INSERT OR REPLACE INTO curves VALUES (?, ?, ?, ?)",
                 (name, key, samples.astype("<f8").tobytes(), at),
@@ -202,7 +178,7 @@ class AnswerStore:
         if not 1 <= answer <= points:
             raise FuzzytimeError(f"the answer must be one of 1 to {points}, got {answer}")
         with self._database.writing() as connection:
-            _must_exist(connection, name)
+            must_exist(connection, name)
             connection.execute("UPDATE participants SET control = ? WHERE name = ?", (answer, name))
 
     def finish(self, name: str) -> None:
@@ -214,7 +190,7 @@ class AnswerStore:
             If there is no such participant.
         """
         with self._database.writing() as connection:
-            _must_exist(connection, name)
+            must_exist(connection, name)
             connection.execute("UPDATE participants SET finished = 1 WHERE name = ?", (name,))
 
     def exclude(self, name: str, reason: str | None) -> None:
@@ -228,7 +204,7 @@ class AnswerStore:
         if reason is not None and not reason.strip():
             raise FuzzytimeError("excluding a participant needs a reason")
         with self._database.writing() as connection:
-            _must_exist(connection, name)
+            must_exist(connection, name)
             connection.execute("UPDATE participants SET excluded = ? WHERE name = ?", (reason, name))
 
     def add(self, participants: Iterable[Participant], at: str = "") -> int:
@@ -284,60 +260,10 @@ class AnswerStore:
             If there is none of that name.
         """
         with self._database.reading() as connection:
-            _must_exist(connection, name)
-            return next(_participants(connection, "WHERE name = ?", (name,)))
+            must_exist(connection, name)
+            return next(participants_in(connection, "WHERE name = ?", (name,)))
 
     def answers(self) -> Answers:
         """Give everybody's answers, in the order in which they came."""
         with self._database.reading() as connection:
-            return Answers(self.design, tuple(_participants(connection)))
-
-
-def _participants(
-    connection: sqlite3.Connection, where: str = "", values: tuple[str, ...] = ()
-) -> Iterator[Participant]:
-    rows = connection.execute(
-        "SELECT name, actor, instructions, origin, control, finished, excluded "  # noqa: S608 - two fixed texts
-        f"FROM participants {where} ORDER BY position",
-        values,
-    ).fetchall()
-    for name, group, order, origin, control, finished, excluded in rows:
-        curves = connection.execute("SELECT instruction, samples FROM curves WHERE participant = ?", (name,))
-        demographics = connection.execute(
-            "SELECT question, answer FROM demographics WHERE participant = ?", (name,)
-        )
-        yield Participant(
-            name=name,
-            group=group,
-            order=tuple(json.loads(order)),
-            curves={key: np.frombuffer(samples, "<f8").astype(float) for key, samples in curves},
-            demographics=dict(demographics.fetchall()),
-            control=control,
-            origin=Origin(origin),
-            finished=bool(finished),
-            excluded=excluded,
-        )
-
-
-def _must_exist(connection: sqlite3.Connection, name: str) -> None:
-    if not connection.execute("SELECT 1 FROM participants WHERE name = ?", (name,)).fetchone():
-        raise FuzzytimeError(f"there is no participant {name[:80]!r}")
-
-
-def checked_curve(values: ArrayLike, design: Design) -> Floats:
-    """Give a curve as an array of shape (samples,).
-
-    Raises
-    ------
-    FuzzytimeError
-        If there are not as many satisfactions as the design has samples, or one is not in [0, 1].
-    """
-    try:
-        curve = np.asarray(values, float)
-    except (TypeError, ValueError, OverflowError) as error:
-        raise FuzzytimeError("a curve must be a list of numbers") from error
-    if curve.shape != (design.timeline.samples,):
-        raise FuzzytimeError(f"a curve must have {design.timeline.samples} samples, got shape {curve.shape}")
-    if not ((curve >= 0) & (curve <= 1)).all():
-        raise FuzzytimeError("satisfactions must lie in [0, 1]")
-    return curve
+            return Answers(self.design, tuple(participants_in(connection)))

@@ -11,8 +11,8 @@ from fuzzytime.context import (
     Reading,
     Signal,
     parse_assignment,
-    parse_context_lines,
     read_context_file,
+    read_context_lines,
     read_context_node,
 )
 from fuzzytime.errors import DocumentError, FuzzytimeError
@@ -33,7 +33,7 @@ def test_lines_give_readings() -> None:
         b'{"signal": "timer", "at": "2026-03-04T08:59:00"}\n'
         b'{"signal": "timer", "at": "2026-03-04T08:10:00+00:00"}'
     )
-    context = parse_context_lines(raw, "readings.jsonl", SIGNALS, NOW)
+    context = read_context_lines(raw, "readings.jsonl", NOW, SIGNALS)
     assert [(r.signal, r.at) for r in context.readings] == [
         ("pan_temp", -30.0),
         ("pan_temp", 0.0),
@@ -70,7 +70,7 @@ MISTAKES = [
 @pytest.mark.parametrize(("line", "column", "message"), MISTAKES)
 def test_a_line_that_is_no_reading_is_named(line: bytes, column: int, message: str) -> None:
     with pytest.raises(DocumentError) as caught:
-        parse_context_lines(b'{"signal": "timer"}\n' + line, "readings.jsonl", SIGNALS, NOW)
+        read_context_lines(b'{"signal": "timer"}\n' + line, "readings.jsonl", NOW, SIGNALS)
     (mistake,) = caught.value.mistakes
     assert (mistake.path, mistake.line, mistake.column) == ("readings.jsonl", 2, column)
     assert message in mistake.message
@@ -79,13 +79,13 @@ def test_a_line_that_is_no_reading_is_named(line: bytes, column: int, message: s
 def test_all_mistakes_come_at_once() -> None:
     raw = b"\n".join(line for line, _, _ in MISTAKES)
     with pytest.raises(DocumentError) as caught:
-        parse_context_lines(raw, "readings.jsonl", SIGNALS, NOW)
+        read_context_lines(raw, "readings.jsonl", NOW, SIGNALS)
     assert [mistake.line for mistake in caught.value.mistakes] == list(range(1, len(MISTAKES) + 1))
 
 
 def test_an_instant_needs_a_moment_to_count_from() -> None:
     with pytest.raises(DocumentError, match="needs a moment to count from"):
-        parse_context_lines(b'{"signal": "timer", "at": "2026-03-04T08:00"}', "r.jsonl")
+        read_context_lines(b'{"signal": "timer", "at": "2026-03-04T08:00"}', "r.jsonl")
 
 
 def test_a_file_is_read(tmp_path: Path) -> None:
@@ -127,7 +127,7 @@ def node_context(text: str) -> tuple[Context, list[str]]:
 
 def test_the_context_of_a_task_file_is_read() -> None:
     context, mistakes = node_context(
-        "pan_temp: [{at: -60 s, value: 120}, {at: 0 s, value: 356 degF}]\ntimer: {at: 5 min}\n"
+        "pan_temp: [{at: -60 s, value: 120}, {value: 356, unit: degF}]\ntimer: {at: 5 min}\n"
     )
     assert mistakes == []
     assert [(r.signal, r.at, r.value and round(r.value)) for r in context.readings] == [

@@ -31,9 +31,9 @@ def test_shifting_moves_the_origin() -> None:
     assert context.shifted(300).shifted(-300) == context
 
 
-def test_joining_lets_the_other_s_readings_stand() -> None:
-    joined = Context.of({"pan_temp": 20.0}).joined(Context.of({"pan_temp": 180.0, "timer": None}))
-    assert joined == Context.of({"pan_temp": 180.0, "timer": None})
+def test_merging_lets_the_other_s_readings_stand() -> None:
+    merged = Context.of({"pan_temp": 20.0}).merged(Context.of({"pan_temp": 180.0, "timer": None}))
+    assert merged == Context.of({"pan_temp": 180.0, "timer": None})
 
 
 def test_the_empty_context_has_no_readings() -> None:
@@ -62,9 +62,9 @@ def test_what_a_signal_cannot_have_is_refused(values: dict[str, float | str | No
         Context.of(values).admitted(SIGNALS)
 
 
-@pytest.mark.parametrize("reading", [("x", float("nan"), 1.0), ("x", 0.0, float("inf"))])
+@pytest.mark.parametrize("reading", [("x", float("nan"), 1.0), ("x", 1e11, 1.0), ("x", 0.0, float("inf"))])
 def test_readings_are_finite(reading: tuple[str, float, float]) -> None:
-    with pytest.raises(FuzzytimeError, match="must be finite"):
+    with pytest.raises(FuzzytimeError, match=r"must be finite|must lie within"):
         Reading(*reading)
 
 

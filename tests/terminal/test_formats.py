@@ -13,8 +13,7 @@ from terminal.running import ran
 
 NOW = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
 HOSTILE = (
-    'Paint "=cmd|/C calc!A0" \x1b]52;c;aGk=\x07 \u202egnp\u202c '
-    "<script>alert(1)</script> & [red]x[/red] now"
+    'Paint "=cmd|/C calc!A0" \x1b]52;c;aGk=\x07 \u202egnp\u202c <script>alert(1)</script> & [red]x[/red] now'
 )
 
 

@@ -129,7 +129,8 @@ def test_a_skill_is_printed_as_the_terminal_note_has_it(tmp_path: Path) -> None:
     assert skill["operation"] == {"verb": "flip", "object": "the pancakes", "place": "in the pan"}
     assert skill["requirement"] | {"text": ""} == {
         "text": "", "reference": "start", "constraint": "at", "preposition": "in", "word": None,
-        "fuzziness": "about", "number": 2, "unit": "minute", "t_spec_s": 120, "earliest_s": 120, "latest_s": 120,
+        "fuzziness": "about", "number": 2, "unit": "minute",
+        "t_spec_s": 120, "earliest_s": 120, "latest_s": 120,
     }  # fmt: skip
     assert skill["rules"][0]["source"].startswith("rules/lookup.yaml:")
     assert skill["done_s"] >= skill["end_s"] == skill["start_s"] + skill["duration_s"]

@@ -58,7 +58,7 @@ def vocabulary() -> list[str]:
 
 def texts(count: int, seed: int) -> Iterator[str]:
     """Give texts, the same for the same seed."""
-    chance = random.Random(seed)  # noqa: S311
+    chance = random.Random(seed)
     words = vocabulary()
     for _ in range(count):
         kind = chance.randrange(6)
@@ -143,7 +143,7 @@ class Road:
 
 def run(name: str, count: int, seed: int, road: Road | None) -> int:
     """Run texts through one check; print the figure, give the number of failures."""
-    chance = random.Random(seed + 1)  # noqa: S311
+    chance = random.Random(seed + 1)
     failed = slow = 0
     longest = 0.0
     began = time.perf_counter()
@@ -158,13 +158,13 @@ def run(name: str, count: int, seed: int, road: Road | None) -> int:
         except Exception:  # noqa: BLE001 - anything that escapes is what is looked for
             failed += 1
             if failed <= 5:
-                print(repr(text), now)  # noqa: T201
+                print(repr(text), now)
                 traceback.print_exc()
         taken = time.perf_counter() - start
         longest = max(longest, taken)
         slow += taken > SLOW
     seconds = time.perf_counter() - began
-    print(  # noqa: T201
+    print(
         f"{name}: {count:,} texts, seed {seed}, {failed} failures, {slow} over {SLOW:g} s, "
         f"longest {longest * 1000:.0f} ms, {seconds:.0f} s in all"
     )

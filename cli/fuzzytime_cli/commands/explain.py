@@ -26,7 +26,7 @@ def explain(
     understanding: Understanding,
     solving: Solving,
 ) -> None:
-    """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why it starts then."""
+    """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why it starts so."""
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import is_fault, report_problem, request_of
     from fuzzytime_cli.drawing.svg import chart_svg

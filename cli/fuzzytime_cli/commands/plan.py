@@ -95,7 +95,7 @@ def request_of(
     return replace(
         request,
         wishes=(*request.wishes, *spoken),
-        context=request.context.joined(context),
+        context=request.context.merged(context),
         horizon=assembly.horizon() or request.horizon,
     )
 

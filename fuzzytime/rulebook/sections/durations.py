@@ -51,12 +51,15 @@ def _times(
         if isinstance(node, Mapping):
             reader.mistake(node, key, "missing key 'hands_on'")
         return None
-    first, last = found.get("hands_on", found.get("elapsed")), found.get("elapsed", found.get("hands_on"))
-    if first is None or last is None:
-        return None
-    hands_on = reader.duration(first, f"{key}.hands_on", 0.0, 365 * DAY)
-    elapsed = reader.duration(last, f"{key}.elapsed", 0.0, 365 * DAY)
+    given = {
+        name: reader.duration(found[name], f"{key}.{name}", 0.0, 365 * DAY)
+        for name in ("hands_on", "elapsed")
+        if name in found
+    }
+    elapsed = given.get("elapsed", given.get("hands_on", 0.0))
+    hands_on = given.get("hands_on", elapsed)
     if hands_on > elapsed:
-        reader.mistake(last, f"{key}.elapsed", "the elapsed time must not be shorter than the hands-on time")
+        message = "the elapsed time must not be shorter than the hands-on time"
+        reader.mistake(found["elapsed"], f"{key}.elapsed", message)
         return None
     return OperationDuration(hands_on=hands_on, elapsed=elapsed, source=reader.place(node), known=known)

@@ -1,6 +1,5 @@
 """Reading rows of the lookup: by word, preposition, clause, grain and constraint, and direct entries."""
 
-import math
 from collections.abc import Collection, Mapping
 from enum import StrEnum
 from types import MappingProxyType
@@ -9,13 +8,13 @@ from fuzzytime.requirement import Constraint, Reference, Unit
 from fuzzytime.rulebook.matching import KEYS, Match
 from fuzzytime.rulebook.sections.models import FORMS, read_form
 from fuzzytime.rulebook.sections.scope import Scope
-from fuzzytime.rulebook.sections.widths import MAX_FACTOR, read_factor
+from fuzzytime.rulebook.sections.widths import LONGEST, MAX_FACTOR, read_factor
 from fuzzytime.rulebook.tables import Entry, Hedge, Model, Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.yaml_nodes import Node, Scalar
 
 _ROW = ("model", *FORMS, "begun", "t", "w", "hedge", "core", "fade", "source")
-_TIMES = (("t", -math.inf), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
+_TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
 """Times that a row may fix, with the least value of each."""
 
 _CLOSED: Mapping[str, type[StrEnum]] = {
@@ -66,9 +65,7 @@ def _row(
     if "model" in found:
         models = (*scope.names.models, *CLAUSE_MODELS)
         model = scope.reader.choice(found["model"], f"{key}.model", models)
-        for other in FORMS:
-            if other in found:
-                scope.reader.mistake(found[other], f"{key}.{other}", "must not stand beside 'model'")
+        scope.reader.refuse_keys(node, key, FORMS, "must not stand beside 'model'")
     else:
         form = read_form(scope, found, node, key)
         own = Model(name, form, source) if form is not None else None
@@ -76,7 +73,7 @@ def _row(
         scope.reader.choice(found["begun"], f"{key}.begun", scope.names.models) if "begun" in found else ""
     )
     times = {
-        part: scope.reader.duration(found[part], f"{key}.{part}", low)
+        part: scope.reader.duration(found[part], f"{key}.{part}", low, LONGEST)
         for part, low in _TIMES
         if part in found
     }

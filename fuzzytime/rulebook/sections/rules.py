@@ -10,7 +10,7 @@ from fuzzytime.rulebook.norms import Norm
 from fuzzytime.rulebook.rules import Effect, Rule
 from fuzzytime.rulebook.sections.rows import read_match
 from fuzzytime.rulebook.sections.scope import Scope
-from fuzzytime.rulebook.sections.widths import read_factor
+from fuzzytime.rulebook.sections.widths import LONGEST, read_factor
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Scalar
@@ -87,11 +87,10 @@ def _effect(scope: Scope, found: Mapping[str, Node], key: str) -> Effect:
             scope.reader.mistake(
                 parts["model"], f"{path}.model", f"the model {model!r} needs an 'if' to wait for"
             )
-    for name in ("core", "fade"):
-        if name in parts and model and model not in CLAUSE_MODELS:
-            scope.reader.mistake(parts[name], f"{path}.{name}", f"does not belong to the model {model!r}")
+    if model and model not in CLAUSE_MODELS:
+        scope.reader.refuse_keys(node, path, ("core", "fade"), f"does not belong to the model {model!r}")
     times = {
-        name: scope.reader.duration(parts[name], f"{path}.{name}", low)
+        name: scope.reader.duration(parts[name], f"{path}.{name}", low, LONGEST)
         for name, low in _TIMES
         if name in parts
     }

@@ -4,10 +4,11 @@ import math
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
+from fuzzytime.context.signals import LARGEST, Approach, Course, Hold, Linear, Signal
 from fuzzytime.context.units import UNITS, convert, parse_quantity
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.times import DAY
 from fuzzytime.yaml_nodes import Node, Scalar
 
@@ -18,7 +19,8 @@ _COURSES: Mapping[str, tuple[str, ...]] = {
 }
 """The models of forecasts, and the keys of each beside its horizon."""
 
-LONGEST = 366 * DAY
+_FOR_VALUES = ("unit", "range", "max_age", "max_gap", "forecast")
+"""What only signals with values have."""
 
 
 def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
@@ -33,7 +35,7 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
         found = scope.reader.mapping(value, path, allowed)
         event = scope.reader.boolean(found["event"], f"{path}.event") if "event" in found else False
         if event:
-            _refuse_beside_event(scope, found, path)
+            scope.reader.refuse_keys(value, path, _FOR_VALUES, "an event has no value")
         unit = _unit(scope, found["unit"], f"{path}.unit") if "unit" in found else None
         low, high = _range(scope, found["range"], f"{path}.range", unit) if "range" in found else _OPEN
         course: Course = Hold()
@@ -61,12 +63,6 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
 _OPEN = (-math.inf, math.inf)
 
 
-def _refuse_beside_event(scope: Scope, found: Mapping[str, Node], key: str) -> None:
-    for other in ("unit", "range", "max_age", "max_gap", "forecast"):
-        if other in found:
-            scope.reader.mistake(found[other], f"{key}.{other}", "an event has no value")
-
-
 def _unit(scope: Scope, node: Node, key: str) -> str:
     text = scope.reader.string(node, key)
     if isinstance(node, Scalar) and (not text.strip() or len(text) > 30):
@@ -79,19 +75,24 @@ def _range(scope: Scope, node: Node, key: str, unit: str | None) -> tuple[float,
     if len(items) != 2:
         return _OPEN
     low, high = (read_value(scope, item, f"{key}[{i}]", unit) for i, item in enumerate(items))
+    if low is None or high is None:
+        return _OPEN
     if low >= high:
         scope.reader.mistake(items[1], f"{key}[1]", f"a range must increase, got {low:g} to {high:g}")
         return _OPEN
     return low, high
 
 
-def read_value(scope: Scope, node: Node, key: str, unit: str | None) -> float:
-    """Read a value of a signal, in the signal's unit or with a unit that converts to it."""
+def read_value(scope: Scope, node: Node, key: str, unit: str | None) -> float | None:
+    """Read a value of a signal, in the signal's unit or with one that converts to it; None if it is none."""
     if not isinstance(node, Scalar):
-        return scope.reader.number(node, key)
+        scope.reader.string(node, key)
+        return None
 
     def converted(text: str) -> float:
         value, given = parse_quantity(text)
+        if abs(value) > LARGEST:
+            raise FuzzytimeError(f"must be at most {LARGEST:g}, got {text!r}")
         if given is None:
             return value
         if unit is None:
@@ -100,15 +101,15 @@ def read_value(scope: Scope, node: Node, key: str, unit: str | None) -> float:
             raise FuzzytimeError(f"must be in {unit!r}, got {text!r}")
         return convert(value, given, unit)
 
-    return scope.reader.read(node, key, converted) or 0.0
+    return scope.reader.read(node, key, converted)
 
 
 def _course(scope: Scope, node: Node, key: str, unit: str | None) -> Course:
     found = scope.reader.mapping(node, key, ("model", "horizon", *sum(_COURSES.values(), ())), ("model",))
     model = scope.reader.choice(found["model"], f"{key}.model", tuple(_COURSES)) if "model" in found else ""
-    for part in found:
-        if model and part not in ("model", "horizon", *_COURSES[model]):
-            scope.reader.mistake(found[part], f"{key}.{part}", f"does not belong to the model {model!r}")
+    if model:
+        others = [part for part in found if part not in ("model", "horizon", *_COURSES[model])]
+        scope.reader.refuse_keys(node, key, others, f"does not belong to the model {model!r}")
     horizon = math.inf
     if "horizon" in found:
         horizon = scope.reader.duration(found["horizon"], f"{key}.horizon", 1e-3, LONGEST)

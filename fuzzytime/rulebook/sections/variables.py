@@ -7,7 +7,8 @@ from types import MappingProxyType
 
 from fuzzytime.rulebook.grammar import KEYWORDS
 from fuzzytime.rulebook.sections.scope import Scope
-from fuzzytime.rulebook.sections.signals import LONGEST, read_per, read_value
+from fuzzytime.rulebook.sections.signals import read_per, read_value
+from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.rulebook.variables import Power, Source, Term, Variable
 from fuzzytime.yaml_nodes import Node, suggestion
 
@@ -83,9 +84,7 @@ def _rate_parts(
 ) -> tuple[float, float]:
     over, per = 0.0, 1.0
     if source is not Source.RATE_OF:
-        for part in _FOR_RATES:
-            if part in found:
-                scope.reader.mistake(found[part], f"{key}.{part}", "belongs to 'rate_of' only")
+        scope.reader.refuse_keys(node, key, _FOR_RATES, "belongs to 'rate_of' only")
         return over, per
     if "over" in found:
         over = scope.reader.duration(found["over"], f"{key}.over", 1e-3, LONGEST)
@@ -118,7 +117,8 @@ def _corners(
     scope: Scope, node: Node, key: str, shape: str, unit: str | None
 ) -> tuple[float, float, float, float] | None:
     items = scope.reader.sequence(node, key, _SHAPES[shape])
-    values = [read_value(scope, item, f"{key}[{i}]", unit) for i, item in enumerate(items)]
+    read = [read_value(scope, item, f"{key}[{i}]", unit) for i, item in enumerate(items)]
+    values = [value for value in read if value is not None]
     if len(values) != _SHAPES[shape]:
         return None
     for i, (one, following) in enumerate(pairwise(values), 1):

@@ -10,13 +10,15 @@ from fuzzytime.requirement import Unit
 from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.width import Points, Roundness
-from fuzzytime.times import HOUR, parse_duration
+from fuzzytime.times import DAY, HOUR, parse_duration
 from fuzzytime.yaml_nodes import Node
 
 _E = TypeVar("_E", bound=StrEnum)
 _T = TypeVar("_T")
 
 MAX_FACTOR = 1000.0
+LONGEST = 366 * DAY
+"""The longest time that a table may speak of, but for validity."""
 
 
 def read_factor(scope: Scope, node: Node, key: str) -> float:
@@ -26,16 +28,14 @@ def read_factor(scope: Scope, node: Node, key: str) -> float:
 
 def read_positive_duration(scope: Scope, node: Node, key: str) -> float:
     """Read a duration of at least a millisecond."""
-    return scope.reader.duration(node, key, 1e-3)
+    return scope.reader.duration(node, key, 1e-3, LONGEST)
 
 
 def read_width(scope: Scope, node: Node, key: str) -> Points:
     """Read ``{base: 112.9 s, growth: 0.03406}`` or ``{points: {0 s: 4 min, 10 min: 10.7 min}}``."""
     found = scope.reader.mapping(node, key, ("base", "growth", "points", "source"))
     if "points" in found:
-        for other in ("base", "growth"):
-            if other in found:
-                scope.reader.mistake(found[other], f"{key}.{other}", "must not stand beside 'points'")
+        scope.reader.refuse_keys(node, key, ("base", "growth"), "must not stand beside 'points'")
         return _points(scope, found["points"], f"{key}.points", read_positive_duration, extended=True)
     for name in ("base", "growth"):
         if name not in found:
@@ -66,12 +66,13 @@ def _points(
         path = f"{key}.{text}"
         time = scope.reader.read(keys[text], path, parse_duration)
         value = read(scope, child, path)
-        if time is not None and (time < 0 or time <= last):
+        if time is not None and not max(last, -1e-9) < time <= LONGEST:
             scope.reader.mistake(keys[text], path, f"times must be at least 0 and increase, got {text!r}")
         elif time is not None:
             points[time], last = value, time
     if not points:
-        scope.reader.mistake(node, key, "must have at least one point")
+        if not keys:
+            scope.reader.mistake(node, key, "must have at least one point")
         return Points((0.0,), (1.0,))
     return Points(tuple(points), tuple(points.values()), extended, scope.reader.place(node))
 
