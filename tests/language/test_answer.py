@@ -13,9 +13,18 @@ pytestmark = pytest.mark.model
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001
 KEYS = {"text", "now", "operation", "requirements", "duration_s", "repeats", "instructions", "error"}
 REQUIREMENT_KEYS = {
-    "text", "span", "reference", "constraint", "preposition", "fuzziness", "number", "unit", "t_spec_s", "earliest",
+    "text",
+    "span",
+    "reference",
+    "constraint",
+    "preposition",
+    "fuzziness",
+    "number",
+    "unit",
+    "t_spec_s",
+    "earliest",
     "latest",
-}  # fmt: skip
+}
 
 
 @cache
@@ -60,11 +69,18 @@ def test_the_documented_example_is_answered_as_documented() -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "", "in ten minutes", "set the table", "boil the eggs for eight minutes", "feed the cat every day at nine",
-        "set the table, then feed the cat", "stir when the pan is hot", "serve before you eat", "call me at six",
+        "",
+        "in ten minutes",
+        "set the table",
+        "boil the eggs for eight minutes",
+        "feed the cat every day at nine",
+        "set the table, then feed the cat",
+        "stir when the pan is hot",
+        "serve before you eat",
+        "call me at six",
         "call me at noon or at one",
     ],
-)  # fmt: skip
+)
 def test_the_keys_are_always_there_and_the_answer_is_json(text: str) -> None:
     found = answer(language().read(text, now=NOW))
     assert found.keys() >= KEYS

@@ -1,7 +1,7 @@
 """Series of days are in order, and agree with calendars known from elsewhere."""
 
 from datetime import date, timedelta
-from itertools import islice
+from itertools import islice, pairwise
 
 import pytest
 from hypothesis import given
@@ -53,7 +53,7 @@ SERIES: list[Calendar] = [
 def test_upcoming_periods_ascend_and_are_not_over(series: Calendar, day: date) -> None:
     found = list(islice(series.upcoming(Today(day, Policy()), day), 4))
     assert all(days.first < days.end for days in found)
-    assert all(first.first < second.first for first, second in zip(found, found[1:], strict=False))
+    assert all(first.first < second.first for first, second in pairwise(found))
     assert isinstance(series, (Away, WeekOf)) or all(days.end > day for days in found)
 
 
@@ -61,7 +61,7 @@ def test_upcoming_periods_ascend_and_are_not_over(series: Calendar, day: date) -
 @given(day=DAYS)
 def test_past_periods_descend_and_have_begun(series: Calendar, day: date) -> None:
     found = list(islice(series.past(Today(day, Policy()), day), 4))
-    assert all(first.first > second.first for first, second in zip(found, found[1:], strict=False))
+    assert all(first.first > second.first for first, second in pairwise(found))
     assert isinstance(series, (Away, WeekOf)) or all(days.first < day for days in found)
 
 

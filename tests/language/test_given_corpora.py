@@ -1,4 +1,4 @@
-"""The figures that the language is built for, on corpora given by path (they are not part of this repository).
+"""The figures that the language is built for, on corpora given by path: they are not in this repository.
 
 ``FUZZYTIME_CORPORA`` names a folder with ``time_phrases.jsonl``, ``instructions.jsonl`` and ``grade.py``.
 """

@@ -17,6 +17,7 @@ from fuzzytime.times import instant_after
 
 BERLIN = ZoneInfo("Europe/Berlin")
 WEDNESDAY = datetime(2026, 3, 4, 9)  # noqa: DTZ001
+DECADES = st.datetimes(datetime(1990, 1, 1), datetime(2037, 12, 31))  # noqa: DTZ001
 
 
 def only(text: str, now: datetime, policy: Policy | None = None) -> TimeRequirement:

@@ -32,14 +32,30 @@ def test_the_shipped_tables_have_no_mistake(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ("  by:              {constraint: before", "  by:              {constraint: beside", r"prepositions\.by\.constraint: must be one of"),
-        ("  about:           {side: before", "  about:           {sied: before", r"hedges\.about\.sied: unknown key 'sied' \(did you mean 'side'\?\)"),
-        ("  soon:                {constraint: vague", "  soon:                {constraint: never", r"words\.soon\.constraint: must be one of"),
-        ("  a few:        {quantity: [2, 3, 4, 6]", "  a few:        {quantity: [2, 3, 6, 4]", r"amounts\.a few: corners must not decrease"),
+        (
+            "  by:              {constraint: before",
+            "  by:              {constraint: beside",
+            r"prepositions\.by\.constraint: must be one of",
+        ),
+        (
+            "  about:           {side: before",
+            "  about:           {sied: before",
+            r"hedges\.about\.sied: unknown key 'sied' \(did you mean 'side'\?\)",
+        ),
+        (
+            "  soon:                {constraint: vague",
+            "  soon:                {constraint: never",
+            r"words\.soon\.constraint: must be one of",
+        ),
+        (
+            "  a few:        {quantity: [2, 3, 4, 6]",
+            "  a few:        {quantity: [2, 3, 6, 4]",
+            r"amounts\.a few: corners must not decrease",
+        ),
         ("amounts:\n", "amounts:\n  a few: {}\n", r"amounts\.a few: keys must differ"),
         ("results: [", "result: [", r"unknown key 'result'"),
     ],
-)  # fmt: skip
+)
 def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str, said: str) -> None:
     assert old in LEXICON
     changed = LEXICON.replace(old, new, 1)
@@ -52,15 +68,35 @@ def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('  noon:       {from: "12:00"', '  noon:       {from: "25:00"', r"parts\.noon\.from: a time of day must look like 09:30, got '25:00'"),
-        ("  epiphany:          {date: 01-06", "  epiphany:          {date: 13-06", r"holidays\.epiphany\.date: a day of the year must look like 12-24"),
-        ("  labor day:         {nth: [1, monday, september]}", "  labor day:         {nth: [1, monday]}", r"holidays\.labor day\.nth: must hold 3 items, got 2"),
-        ("  week:    [week", "  wek:     [week", r"units\.wek: a unit must be a number of known units, got 'wek'"),
+        (
+            '  noon:       {from: "12:00"',
+            '  noon:       {from: "25:00"',
+            r"parts\.noon\.from: a time of day must look like 09:30, got '25:00'",
+        ),
+        (
+            "  epiphany:          {date: 01-06",
+            "  epiphany:          {date: 13-06",
+            r"holidays\.epiphany\.date: a day of the year must look like 12-24",
+        ),
+        (
+            "  labor day:         {nth: [1, monday, september]}",
+            "  labor day:         {nth: [1, monday]}",
+            r"holidays\.labor day\.nth: must hold 3 items, got 2",
+        ),
+        (
+            "  week:    [week",
+            "  wek:     [week",
+            r"units\.wek: a unit must be a number of known units, got 'wek'",
+        ),
         ("  America/Denver:", "  America/Dever: ", r"zones\.America/Dever: a zone must be an IANA name"),
-        ("  week_starts: monday", "  week_starts: mondy", r"policy\.week_starts: must be one of the known words, got 'mondy' \(did you mean 'monday'"),
+        (
+            "  week_starts: monday",
+            "  week_starts: mondy",
+            r"policy\.week_starts: must be one of the known words, got 'mondy' \(did you mean 'monday'",
+        ),
         ("  0: [monday, mon]", "  9: [monday, mon]", r"weekdays\.9: must be between 0 and 6, got '9'"),
     ],
-)  # fmt: skip
+)
 def test_a_mistake_in_the_calendar_is_located(tmp_path: Path, old: str, new: str, said: str) -> None:
     assert old in CALENDAR
     changed = CALENDAR.replace(old, new, 1)

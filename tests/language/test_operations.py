@@ -1,4 +1,4 @@
-"""The verb that is meant, its object and place, and the moment that a time is about, from trees built by hand."""
+"""The verb that is meant, its object and place, and the moment of a time, from trees built by hand."""
 
 import pytest
 

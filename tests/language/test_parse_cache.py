@@ -87,7 +87,8 @@ from datetime import datetime
 from pathlib import Path
 from fuzzytime.language import Language, answer
 reading = Language.shipped(cache=Path(sys.argv[1])).read(sys.argv[2], now=datetime(2026, 3, 4, 9))
-print(json.dumps({"answer": answer(reading), "modules": [m for m in ("spacy", "numpy", "scipy") if m in sys.modules]}))
+loaded = [module for module in ("spacy", "numpy", "scipy") if module in sys.modules]
+print(json.dumps({"answer": answer(reading), "modules": loaded}))
 """
 
 

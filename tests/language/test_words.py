@@ -1,5 +1,7 @@
 """Words know their place in the text, and are levelled without changing it."""
 
+from itertools import pairwise
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,7 +13,7 @@ from fuzzytime.language.grammar.words import words_of
 def test_words_cover_the_text_in_order_without_overlap(text: str) -> None:
     words = words_of(text)
     assert all(text[word.start : word.end].strip() for word in words)
-    assert all(first.end <= second.start for first, second in zip(words, words[1:], strict=False))
+    assert all(first.end <= second.start for first, second in pairwise(words))
     left = "".join(
         text[a:b]
         for a, b in zip(

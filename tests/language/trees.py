@@ -4,9 +4,9 @@ from fuzzytime.language.sentence.tree import Node, Tree
 
 
 def tree(*rows: str) -> Tree:
-    """Build a tree from rows of ``word tag relation head`` or ``word/lemma tag relation head``; head is a word's text.
+    """Build a tree from rows of ``word tag relation head`` or ``word/lemma tag relation head``.
 
-    The head of the root is itself. Words are joined by spaces.
+    A head is a word's text; that of the root is itself. Words are joined by spaces.
     """
     split = [row.split() for row in rows]
     words = [row[0].split("/")[0] for row in split]
