@@ -66,7 +66,7 @@ def _end_of(words: Sequence[Word], place: int, length: int) -> int:
 
 
 def _opens(words: Sequence[Word], place: int, inside: set[int]) -> bool:
-    """Whether a connective here opens an instruction: it is no time, and no word inside one ("the next step")."""
+    """Whether a connective here opens an instruction: no time, and no word inside one ("the next step")."""
     if place + 1 >= len(words) or place in inside:
         return False
     before = words[place - 1].text if place else ","
