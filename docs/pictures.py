@@ -1,7 +1,7 @@
 """Make the README's pictures by the program itself: ``python docs/pictures.py``.
 
-``images/breakfast.svg`` is what ``plan --format svg`` writes; ``images/conversation.svg`` records a conversation,
-line by line as a person types it, with a clock that this script moves.
+``images/breakfast.svg`` is what ``plan --format svg`` writes; ``images/conversation.svg`` records a
+conversation, line by line as a person types it, with a clock that this script moves.
 """
 
 import io
@@ -14,10 +14,10 @@ from zoneinfo import ZoneInfo
 
 sys.path[:0] = [str(Path(__file__).parent.parent / name) for name in ("tests", "cli", ".")]
 
-from console import ROOT, written_by
 from rich.console import Console
 from rich.text import Text
 
+from console import ROOT, written_by
 from fuzzytime.interpreter import Interpreter
 from fuzzytime.scheduling import THRESHOLD, Auto, Limits
 from fuzzytime_cli.repl.conversation import Conversation
