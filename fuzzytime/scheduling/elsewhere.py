@@ -5,6 +5,7 @@ costs is then never understated.
 """
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from fuzzytime.satisfaction import Interval, Rectangle
@@ -52,7 +53,7 @@ def elsewhere(
 ) -> Alternative | None:
     """Find the best schedule in which a skill starts within an interval, at the cost of those near by.
 
-    None where no agent is free for it then, or the interval lies before now.
+    None where no agent is free for it then, the interval is over, or what must come first is rejected.
 
     Parameters
     ----------
@@ -71,7 +72,8 @@ def elsewhere(
         threshold=schedule.threshold,
         limits=replace(watch.limits, seconds=watch.remaining),
     )
-    if found.start_times[0] not in within:
+    waits_in_vain = any(entry.second == 0 and found.rejected[entry.first] for entry in found.task.precedences)
+    if found.start_times[0] not in within or waits_in_vain:
         return None
     starts = list(schedule.start_times)
     for member, start in zip(members, found.start_times, strict=False):
@@ -81,7 +83,10 @@ def elsewhere(
 
 
 def _near(schedule: Schedule, position: int, within: Interval) -> list[int]:
-    """Give the skills near where one is or would be, without those that are as well done at any late time."""
+    """Give the skills near where one is or would be, without those that are as well done at any late time.
+
+    A rejected skill comes with what precedences bind to it, as it may be rejected for their sake.
+    """
     skills, own = schedule.skills, schedule.skills[position]
     wanted = min(max(own.start, within.low), within.high)
     low, high = min(own.start, wanted), max(own.start, wanted) + own.duration
@@ -94,35 +99,32 @@ def _near(schedule: Schedule, position: int, within: Interval) -> list[int]:
 
     jobs = problem_of(schedule.task, schedule.threshold).jobs
     others = sorted((job for job in jobs if job.position != position), key=distance)
-    return [job.position for job in others[:NEAR]]
+    chosen = {job.position for job in others[:NEAR]}
+    while True:
+        lost = [
+            member for member in _bound_to(schedule.task, {position, *chosen}) if schedule.rejected[member]
+        ]
+        more = _bound_to(schedule.task, lost) - chosen - {position}
+        if not more:
+            return sorted(chosen)
+        chosen |= more
 
 
 def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTask:
     """Give the task of some skills, the first of them at given times, while the others stay where they are.
 
-    Those others that come before or after a member by a precedence are in the task too, each at its time.
+    Those others that precedences bind to a member follow the members, each at its time.
     """
     task, specific = schedule.task, schedule.skills
-    fixed = {position for position, rejected in enumerate(schedule.rejected) if not rejected} - set(members)
-    linked: set[int] = set()
-    for entry in task.precedences:
-        linked |= {entry.first, entry.second} if {entry.first, entry.second} & set(members) else set()
+    pinned = sorted(_bound_to(task, members) - set(members))
     # Rejecting one of these must cost more than anything else can.
     firm = 1.0 + math.fsum(skill.priority for skill in task.skills)
-    pinned = sorted(fixed & linked)
-    skills = [
-        replace(task.skills[members[0]], satisfaction=Rectangle(within.low, within.high), priority=firm),
-        *(task.skills[member] for member in members[1:]),
-        *(
-            replace(
-                task.skills[position],
-                satisfaction=Rectangle(specific[position].start, specific[position].start),
-                priority=firm,
-                agent=specific[position].agent,
-            )
-            for position in pinned
-        ),
-    ]
+    skills = [task.skills[member] for member in members]
+    skills[0] = replace(skills[0], satisfaction=Rectangle(within.low, within.high), priority=firm)
+    for position in pinned:
+        then = Rectangle(specific[position].start, specific[position].start)
+        agent = specific[position].agent
+        skills.append(replace(task.skills[position], satisfaction=then, priority=firm, agent=agent))
     place = {position: index for index, position in enumerate([*members, *pinned])}
     precedences = tuple(
         replace(entry, first=place[entry.first], second=place[entry.second])
@@ -131,6 +133,14 @@ def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTa
     )
     busy = [
         Busy(specific[position].start, specific[position].end, agent=specific[position].agent)
-        for position in sorted(fixed - linked)
+        for position in range(len(specific))
+        if position not in place and not schedule.rejected[position]
     ]
     return FuzzyTask(tuple(skills), task.agents, precedences, (*task.busy, *busy))
+
+
+def _bound_to(task: FuzzyTask, members: Iterable[int]) -> set[int]:
+    """Give some skills with those that a precedence binds to one of them."""
+    inside = set(members)
+    pairs = [{entry.first, entry.second} for entry in task.precedences]
+    return inside.union(*(pair for pair in pairs if pair & inside))
