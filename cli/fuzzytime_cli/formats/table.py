@@ -11,7 +11,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import explain, reason_of
+from fuzzytime_cli.formats.reasons import loss_lines
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -217,11 +217,9 @@ class PlanView:
                 return "no schedule satisfies everyone" + (f": {names} clash" if names else "")
 
     def _losses(self) -> Iterator[Text]:
-        for why in explain(self.schedule):
-            sentence = reason_of(why, self.plan, self.clock)
-            if sentence:
-                label = fitted(self.labels[why.position], self.label_width)
-                yield Text(f"{label} ", style="dim").append(sentence, "not dim")
+        for position, sentence in loss_lines(self.plan):
+            label = fitted(self.labels[position], self.label_width)
+            yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
     def _notes(self) -> Iterator[Text]:
         for problem in self.plan.problems:
