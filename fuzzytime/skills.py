@@ -41,11 +41,15 @@ class FuzzySkill:
         Weight of log ψ in what is maximised.
     agent
         The agent, from 1, that must do it; None leaves the choice to the solver.
+    preferred
+        The start, in seconds, that was named: among starts that satisfy equally, nearer is better. None where
+        no moment was named, and earlier is better.
 
     Raises
     ------
     FuzzytimeError
-        If a duration is negative or not finite, or the priority is not above 0.
+        If a duration is negative or not finite, the priority is not above 0, or the preferred start is not
+        finite.
     """
 
     name: str
@@ -56,8 +60,11 @@ class FuzzySkill:
     elapsed: float | None = None
     priority: float = 1.0
     agent: int | None = None
+    preferred: float | None = None
 
     def __post_init__(self) -> None:
+        if self.preferred is not None and not math.isfinite(self.preferred):
+            raise FuzzytimeError(f"a skill's preferred start must be finite, got {self.preferred}")
         for name, value in (("duration", self.duration), ("elapsed time", self.time_until_done)):
             if not 0 <= value < math.inf:
                 raise FuzzytimeError(f"a skill's {name} must be finite and at least 0, got {value}")

@@ -86,7 +86,7 @@ def parse_duration(text: str) -> float:
         if size >= smallest:
             raise FuzzytimeError(f"units of a duration must get smaller, got {text!r}")
         total, smallest, at = total + number * size, size, part.end()
-    if smallest == math.inf:
+    if smallest == math.inf or not math.isfinite(total):
         raise FuzzytimeError(_not_a_duration(text))
     return sign * total
 

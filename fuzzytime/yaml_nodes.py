@@ -1,78 +1,34 @@
-"""YAML read safely: a tree of texts with their places, and every mistake found in one run.
+"""YAML read safely: texts with their places, and every mistake found in one run.
 
 PyYAML's objects lose the places of keys and values, turn ``on`` into true and ``1:30`` into ninety, and
-follow aliases into bombs. So the events of its C parser are read here into a small tree in which every
-scalar is still text; converting is the caller's, through a `Reader`, which collects mistakes instead of
-stopping at the first. Aliases, anchors, tags, merge keys, several documents, depth above `MAX_DEPTH` and
-files above `MAX_BYTES` are refused.
+follow aliases into bombs. So a document is read into a tree in which every scalar is still text (see
+`fuzzytime.yaml_tree`); converting is the caller's, through a `Reader`, which collects mistakes instead of
+stopping at the first. Aliases, anchors, tags, merge keys, several documents, and what is too deep, too long
+or above `MAX_BYTES` are refused.
 """
 
 import difflib
 import math
 import re
 from collections.abc import Callable, Collection, Iterable
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NoReturn, TypeVar
 
-import yaml
-
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.times import parse_duration
+from fuzzytime.times import format_duration, parse_duration
+from fuzzytime.yaml_tree import MAX_DEPTH, Mapping, Node, Place, Scalar, Sequence, TreeError, parse_tree
+
+__all__ = ["MAX_BYTES", "MAX_DEPTH", "Mapping", "Node", "Reader", "Scalar", "Sequence", "suggestion"]
 
 MAX_BYTES = 1 << 20
-MAX_DEPTH = 32
 
 _NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
-_LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _T = TypeVar("_T")
-
-
-@dataclass(frozen=True, slots=True)
-class Scalar:
-    """A text, and where it starts: line and column from 0, index in characters."""
-
-    text: str
-    line: int
-    column: int
-    index: int
-    quoted: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Sequence:
-    """A list of nodes."""
-
-    items: tuple["Node", ...]
-    line: int
-    column: int
-    index: int
-
-
-@dataclass(frozen=True, slots=True)
-class Mapping:
-    """Keys, as scalars with their places, and their values; duplicates are still there."""
-
-    entries: tuple[tuple[Scalar, "Node"], ...]
-    line: int
-    column: int
-    index: int
-
-
-Node = Scalar | Sequence | Mapping
-
-
-@dataclass(slots=True)
-class _Open:
-    """A collection whose end has not come yet."""
-
-    event: yaml.CollectionStartEvent
-    children: list[Node] = field(default_factory=list)
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
     """Say which known word was meant, or which there are, as the tail of a message."""
-    choices = sorted(set(known))
+    choices = sorted({str(choice) for choice in known})
     close = difflib.get_close_matches(word, choices, 1, 0.6)
     if close:
         return f" (did you mean {close[0]!r}?)"
@@ -96,8 +52,8 @@ class Reader:
         self.lines = self.text.splitlines()
 
     @classmethod
-    def of_file(cls, path: Path) -> "Reader":
-        """Read a file, at most one byte more than `MAX_BYTES` of it.
+    def of_file(cls, path: Path, shown: str | None = None) -> "Reader":
+        """Read a file, at most one byte more than `MAX_BYTES` of it; messages call it ``shown``.
 
         Raises
         ------
@@ -107,7 +63,7 @@ class Reader:
             If it is too large or is not UTF-8.
         """
         with path.open("rb") as stream:
-            return cls(str(path), stream.read(MAX_BYTES + 1))
+            return cls(shown or str(path), stream.read(MAX_BYTES + 1))
 
     def _decoded(self, source: bytes | str) -> str:
         raw = source.encode("utf-8", "surrogatepass") if isinstance(source, str) else source
@@ -135,80 +91,34 @@ class Reader:
     # -- the tree -------------------------------------------------------------------------------------------
 
     def root(self) -> Node:
-        """Parse the document.
+        """Parse the document; what is not allowed in it but can be read over is noted.
 
         Raises
         ------
         DocumentError
-            If it is not one well-formed YAML document of the plain kind.
+            If it is not one well-formed YAML document within the limits.
         """
         try:
-            return self._tree()
-        except yaml.MarkedYAMLError as error:
-            mark = error.problem_mark or error.context_mark
-            line, column = (mark.line, mark.column) if mark else (0, 0)
+            return parse_tree(self.text, self._note)
+        except TreeError as error:
+            line, column = error.line, error.column
             if line >= len(self.lines):
                 line, column = max(0, len(self.lines) - 1), len(self.lines[-1]) if self.lines else 0
-            problem = " ".join(part for part in (error.problem, error.context) if part)
-            self._stop(line, column, f"not valid YAML: {problem}")
-        except yaml.reader.ReaderError as error:
-            at = min(error.position, len(self.text))
-            line = self.text.count("\n", 0, at)
-            self._stop(line, at - (self.text.rfind("\n", 0, at) + 1), f"not valid YAML: {error.reason}")
+            self._stop(line, column, error.message)
 
-    def _tree(self) -> Node:
-        documents: list[Node] = []
-        stack: list[_Open] = []
-        for event in yaml.parse(self.text, Loader=_LOADER):
-            mark = _start(event)
-            self._refuse_odd(event, len(stack), len(documents))
-            node: Node | None = None
-            if isinstance(event, yaml.ScalarEvent):
-                node = Scalar(event.value, mark.line, mark.column, mark.index, event.style is not None)
-            elif isinstance(event, yaml.CollectionStartEvent):
-                stack.append(_Open(event))
-            elif isinstance(event, yaml.CollectionEndEvent):
-                node = self._closed(stack.pop())
-            if node is not None and stack:
-                stack[-1].children.append(node)
-            elif node is not None:
-                documents.append(node)
-        if not documents:
-            self._stop(0, 0, "the file must not be empty")
-        return documents[0]
-
-    def _refuse_odd(self, event: yaml.Event, depth: int, documents: int) -> None:
-        mark = _start(event)
-        refused = ""
-        if isinstance(event, yaml.AliasEvent):
-            refused = f"aliases are not allowed, got '*{event.anchor}'"
-        elif isinstance(event, yaml.NodeEvent) and event.anchor is not None:
-            refused = f"anchors are not allowed, got '&{event.anchor}'"
-        elif isinstance(event, (yaml.ScalarEvent, yaml.CollectionStartEvent)) and event.tag is not None:
-            refused = f"tags are not allowed, got '{event.tag}'"
-        elif isinstance(event, yaml.CollectionStartEvent) and depth >= MAX_DEPTH:
-            refused = f"nesting must not be deeper than {MAX_DEPTH}"
-        elif isinstance(event, yaml.DocumentStartEvent) and documents:
-            refused = "a file must hold one document"
-        if refused:
-            self._stop(mark.line, mark.column, refused)
-
-    def _closed(self, opened: _Open) -> Node:
-        mark = _start(opened.event)
-        if isinstance(opened.event, yaml.SequenceStartEvent):
-            return Sequence(tuple(opened.children), mark.line, mark.column, mark.index)
-        entries = []
-        for key, value in zip(opened.children[::2], opened.children[1::2], strict=True):
-            if isinstance(key, Scalar):
-                entries.append((key, value))
-            else:
-                self.mistake(key, "", "a key must be a text, got a list or a mapping")
-        return Mapping(tuple(entries), mark.line, mark.column, mark.index)
+    def _note(self, place: Place, message: str) -> None:
+        source = self.lines[place.line] if place.line < len(self.lines) else ""
+        self.mistakes.append(Mistake(self.path, place.line + 1, place.column + 1, "", message, source))
 
     # -- mistakes -------------------------------------------------------------------------------------------
 
     def mistake(self, node: Node, key: str, message: str, offset: int = 0) -> None:
-        """Note a mistake at a node, or ``offset`` characters into a scalar's text."""
+        """Note a mistake at a node, or ``offset`` characters into a scalar's text.
+
+        Of a node that was refused already nothing more is said.
+        """
+        if isinstance(node, Scalar) and node.refused:
+            return
         line, column = node.line, node.column
         if isinstance(node, Scalar) and offset:
             line, column = self._place_inside(node, offset)
@@ -285,6 +195,13 @@ class Reader:
         """Give the places of a mapping's keys."""
         return {name.text: name for name, _ in node.entries} if isinstance(node, Mapping) else {}
 
+    def refuse_keys(self, node: Node, key: str, names: Iterable[str], message: str) -> None:
+        """Note a mistake at each of these keys that a mapping has."""
+        keys = self.keys(node)
+        for name in names:
+            if name in keys:
+                self.mistake(keys[name], f"{key}.{name}", message)
+
     def sequence(self, node: Node, key: str, length: int | None = None) -> tuple[Node, ...]:
         """Give a list's nodes, of one length if given."""
         if not isinstance(node, Sequence):
@@ -322,18 +239,23 @@ class Reader:
 
     def number(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a finite number between two bounds."""
-        return self._converted(node, key, _to_number, (low, high))
+        return self._converted(node, key, _to_number, (low, high), "{:g}".format)
 
     def whole(self, node: Node, key: str, low: int, high: int) -> int:
         """Give a whole number between two bounds."""
-        return int(self._converted(node, key, _to_whole, (low, high)))
+        return int(self._converted(node, key, _to_whole, (low, high), "{:g}".format))
 
     def duration(self, node: Node, key: str, low: float = -math.inf, high: float = math.inf) -> float:
         """Give a duration in seconds between two bounds."""
-        return self._converted(node, key, parse_duration, (low, high))
+        return self._converted(node, key, parse_duration, (low, high), format_duration)
 
     def _converted(
-        self, node: Node, key: str, convert: Callable[[str], float], bounds: tuple[float, float]
+        self,
+        node: Node,
+        key: str,
+        convert: Callable[[str], float],
+        bounds: tuple[float, float],
+        shown: Callable[[float], str],
     ) -> float:
         if not isinstance(node, Scalar):
             self.mistake(node, key, f"must be a single value, got {_kind(node)}")
@@ -342,10 +264,13 @@ class Reader:
         if value is None:
             return 0.0
         low, high = bounds
-        if not low <= value <= high:
-            self.mistake(node, key, f"must be between {low:g} and {high:g}, got {node.text!r}")
-            return 0.0
-        return value
+        if low <= value <= high and math.isfinite(value):
+            return value
+        limits = (
+            f"between {shown(low)} and {shown(high)}" if math.isfinite(high) else f"at least {shown(low)}"
+        )
+        self.mistake(node, key, f"must be {limits if math.isfinite(value) else 'finite'}, got {node.text!r}")
+        return 0.0
 
     def read(self, node: Scalar, key: str, convert: Callable[[str], _T]) -> _T | None:
         """Convert a scalar's text by a function whose `FuzzytimeError` becomes a mistake here."""
@@ -354,19 +279,6 @@ class Reader:
         except FuzzytimeError as error:
             self.mistake(node, key, str(error))
             return None
-
-
-@dataclass(frozen=True, slots=True)
-class _Place:
-    line: int
-    column: int
-    index: int
-
-
-def _start(event: yaml.Event) -> _Place:
-    """Give the place of an event; only events made by hand have none."""
-    mark = event.start_mark
-    return _Place(mark.line, mark.column, mark.index) if mark is not None else _Place(0, 0, 0)
 
 
 def _kind(node: Node) -> str:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from fuzzytime_cli.commands import config, doctor, explain, parse, plan, rules
+from fuzzytime_cli.commands import config, doctor, explain, parse, plan, repl, rules
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 
@@ -22,6 +22,7 @@ app = typer.Typer(
 app.command("plan")(plan.plan)
 app.command("parse")(parse.parse)
 app.command("explain")(explain.explain)
+app.command("repl")(repl.repl)
 app.add_typer(rules.app, name="rules")
 app.add_typer(config.app, name="config")
 app.command("doctor")(doctor.doctor)

@@ -1,6 +1,7 @@
 """From options and settings to the library's values: interpreter, context, solver, limits, request."""
 
 import os
+from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import datetime, tzinfo
 from pathlib import Path
@@ -12,8 +13,11 @@ from fuzzytime_cli.options import Moment, Solving, Understanding
 from fuzzytime_cli.settings import Settings, Value, load_settings
 
 if TYPE_CHECKING:
-    from fuzzytime.context import Context
+    from collections.abc import Mapping
+
+    from fuzzytime.context import Context, Signal
     from fuzzytime.interpreter import Interpreter, Plan, Request
+    from fuzzytime.language import Language
     from fuzzytime.rulebook import Rulebook
     from fuzzytime.scheduling import Limits, Solver
 
@@ -73,8 +77,21 @@ class Assembly:
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
 
+    def language(self) -> "Language":
+        """Load the language, with the cache of parses.
+
+        Raises
+        ------
+        ConfigError
+            If a word table breaks a rule, or the model is not installed.
+        """
+        from fuzzytime.language import Language
+
+        with as_config():
+            return Language.shipped(cache=parse_cache(os.environ))
+
     def interpreter(self) -> "Interpreter":
-        """Put language and rulebook together, with the cache of parses.
+        """Put language and rulebook together.
 
         Raises
         ------
@@ -82,13 +99,12 @@ class Assembly:
             If a table breaks a rule.
         """
         from fuzzytime.interpreter import Interpreter
-        from fuzzytime.language import Language
 
-        with as_config():
-            language = Language.shipped(cache=parse_cache(os.environ))
-        return Interpreter(language, self.rulebook())
+        return Interpreter(self.language(), self.rulebook())
 
-    def context(self, understanding: Understanding, now: datetime, rulebook: "Rulebook") -> "Context":
+    def context(
+        self, understanding: Understanding, now: datetime, signals: "Mapping[str, Signal]"
+    ) -> "Context":
         """Read ``--context`` and ``--ctx``.
 
         Raises
@@ -96,37 +112,27 @@ class Assembly:
         UsageError, DocumentError
             If one of them breaks a rule.
         """
-        from fuzzytime.context import Context, parse_assignment, read_context_lines
+        from fuzzytime.context import Context, parse_assignment, read_context_file
 
         context = Context()
         if understanding.context is not None:
-            from fuzzytime_cli.inputs.source import read_source
-
-            source = read_source(str(understanding.context))
-            context = read_context_lines(source.text, source.name, now)
+            if not understanding.context.is_file():
+                raise NoInputError(f"{understanding.context}: there is no such context file")
+            context = read_context_file(understanding.context, now, signals)
         for assignment in understanding.ctx or ():
             with as_usage("--ctx"):
-                context = context.with_reading(parse_assignment(assignment))
+                context = context.with_reading(parse_assignment(assignment, signals))
         return context
 
-    def solver(self) -> "Solver":
-        """Choose the solver."""
+    def solver(self, choice: SolverChoice | None = None) -> "Solver":
+        """Give a solver: the one asked for, or that of the settings."""
         from fuzzytime import scheduling
 
-        seed = int(self.settings.number("seed"))
-        match SolverChoice(self.settings.text("solver")):
-            case SolverChoice.AUTO:
-                return scheduling.Auto()
-            case SolverChoice.EXACT:
-                return scheduling.Labels()
-            case SolverChoice.EXHAUSTIVE:
-                return scheduling.ExhaustiveSampling()
-            case SolverChoice.HILL_CLIMBING:
-                return scheduling.HillClimbing(seed=seed)
-            case SolverChoice.ANNEALING:
-                return scheduling.SimulatedAnnealing(seed=seed)
-            case SolverChoice.GENETIC:
-                return scheduling.Genetic(seed=seed)
+        solvers: dict[SolverChoice, Callable[[], Solver]] = {
+            SolverChoice.AUTO: scheduling.Auto,
+            SolverChoice.EXACT: scheduling.HeldKarp,
+        }
+        return solvers[choice or SolverChoice(self.settings.text("solver"))]()
 
     def limits(self) -> "Limits":
         """Give the limits of time."""
@@ -185,7 +191,7 @@ def local_zone() -> tzinfo | None:
     return datetime.now().astimezone().tzinfo
 
 
-def standing_rules(environment: "os._Environ[str] | dict[str, str]") -> tuple[Path, ...]:
+def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
     """Give the user's and the project's own rule tables, where they are."""
     from fuzzytime_cli.settings import user_file
 
@@ -193,7 +199,7 @@ def standing_rules(environment: "os._Environ[str] | dict[str, str]") -> tuple[Pa
     return tuple(path for path in candidates if path.is_file())
 
 
-def parse_cache(environment: "os._Environ[str] | dict[str, str]") -> Path | None:
+def parse_cache(environment: "Mapping[str, str]") -> Path | None:
     """Give the folder of the cache of parses; None where FUZZYTIME_CACHE is empty."""
     where = environment.get("FUZZYTIME_CACHE")
     if where is not None:

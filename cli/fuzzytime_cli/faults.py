@@ -27,7 +27,7 @@ def as_config() -> Iterator[None]:
     """Count errors inside as errors of the configuration: rule tables, settings."""
     try:
         yield
-    except ConfigError:
+    except (ConfigError, NoInputError):
         raise
     except FuzzytimeError as error:
         raise ConfigError(str(error)) from error
@@ -57,7 +57,7 @@ def report(message: str) -> None:
 
 
 def exit_of(error: BaseException) -> Exit:
-    """Report an error and give its exit code; an error that is no `FuzzytimeError` is this program's defect."""
+    """Report an error and give its exit code; what is no `FuzzytimeError` is this program's defect."""
     if isinstance(error, KeyboardInterrupt):
         return Exit.INTERRUPT
     if isinstance(error, BrokenPipeError):
@@ -78,7 +78,7 @@ def exit_of(error: BaseException) -> Exit:
     if os.environ.get("FUZZYTIME_DEBUG"):
         raise error
     kind = type(error).__name__
-    report(f"fuzzytime: this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where. Please report it.")
+    report(f"fuzzytime: this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where")
     return Exit.FAILURE
 
 

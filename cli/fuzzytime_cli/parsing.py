@@ -1,10 +1,11 @@
-"""Lines of text, or of JSON, to lines of JSON: what `fuzzytime parse` answers."""
+"""Lines of text, or of JSON, to what was understood of them: what `fuzzytime parse` answers."""
 
 import json
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from datetime import datetime
 from itertools import islice
-from typing import Any
+from typing import Any, BinaryIO
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.language import Language, answer
@@ -13,71 +14,109 @@ from fuzzytime.times import parse_instant
 BATCH = 256
 """Lines read together: the model is faster on many, and memory stays bounded."""
 
+MAX_LINE = 1 << 20
+"""Bytes of a line; what is longer is refused, and not kept."""
 
-def answers(lines: Iterable[str], language: Language, now: datetime, *, objects: bool) -> Iterator[str]:
-    """Give one JSON line for each line, in order; a line that cannot be read gets an ``error``.
-
-    Parameters
-    ----------
-    lines
-        Texts; where ``objects`` is set, also ``{"text": …, "now": …}``.
-    language
-        What reads them.
-    now
-        The moment of texts that say none.
-    objects
-        Whether a line that starts with a brace is a JSON object.
-    """
-    stream = iter(lines)
-    while batch := list(islice(stream, BATCH)):
-        questions = [_question(line, now, objects=objects) for line in batch]
-        good = [(text, when) for text, when, error in questions if not error]
-        replies = iter(_replies(good, language))
-        for text, when, error in questions:
-            reply = _failed(text, when, error) if error else next(replies)
-            yield json.dumps(reply, ensure_ascii=False, allow_nan=False)
+Answer = dict[str, Any]
 
 
-def _question(line: str, now: datetime, *, objects: bool) -> tuple[str, datetime, str]:
-    """Read a line as text, moment and error."""
-    if not (objects and line.lstrip().startswith("{")):
-        return line.strip("\r\n"), now, ""
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A line: its text, its moment, and what is wrong with it if anything."""
+
+    text: str
+    now: datetime
+    error: str = ""
+
+
+def lines_of(stream: BinaryIO) -> Iterator[bytes]:
+    """Give a stream's lines without their ends, each at most one byte longer than `MAX_LINE`."""
+    while line := stream.readline(MAX_LINE + 1):
+        rest = line
+        while not rest.endswith(b"\n") and len(rest) > MAX_LINE:
+            rest = stream.readline(MAX_LINE + 1)
+        yield line.rstrip(b"\r\n") if len(line) <= MAX_LINE or line.endswith(b"\n") else line
+
+
+def asked_of(line: bytes, now: datetime, *, objects: bool) -> Asked:
+    """Read a line as text; with ``objects``, one that starts with a brace as ``{"text": …, "now": …}``."""
+    if len(line) > MAX_LINE:
+        return Asked(
+            line[:200].decode("utf-8", "replace") + "…", now, f"a line must not exceed {MAX_LINE:,} bytes"
+        )
     try:
-        asked = json.loads(line)
+        text = line.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        rule = f"text must be UTF-8, got byte 0x{line[error.start]:02x} at column {error.start + 1}"
+        return Asked(line.decode("utf-8", "replace"), now, rule)
+    if not (objects and text.lstrip().startswith("{")):
+        return Asked(text, now)
+    try:
+        said = json.loads(text)
     except (ValueError, RecursionError) as error:
-        return line.strip("\r\n"), now, f"a line must be a JSON object or plain text: {error}"
-    text, said = asked.get("text"), asked.get("now")
-    if not isinstance(text, str) or not (said is None or isinstance(said, str)):
-        return line.strip("\r\n"), now, 'an object must have a "text", and may have a "now", both texts'
+        return Asked(text, now, f"a line must be a JSON object or plain text: {error}")
+    words, moment = said.get("text"), said.get("now")
+    if not isinstance(words, str) or not (moment is None or isinstance(moment, str)):
+        return Asked(text, now, 'an object must have a "text", and may have a "now", both texts')
     try:
-        return text, parse_instant(said, now.tzinfo) if said else now, ""
+        return Asked(words, parse_instant(moment, now.tzinfo) if moment else now)
     except FuzzytimeError as error:
-        return text, now, str(error)
+        return Asked(words, now, str(error))
 
 
-def _replies(asked: list[tuple[str, datetime]], language: Language) -> list[dict[str, Any]]:
+def answers(asked: Iterable[Asked], language: Language) -> Iterator[Answer]:
+    """Answer lines in their order; one that cannot be read gets an ``error``, and the rest go on."""
+    stream = iter(asked)
+    while batch := list(islice(stream, BATCH)):
+        good = [(line.text, line.now) for line in batch if not line.error]
+        replies = iter(_together(good, language))
+        for line in batch:
+            yield _failed(line.text, line.now, line.error) if line.error else next(replies)
+
+
+def _together(asked: list[tuple[str, datetime]], language: Language) -> list[Answer]:
     """Read texts together; where one of them is refused, one by one."""
     try:
         return [answer(reading) for reading in language.read_independent(asked)]
     except InstructionError:
-        return [_alone(text, when, language) for text, when in asked]
+        return [_alone(text, now, language) for text, now in asked]
 
 
-def _alone(text: str, when: datetime, language: Language) -> dict[str, Any]:
+def _alone(text: str, now: datetime, language: Language) -> Answer:
     try:
-        return answer(language.read(text, now=when))
+        return answer(language.read(text, now=now))
     except InstructionError as error:
-        return _failed(text, when, error.message)
+        return _failed(text, now, error.message)
 
 
-def _failed(text: str, when: datetime, error: str) -> dict[str, Any]:
+def _failed(text: str, now: datetime, error: str) -> Answer:
     return {
         "text": text,
-        "now": when.isoformat(),
+        "now": now.isoformat(),
         "operation": None,
+        "operations": [],
         "requirements": [],
         "duration_s": None,
         "repeats": None,
         "instructions": 0,
         "error": error,
     }
+
+
+def readable(reply: Answer) -> list[str]:
+    """Give an answer as lines for a person."""
+    lines = [f"{reply['text']}"]
+    if reply["error"]:
+        return [*lines, f"  error: {reply['error']}"]
+    for operation in reply.get("operations", [reply["operation"]]):
+        if operation is not None:
+            words = " ".join(filter(None, (operation["verb"], operation.get("object"))))
+            lines.append(f"  do    {'not ' if operation.get('negated') else ''}{words}")
+    for requirement in reply["requirements"]:
+        span = " to ".join(requirement[side] or "…" for side in ("earliest", "latest"))
+        if requirement["earliest"] == requirement["latest"]:
+            span = requirement["earliest"] or "no single time"
+        lines.append(f"  time  {requirement['text']!r}: {requirement['constraint']} {span}")
+    if reply["duration_s"] is not None:
+        lines.append(f"  takes {reply['duration_s']:g} s")
+    return lines

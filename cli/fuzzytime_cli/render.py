@@ -122,7 +122,9 @@ class Screen:
         self.stream.write(text)
 
 
+_PAIRS = '█# ▓% ▒+ ░. ▋# ▊# ▉# ─- │| └` ├| ╵| ·. …~ –- —- −- ×x ’\' “" ”" ✓+ ▲^ ▼v ●*'
 _ASCII = str.maketrans(
-    dict(zip("█▓▒░▏▎▍▌▋▊▉─│└├╵·…–—−×’“”✓▲▼●", '#%+.    ####-|`||.~---x\'""+^v*', strict=True))
+    {pair[0]: pair[1] for pair in _PAIRS.split()}
+    | dict.fromkeys("▏▎▍▌", " ")
     | {"→": "->", "←": "<-", "≤": "<=", "≥": ">=", "ψ": "psi", "μ": "mu", "ε": "eps", "°": "deg "}
 )

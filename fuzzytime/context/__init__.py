@@ -1,1 +1,34 @@
 """Readings of the world over time, and forecasts of them."""
+
+from fuzzytime.context.files import (
+    parse_assignment,
+    parse_context_line,
+    parse_fields,
+    read_context_file,
+    read_context_lines,
+    read_context_node,
+    reading_of,
+    time_of,
+)
+from fuzzytime.context.readings import Context, Reading
+from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
+from fuzzytime.context.units import parse_quantity
+
+__all__ = [
+    "Approach",
+    "Context",
+    "Course",
+    "Hold",
+    "Linear",
+    "Reading",
+    "Signal",
+    "parse_assignment",
+    "parse_context_line",
+    "parse_fields",
+    "parse_quantity",
+    "read_context_file",
+    "read_context_lines",
+    "read_context_node",
+    "reading_of",
+    "time_of",
+]

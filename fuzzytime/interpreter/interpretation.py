@@ -57,6 +57,8 @@ class Interpreted:
         The fuzzy skill, ψ over seconds from the request's now.
     reason
         Why ψ is 0 everywhere; empty where it is not.
+    follows
+        Identifiers of the skills that it asked to come after; without them it makes no sense.
     """
 
     identifier: str
@@ -68,11 +70,12 @@ class Interpreted:
     requirements: tuple[TimeRequirement, ...] = ()
     resolutions: tuple[Resolution, ...] = ()
     reason: str = ""
+    follows: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interpretation:
-    """All wishes understood: skills in order, what binds them, what could not be understood, how far ahead."""
+    """All wishes understood: skills in order, what binds them, what was not understood, how far ahead."""
 
     skills: tuple[Interpreted, ...]
     precedences: tuple[Precedence, ...] = ()

@@ -1,11 +1,12 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.request import Request
+from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
 from fuzzytime.skills import FuzzyTask
 from fuzzytime.times import instant_after
@@ -47,7 +48,6 @@ def plan(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
-    warm: Schedule | None = None,
 ) -> Plan:
     """Interpret a request and schedule it.
 
@@ -55,7 +55,7 @@ def plan(
     ----------
     request, interpreter
         What is asked, and what understands it.
-    solver, threshold, limits, warm
+    solver, threshold, limits
         As in `fuzzytime.scheduling.solve`.
 
     Raises
@@ -63,9 +63,10 @@ def plan(
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    interpretation = interpreter.interpret(request)
+    interpretation, held = without_started(interpreter.interpret(request), request.started)
+    request = replace(request, busy=(*request.busy, *held))
     task = task_of(interpretation, request)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits or Limits(), warm=warm)
+    schedule = solve(task, solver=solver, threshold=threshold, limits=limits)
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 

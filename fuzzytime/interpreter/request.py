@@ -47,7 +47,8 @@ class Wish:
     def __post_init__(self) -> None:
         if self.hands_on is not None and self.elapsed is not None and self.elapsed < self.hands_on:
             raise FuzzytimeError(
-                f"elapsed time must not be shorter than hands-on time, got {self.elapsed:g} s and {self.hands_on:g} s"
+                "elapsed time must not be shorter than hands-on time, "
+                f"got {self.elapsed:g} s and {self.hands_on:g} s"
             )
 
 
@@ -64,6 +65,20 @@ class DirectWish(Wish):
 
     name: str
     satisfaction: SatisfactionFunction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Started:
+    """A skill of an earlier plan that has started, and so stays where it is; times in seconds from now.
+
+    ``done`` is infinite for one that failed: what asked to come after it cannot be done either.
+    """
+
+    identifier: str
+    start: float
+    end: float
+    done: float
+    agent: int = 1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,6 +99,8 @@ class Request:
         Times that are taken, in seconds relative to ``now``.
     horizon
         Seconds ahead; None takes the end of the last window, at most `MAX_HORIZON`.
+    started
+        Skills of these wishes that have started.
     """
 
     now: datetime
@@ -92,3 +109,4 @@ class Request:
     context: Context = field(default_factory=Context)
     busy: tuple[Busy, ...] = ()
     horizon: float | None = None
+    started: tuple[Started, ...] = ()

@@ -1,1 +1,40 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
+
+from fuzzytime.language.answer import answer
+from fuzzytime.language.finding import Times, find_times
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import (
+    Instruction,
+    Operation,
+    Question,
+    Reading,
+    Remark,
+    RemarkKind,
+    StrictReading,
+    Token,
+)
+from fuzzytime.language.policy import Policy
+from fuzzytime.language.reader import Language
+from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
+from fuzzytime.language.sentence.parse_cache import ParseCache
+
+__all__ = [
+    "Instruction",
+    "Language",
+    "Lexicon",
+    "ModelError",
+    "Operation",
+    "ParseCache",
+    "Policy",
+    "Question",
+    "Reading",
+    "Remark",
+    "RemarkKind",
+    "StrictReading",
+    "Times",
+    "Token",
+    "answer",
+    "find_times",
+    "installed_model",
+    "model_files",
+]

@@ -6,9 +6,13 @@ These values know nothing of spaCy; the rest of the program sees only them.
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
+from typing import TYPE_CHECKING
 
 from fuzzytime.requirement import Recurrence, TimeRequirement
-from fuzzytime.skills import FuzzyParameter
+
+if TYPE_CHECKING:
+    # Skills bring numpy along, which reading does without.
+    from fuzzytime.skills import FuzzyParameter
 
 Span = tuple[int, int]
 """First and one past last character in the text as typed."""
@@ -16,19 +20,23 @@ Span = tuple[int, int]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
-    """What is to be done: the verb as typed in lower case, its object and place, and the verb's span."""
+    """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
+
+    ``particle`` belongs to the verb ("put on", "turn off").
+    """
 
     verb: str
     lemma: str
     span: Span
     object: str | None = None
     place: str | None = None
+    particle: str | None = None
     negated: bool = False
 
     @property
     def name(self) -> str:
         """The operation in words, without its time: "place the pan on the stove"."""
-        return " ".join(part for part in (self.verb, self.object, self.place) if part)
+        return " ".join(part for part in (self.verb, self.particle, self.object, self.place) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +62,7 @@ class Instruction:
     requirements: tuple[TimeRequirement, ...] = ()
     duration: float | None = None
     repeats: Recurrence | None = None
-    fuzzy_parameters: tuple[FuzzyParameter, ...] = ()
+    fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
 
 
 class RemarkKind(StrEnum):
@@ -107,6 +115,11 @@ class StrictReading:
     number: int | None = None
     fuzziness: int | None = None
     preposition: int | None = None
+
+    def moved(self, by: int) -> "StrictReading":
+        """Give the same positions that many tokens further on."""
+        places = (self.verb, self.modifier, self.number, self.fuzziness, self.preposition)
+        return StrictReading(*(None if place is None else place + by for place in places))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

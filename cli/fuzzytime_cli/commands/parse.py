@@ -1,18 +1,19 @@
-"""`fuzzytime parse`: what is understood of texts, one JSON line each."""
+"""`fuzzytime parse`: what is understood of texts."""
 
+import json
 import sys
 from typing import Annotated
 
 import typer
 
-from fuzzytime_cli.options import Moment, flattened
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 
 
 @flattened
 def parse(
     file: Annotated[str, typer.Argument(help="Texts a line, or - for standard input.")] = "-",
     jsonl: Annotated[  # noqa: FBT002 - a flag
-        bool, typer.Option("--jsonl", help='Lines may be {"text": …, "now": …} objects; answers are JSON lines.')
+        bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
     ] = False,
     instruction: Annotated[
         list[str] | None, typer.Option("--instruction", "-i", metavar="TEXT", help="A text; repeatable.")
@@ -20,18 +21,22 @@ def parse(
     *,
     moment: Moment,
 ) -> None:
-    """Show what is understood of each text: operation, time requirements, durations, as a JSON line.
+    """Show what is understood of each text: operations, time requirements, durations.
 
-    A line that cannot be read gets an "error", and the rest go on. The answers stand in the order of the lines.
+    A line that cannot be read gets an error, and the rest go on; answers stand in the order of the lines.
     """
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.inputs.source import open_lines
-    from fuzzytime_cli.options import Solving, Understanding
-    from fuzzytime_cli.parsing import answers
+    from fuzzytime_cli.inputs.source import open_stream
+    from fuzzytime_cli.parsing import answers, asked_of, lines_of, readable
+    from fuzzytime_cli.render import plain
 
     assembly = Assembly.of(moment, Understanding(), Solving())
-    language = assembly.language()
-    now = assembly.moment()
-    lines = iter(instruction) if instruction else open_lines(file)
-    for answer in answers(lines, language, now, objects=jsonl and not instruction):
-        sys.stdout.write(answer + "\n")
+    language, now = assembly.language(), assembly.moment()
+    texts = [text.encode("utf-8", "replace") for text in instruction or ()]
+    with open_stream(file if not texts else None) as stream:
+        lines = iter(texts) if texts else lines_of(stream)
+        for reply in answers((asked_of(line, now, objects=jsonl) for line in lines), language):
+            if jsonl:
+                sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")
+            else:
+                sys.stdout.write("".join(f"{plain(line)}\n" for line in readable(reply)))

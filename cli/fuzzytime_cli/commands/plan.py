@@ -12,8 +12,10 @@ from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from fuzzytime.context import Signal
     from fuzzytime.interpreter import Plan, Problem, Request
-    from fuzzytime.rulebook import Rulebook
     from fuzzytime_cli.assembly import Assembly
 
 
@@ -23,7 +25,8 @@ def plan(
         str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
     ] = None,
     instruction: Annotated[
-        list[str] | None, typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable.")
+        list[str] | None,
+        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
     ] = None,
     output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
     output: Annotated[
@@ -40,7 +43,7 @@ def plan(
 
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
-    request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook)
+    request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
     made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
     write_plan(made, output_format, output)
@@ -54,7 +57,7 @@ def request_of(
     instructions: list[str],
     assembly: "Assembly",
     understanding: Understanding,
-    rulebook: "Rulebook",
+    signals: "Mapping[str, Signal]",
 ) -> "Request":
     """Read a file and ``-i`` instructions into a request; flags win over the file."""
     from dataclasses import replace
@@ -76,15 +79,19 @@ def request_of(
 
             folder = source.path.parent if source.path is not None else Path()
             surroundings = Surroundings(
-                assembly.now, assembly.zone, now, lambda name, moment: busy_of_calendar(folder / name, moment)
+                assembly.now,
+                assembly.zone,
+                now,
+                lambda name, moment: busy_of_calendar(folder / name, moment),
+                signals,
             )
-            request = read_task_file(source, surroundings, rulebook)
+            request = read_task_file(source, surroundings)
             if assembly.settings.values["agents"].origin != "default":
                 request = replace(request, agents=int(assembly.settings.number("agents")))
         else:
             request = replace(request, wishes=wishes_of(source, now))
     spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
-    context = assembly.context(understanding, request.now, rulebook)
+    context = assembly.context(understanding, request.now, signals)
     return replace(
         request,
         wishes=(*request.wishes, *spoken),

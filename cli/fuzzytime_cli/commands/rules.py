@@ -15,7 +15,8 @@ app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_h
 @app.command()
 def check(
     files: Annotated[
-        list[Path] | None, typer.Argument(help="Tables; none checks the shipped ones and those of the settings.")
+        list[Path] | None,
+        typer.Argument(help="Tables; none checks the shipped ones and those of the settings."),
     ] = None,
 ) -> None:
     """Check rule tables: every mistake at once, with file, line and column."""
@@ -51,15 +52,18 @@ def show(
     """Show which rows and rules apply to words about time, and the satisfaction they give."""
     import os
 
-    from fuzzytime.interpreter import Request, SpokenWish
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.explaining import Explanation
+    from fuzzytime_cli.commands.plan import is_fault, report_problem
+    from fuzzytime_cli.explaining import rules_lines
     from fuzzytime_cli.render import Screen
+    from fuzzytime_cli.showing import shown_plan
 
     assembly = Assembly.of(moment, understanding, Solving())
-    interpreter = assembly.interpreter()
-    now = assembly.moment()
-    context = assembly.context(understanding, now, interpreter.rulebook)
-    request = Request(now=now, wishes=(SpokenWish(text=text, given=now),), context=context)
+    made = shown_plan(text, assembly, understanding)
+    for problem in made.problems:
+        if is_fault(problem):
+            report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
-    screen.write(*Explanation(request, interpreter, screen.width).rules())
+    screen.write(*rules_lines(made, screen.width, unicode=screen.unicode))
+    if not made.skills:
+        raise typer.Exit(Exit.BAD_DATA)

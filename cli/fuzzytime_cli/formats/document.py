@@ -7,7 +7,7 @@ from typing import Any
 from fuzzytime.interpreter import Interpreted, Plan, Problem
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid, Triangle
-from fuzzytime.scheduling import explain
+from fuzzytime_cli.formats.reasons import explain
 
 SCHEMA = "fuzzytime-plan/1"
 

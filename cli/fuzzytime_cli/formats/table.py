@@ -1,16 +1,21 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
+from collections.abc import Iterator
+from dataclasses import dataclass
+
 from rich.text import Text
 
-from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
-from fuzzytime.scheduling import Status, explain
+from fuzzytime.interpreter import Plan, ProblemKind
+from fuzzytime.scheduling import Status
 from fuzzytime.times import format_duration
+from fuzzytime_cli.drawing.chart import since_midnight
+from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import reason_of
-from fuzzytime_cli.formats.timeline import Window, lane, taken
+from fuzzytime_cli.formats.reasons import explain, reason_of
+from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 
-_EIGHTHS = " ▏▎▍▌▋▊▉█"
+_EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
 
 
@@ -26,23 +31,36 @@ def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
     return fitted("█" * full + (_EIGHTHS[part] if part else ""), width)
 
 
-def style_of(satisfaction: float, *, rejected: bool) -> str:
+def style_of(satisfaction: float, *, rejected: bool = False) -> str:
     """Give the colour that goes with a satisfaction, for those who see colour."""
     if rejected:
         return "red"
     return "green" if satisfaction >= 0.8 else "yellow" if satisfaction >= 0.4 else "red"
 
 
+@dataclass(frozen=True, slots=True)
+class _Columns:
+    """Widths of the table's columns; a column that does not fit has none."""
+
+    time: int
+    end: int
+    agent: int
+    name: int
+    bar: int
+    asked: int
+
+
 class PlanView:
-    """One plan laid out for a width; `lines` gives it whole."""
+    """One plan laid out for a width."""
 
     def __init__(self, plan: Plan, width: int, *, unicode: bool = True) -> None:
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
         times = [time for skill in self.schedule.skills for time in (skill.start, skill.end)]
         self.clock = Clock.for_times(plan.request.now, times)
-        self.labels = {position: plain(skill.identifier) for position, skill in enumerate(plan.skills)}
-        self.label_width = min(12, max((width_of(label) for label in self.labels.values()), default=2))
+        self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
+        labels = [*self.labels, *(["busy"] if plan.request.busy else [])]
+        self.label_width = min(12, max(map(width_of, labels), default=2))
 
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""
@@ -53,157 +71,166 @@ class PlanView:
             Text(),
             *self._timeline(),
             Text(),
-            *self._summary(),
-            *self._losses(),
-            *self._notes(),
+            *self._wrapped(self._summary(), 2),
+            *(line for loss in self._losses() for line in self._wrapped(loss, self.label_width + 1)),
+            *(line for note in self._notes() for line in self._wrapped(note, 2)),
         ]
 
-    # -- the table ------------------------------------------------------------------------------------------
+    def _wrapped(self, line: Text, indent: int) -> list[Text]:
+        """Break a line between words where it is too long; what follows is indented."""
+        if width_of(line.plain) <= self.width:
+            return [line]
+        at = line.plain.rfind(" ", indent + 1, self.width)
+        if at <= indent:
+            return [line]
+        rest = Text(" " * indent).append_text(line[at + 1 :])
+        return [line[:at], *self._wrapped(rest, indent)]
 
-    def _table(self) -> list[Text]:
-        time_width = max(
-            width_of(self.clock.of(time)) for s in self.schedule.skills for time in (s.start, s.end)
-        )
-        time_width = max(5, time_width)
-        several = self.plan.request.agents > 1
-        fixed = self.label_width + 2 * (time_width + 1) + (3 if several else 0) + 6
-        with_bar = self.width >= fixed + 26 + _BAR
-        rest = self.width - fixed - (_BAR + 1 if with_bar else 0)
-        asked_width = max((width_of(plain(self._asked(skill))) for skill in self.plan.skills), default=0)
-        asked_width = min(asked_width, rest * 2 // 5) if rest >= 30 else 0
-        name_width = rest - asked_width - (1 if asked_width else 0)
-        heading = [fitted("", self.label_width), fitted("start", time_width), fitted("end", time_width)]
-        heading += ["by"] if several else []
-        heading += (
-            [fitted("what", name_width)]
-            + ([fitted("", _BAR)] if with_bar else [])
-            + ["  ψ ", "asked"][: 1 + bool(asked_width)]
-        )
-        lines = [Text(" ".join(heading).rstrip(), style="bold")]
-        for position in self.schedule.order:
-            lines.append(self._row(position, time_width, name_width, asked_width, with_bar=with_bar))
-        return lines
+    def sentences(self) -> list[str]:
+        """Give what is proved, and why each loss, as plain sentences."""
+        if not self.plan.skills:
+            return ["Nothing to plan."]
+        return [line.plain for line in (self._summary(), *self._losses(), *self._notes())]
 
-    def _row(
-        self, position: int, time_width: int, name_width: int, asked_width: int, *, with_bar: bool
-    ) -> Text:
-        specific, satisfaction = self.schedule.skills[position], self.schedule.satisfactions[position]
-        rejected = self.schedule.rejected[position]
-        style = style_of(satisfaction, rejected=rejected)
-        row = Text(fitted(self.labels[position], self.label_width), style="dim")
-        row.append(" " + fitted(self.clock.of(specific.start), time_width), "bold")
-        row.append(" " + fitted(self.clock.of(specific.end), time_width), "")
-        if self.plan.request.agents > 1:
-            row.append(f" {specific.agent:>2}", "")
-        row.append(" " + fitted(plain(specific.name), name_width), "")
-        if with_bar:
-            shown = "rejected" if rejected else bar(satisfaction, unicode=self.unicode)
-            row.append(" " + fitted(shown, _BAR), style)
-        row.append(f" {satisfaction:4.2f}", style)
-        if asked_width:
-            row.append(" " + fitted(plain(self._asked(self.plan.skills[position])), asked_width), "dim")
-        row.rstrip()
-        return row
-
-    def _asked(self, interpreted: Interpreted) -> str:
+    def asked(self, position: int) -> str:
+        """Give the words about time of a skill."""
+        interpreted = self.plan.skills[position]
         if interpreted.requirements:
             return ", ".join(requirement.text for requirement in interpreted.requirements)
         return "any time" if interpreted.instruction is not None else "as given"
 
+    # -- the table ------------------------------------------------------------------------------------------
+
+    def _columns(self) -> _Columns:
+        """Share the width: bar and asked words give way first, then the end, then the name is cut."""
+        positions = range(len(self.plan.skills))
+        times = [self.clock.of(time) for s in self.schedule.skills for time in (s.start, s.end)]
+        time = max(5, *map(width_of, times))
+        agent = 2 if self.plan.request.agents > 1 else 0
+        fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
+        end = time if self.width >= fixed + time + 16 else 0
+        fixed += end + 1 if end else 0
+        bar_width = _BAR if self.width >= fixed + 26 + _BAR else 0
+        rest = self.width - fixed - (bar_width + 1 if bar_width else 0) - 1
+        longest_name = max(width_of(plain(self.plan.skills[i].skill.name)) for i in positions)
+        longest_asked = max(width_of(plain(self.asked(i))) for i in positions)
+        asked = min(longest_asked, max(rest * 2 // 5, rest - longest_name - 1)) if rest >= 30 else 0
+        name = min(longest_name, rest - (asked + 1 if asked else 0))
+        return _Columns(time, end, agent, max(4, name), bar_width, asked)
+
+    def _table(self) -> list[Text]:
+        columns = self._columns()
+        cells = [fitted("", self.label_width), fitted("start", columns.time)]
+        cells += [fitted("end", columns.end)] if columns.end else []
+        cells += ["by"] if columns.agent else []
+        cells += [fitted("what", columns.name)]
+        cells += [fitted("satisfied" if columns.bar else "", columns.bar + 5 if columns.bar else 4)]
+        cells += ["asked"] if columns.asked else []
+        heading = Text(" ".join(cells).rstrip(), style="bold")
+        return [heading, *(self._row(position, columns) for position in self.schedule.order)]
+
+    def _row(self, position: int, columns: _Columns) -> Text:
+        specific, satisfaction = self.schedule.skills[position], self.schedule.satisfactions[position]
+        rejected = self.schedule.rejected[position]
+        style = style_of(satisfaction, rejected=rejected)
+        row = Text(fitted(self.labels[position], self.label_width), style="dim")
+        row.append(" " + fitted(self.clock.of(specific.start), columns.time), "bold")
+        if columns.end:
+            row.append(" " + fitted(self.clock.of(specific.end), columns.end), "not dim")
+        if columns.agent:
+            row.append(f" {specific.agent:>2}", "not dim")
+        row.append(" " + fitted(plain(specific.name), columns.name), "not dim")
+        if columns.bar:
+            shown = fitted("rejected", _BAR) if rejected else bar(satisfaction, unicode=self.unicode)
+            row.append(" " + shown, style)
+        row.append(f" {satisfaction:4.2f}", style)
+        if columns.asked:
+            row.append(" " + fitted(plain(self.asked(position)), columns.asked), "dim")
+        row.rstrip()
+        return row
+
     # -- the timeline ---------------------------------------------------------------------------------------
 
-    def _timeline(self) -> list[Text]:
-        columns = self.width - self.label_width - 2
+    def _timeline(self) -> Iterator[Text]:
         skills = self.schedule.skills
-        end = max(max(skill.done, skill.end) for skill in skills)
-        for interpreted in self.plan.skills:
-            wish = interpreted.skill.satisfaction.acceptable(0.02)
-            if not wish.empty and wish.high < 2 * end:
-                end = max(end, wish.high)
-        window = Window(0.0, max(end * 1.02, 60.0), columns)
-        lines = [self._axis(window)]
+        window = Window(0.0, self._end(), self.width - self.label_width - 2)
+        yield self._axis(window)
         for position in self.schedule.order:
-            specific = skills[position]
-            cells = lane(
-                self.plan.skills[position].skill.satisfaction,
-                specific.start,
-                specific.end,
-                specific.done,
-                window,
-            )
+            specific, function = skills[position], self.plan.skills[position].skill.satisfaction
+            cells = lane(function, specific.start, specific.end, specific.done, window)
             style = style_of(self.schedule.satisfactions[position], rejected=self.schedule.rejected[position])
-            lines.append(self._lane(self.labels[position], cells, style))
+            yield self._lane(self.labels[position], cells, style)
         spans = [(busy.start, busy.end) for busy in self.plan.request.busy]
         if spans:
-            lines.append(self._lane("busy", taken(spans, window), "dim"))
-        legend = "█ at work  " + ("─ goes on by itself  " if any(s.done > s.end for s in skills) else "")
-        lines.append(
-            Text(f"{' ' * self.label_width} {legend}░▒▓ how well a start there would satisfy", style="dim")
-        )
-        return lines
+            yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
+        waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
+        legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
+        indent = self.label_width + 1
+        yield from self._wrapped(Text(f"{' ' * indent}{legend}", style="dim"), indent)
+
+    def _end(self) -> float:
+        """Give where the timeline ends: behind all work, and behind wishes that end not much later."""
+        last = max(max(skill.done, skill.end) for skill in self.schedule.skills)
+        wishes = [interpreted.skill.satisfaction.acceptable(0.02).high for interpreted in self.plan.skills]
+        return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
 
     def _axis(self, window: Window) -> Text:
         cells = [" "] * window.columns
         clock = Clock(self.plan.request.now, with_seconds=window.step * 10 < 60)
-        for column, time in window.ticks(room=10):
-            label = "╵" + clock.of(time)
+        offset = since_midnight(self.plan.request.now)
+        for time in round_times(window.start, window.end, window.columns // 10, offset):
+            column, label = window.column(time), "╵" + clock.of(time)
             if column + width_of(label) <= window.columns:
                 cells[column : column + len(label)] = label
-        return Text(" " * self.label_width + " " + "".join(cells).rstrip(), style="dim")
+        return Text(f"{' ' * self.label_width} {''.join(cells).rstrip()}", style="dim")
 
     def _lane(self, label: str, cells: list[str], style: str) -> Text:
         line = Text(fitted(label, self.label_width) + " ", style="dim")
         for cell in cells:
-            line.append(cell, style if cell == "█" else "dim")
+            line.append(cell, style if cell == TAKEN else "dim")
         line.rstrip()
         return line
 
     # -- what is proved and why -----------------------------------------------------------------------------
 
-    def _summary(self) -> list[Text]:
+    def _summary(self) -> Text:
         schedule, certificate = self.schedule, self.schedule.certificate
         line = Text("Satisfaction ", style="bold")
-        line.append(f"{schedule.satisfaction:.3g}", style_of(schedule.geometric_mean, rejected=False))
+        line.append(f"{schedule.satisfaction:.3g}", style_of(schedule.geometric_mean))
         if len(self.plan.skills) > 1:
-            line.append(f" in all, {schedule.geometric_mean:.2f} on average", "")
+            line.append(f" in all, {schedule.geometric_mean:.2f} on average", "not bold")
+        line.append(f" ({self._proof()}; {certificate.method}, {certificate.seconds:.2f} s)", "dim")
+        return line
+
+    def _proof(self) -> str:
+        certificate = self.schedule.certificate
         match certificate.status:
             case Status.OPTIMAL:
-                proof = "no schedule satisfies better: proved"
+                return "no schedule satisfies better: proved"
             case Status.BOUNDED:
-                proof = f"the average is within {certificate.gap:.2%} of the best possible: proved"
+                return f"the average is within {certificate.gap:.2%} of the best possible: proved"
             case Status.HEURISTIC:
-                proof = "a good schedule, without proof"
+                return "a good schedule, without proof"
             case Status.INFEASIBLE:
-                names = ", ".join(self.labels[position] for position in schedule.clash)
-                proof = (
-                    f"no schedule satisfies everyone: {names} clash"
-                    if names
-                    else "no schedule satisfies everyone"
-                )
-        line.append(f" ({proof}; {certificate.method}, {certificate.seconds:.2f} s)", "dim")
-        return [line]
+                names = ", ".join(self.labels[position] for position in self.schedule.clash)
+                return "no schedule satisfies everyone" + (f": {names} clash" if names else "")
 
-    def _losses(self) -> list[Text]:
-        lines = []
+    def _losses(self) -> Iterator[Text]:
         for why in explain(self.schedule):
             sentence = reason_of(why, self.plan, self.clock)
             if sentence:
                 label = fitted(self.labels[why.position], self.label_width)
-                lines.append(Text(f"{label} ", style="dim").append(sentence, ""))
-        return lines
+                yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
-    def _notes(self) -> list[Text]:
-        notes = [problem for problem in self.plan.problems if problem.kind is ProblemKind.NOTE]
-        lines = [Text(f"note: {_where(note)}{plain(note.message)}", style="dim") for note in notes]
+    def _notes(self) -> Iterator[Text]:
+        for problem in self.plan.problems:
+            if problem.kind is ProblemKind.NOTE:
+                where = f"{plain(problem.identifier)}: " if problem.identifier else ""
+                yield Text(f"note: {where}{plain(problem.message)}", style="dim")
         assumed = [
             f"{self.labels[position]} {format_duration(interpreted.skill.duration)}"
             for position, interpreted in enumerate(self.plan.skills)
             if interpreted.duration.assumed
         ]
         if assumed:
-            lines.append(Text("assumed durations: " + ", ".join(assumed), style="dim"))
-        return lines
-
-
-def _where(problem: Problem) -> str:
-    return f"{plain(problem.identifier)}: " if problem.identifier else ""
+            yield Text("durations assumed: " + ", ".join(assumed), style="dim")

@@ -13,29 +13,6 @@ from fuzzytime.satisfaction import SatisfactionFunction
 SHADES = " ░▒▓"
 TAKEN, WAITING, APPOINTMENT = "█", "─", "×"
 
-_STEPS = (
-    1,
-    2,
-    5,
-    10,
-    15,
-    30,
-    60,
-    120,
-    300,
-    600,
-    900,
-    1800,
-    3600,
-    7200,
-    10800,
-    21600,
-    43200,
-    86400,
-    172800,
-    604800,
-)
-
 
 @dataclass(frozen=True, slots=True)
 class Window:
@@ -57,13 +34,6 @@ class Window:
     def middles(self) -> np.ndarray:
         """Give the times at the middles of the columns."""
         return self.start + (np.arange(self.columns) + 0.5) * self.step
-
-    def ticks(self, room: int) -> list[tuple[int, float]]:
-        """Give columns and round times for an axis, at least ``room`` columns apart."""
-        needed = self.step * room
-        step = next((step for step in _STEPS if step >= needed), _STEPS[-1])
-        first = np.ceil(self.start / step) * step
-        return [(self.column(time), float(time)) for time in np.arange(first, self.end, step)]
 
 
 def shades(function: SatisfactionFunction, window: Window) -> list[str]:

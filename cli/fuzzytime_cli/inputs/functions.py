@@ -1,6 +1,6 @@
 """Satisfaction functions written in YAML: ``{trapezoid: [0 s, 60 s, 120 s, 300 s]}`` and its sisters."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 
 from fuzzytime.errors import FuzzytimeError
@@ -34,6 +34,7 @@ def read_function(reader: Reader, node: Node, key: str) -> SatisfactionFunction:
     ((shape, value),) = shapes.items()
     path = f"{key}.{shape}"
     before = len(reader.mistakes)
+    build: Callable[[], SatisfactionFunction]
     if shape == "bell":
         build = _bell(reader, value, path)
     elif shape == "points":
@@ -51,7 +52,7 @@ def read_function(reader: Reader, node: Node, key: str) -> SatisfactionFunction:
         return NEVER
 
 
-def _bell(reader: Reader, node: Node, key: str) -> "partial[SatisfactionFunction]":
+def _bell(reader: Reader, node: Node, key: str) -> Callable[[], SatisfactionFunction]:
     fields = reader.mapping(node, key, BELL, BELL)
     if len(fields) < len(BELL):
         return partial(Bell, 0.0, 1.0, 1.0)
@@ -59,7 +60,7 @@ def _bell(reader: Reader, node: Node, key: str) -> "partial[SatisfactionFunction
     return partial(Bell, centre, width, reader.number(fields["slope"], f"{key}.slope"))
 
 
-def _points(reader: Reader, node: Node, key: str) -> "partial[SatisfactionFunction]":
+def _points(reader: Reader, node: Node, key: str) -> Callable[[], SatisfactionFunction]:
     times, values = [], []
     for index, point in enumerate(reader.sequence(node, key)):
         pair = reader.sequence(point, f"{key}[{index}]", 2)

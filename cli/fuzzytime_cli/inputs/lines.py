@@ -21,7 +21,7 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     DocumentError
         If there are more than `MAX_INSTRUCTIONS`.
     """
-    wishes = []
+    wishes: list[SpokenWish] = []
     for number, line in enumerate(source.text.split("\n"), 1):
         words = line.strip()
         if not words or words.startswith("#"):

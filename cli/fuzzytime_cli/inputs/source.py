@@ -1,16 +1,19 @@
 """A file or standard input, read whole within a limit, with errors that say what is wrong with it."""
 
 import errno
+import io
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime_cli.faults import NoInputError
 
 MAX_BYTES = 16 << 20
 STDIN = "-"
-
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +50,13 @@ def read_source(where: str) -> Source:
 
 
 def _bytes_of(path: Path) -> bytes:
+    with _opened(path) as stream:
+        return stream.read(MAX_BYTES + 1)
+
+
+def _opened(path: Path) -> BinaryIO:
     try:
-        with path.open("rb") as stream:
-            return stream.read(MAX_BYTES + 1)
+        return path.open("rb")
     except (FileNotFoundError, NotADirectoryError) as error:
         hint = f"; to plan these words, say: fuzzytime plan -i {str(path)!r}" if " " in str(path) else ""
         raise NoInputError(f"{path}: there is no such file{hint}") from error
@@ -80,3 +87,21 @@ def _decoded(name: str, raw: bytes) -> str:
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         raise DocumentError((Mistake(name, line, column, "", what),))
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+@contextmanager
+def open_stream(where: str | None) -> Iterator[BinaryIO]:
+    """Open a file, or standard input by ``-``, to be read bit by bit; None gives an empty stream.
+
+    Raises
+    ------
+    NoInputError
+        If there is no such file.
+    """
+    if where is None or (where == STDIN and sys.stdin is None):
+        yield io.BytesIO()
+    elif where == STDIN:
+        yield sys.stdin.buffer
+    else:
+        with _opened(Path(where)) as stream:
+            yield stream

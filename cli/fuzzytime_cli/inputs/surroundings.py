@@ -1,21 +1,19 @@
-"""What surrounds the wishes of a task file: readings of signals, times that are taken."""
+"""Times in a task file: moments, and the times that are taken."""
 
 import re
 from collections.abc import Callable
 from datetime import datetime
 
-from fuzzytime.context import Context, Reading, parse_quantity
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.skills import Busy
 from fuzzytime.times import (
     DAY,
-    WEEK,
     parse_clock,
     parse_duration,
     parse_instant,
     seconds_between,
 )
-from fuzzytime.yaml_nodes import Node, Reader, Scalar, Sequence
+from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
 CalendarReader = Callable[[str, datetime], tuple[Busy, ...]]
 """From a calendar file's name and now to its busy times."""
@@ -33,14 +31,16 @@ def moment_of(text: str, now: datetime) -> float:
     """
     if _CLOCK.fullmatch(text):
         return seconds_between(now, datetime.combine(now.date(), parse_clock(text), now.tzinfo))
-    for read in (lambda: seconds_between(now, parse_instant(text, now.tzinfo)), lambda: parse_duration(text)):
-        try:
-            return read()
-        except FuzzytimeError:
-            continue
-    raise FuzzytimeError(
-        f"a time must look like 09:30, 2026-03-04T09:30 or '30 min' (from now), got {text!r}"
-    )
+    try:
+        return seconds_between(now, parse_instant(text, now.tzinfo))
+    except FuzzytimeError:
+        pass
+    try:
+        return parse_duration(text)
+    except FuzzytimeError as error:
+        raise FuzzytimeError(
+            f"a time must look like 09:30, 2026-03-04T09:30 or '30 min' (from now), got {text!r}"
+        ) from error
 
 
 def read_busy(
@@ -72,35 +72,3 @@ def _moment(reader: Reader, node: Node, key: str, now: datetime) -> float:
         reader.mistake(node, key, "must be a time such as 09:30")
         return 0.0
     return reader.read(node, key, lambda text: moment_of(text, now)) or 0.0
-
-
-def read_context(reader: Reader, node: Node) -> Context:
-    """Read ``{signal: value}``, ``{signal: {at, value, unit}}`` or a list of these, times up to now."""
-    readings: list[Reading] = []
-    for signal, value in reader.mapping(node, "context").items():
-        key = f"context.{signal}"
-        if isinstance(value, Scalar):
-            quantity = reader.read(value, key, parse_quantity)
-            if quantity is not None:
-                readings.append(Reading(signal, 0.0, *quantity))
-        elif isinstance(value, Sequence):
-            for index, item in enumerate(value.items):
-                readings.extend(_reading(reader, signal, item, f"{key}[{index}]"))
-        else:
-            readings.extend(_reading(reader, signal, value, key))
-    return Context(tuple(readings))
-
-
-def _reading(reader: Reader, signal: str, node: Node, key: str) -> list[Reading]:
-    fields = reader.mapping(node, key, ("at", "value", "unit"), ("at",))
-    if "at" not in fields:
-        return []
-    at = reader.duration(fields["at"], f"{key}.at", -52 * WEEK, 0.0)
-    value: float | None = None
-    unit: str | None = None
-    if isinstance(said := fields.get("value"), Scalar):
-        quantity = reader.read(said, f"{key}.value", parse_quantity)
-        value, unit = quantity if quantity is not None else (None, None)
-    if "unit" in fields:
-        unit = reader.string(fields["unit"], f"{key}.unit")
-    return [Reading(signal, at, value, unit)]

@@ -4,13 +4,13 @@ Every mistake is found in one run, with file, line and column.
 """
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from datetime import datetime, tzinfo
 from functools import partial
 from typing import Required, TypedDict
 
-from fuzzytime.context import Context
+from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
 from fuzzytime.times import WEEK, parse_instant, parse_zone
@@ -18,7 +18,7 @@ from fuzzytime.yaml_nodes import Node, Reader, Scalar
 from fuzzytime_cli.inputs.functions import read_function
 from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
-from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy, read_context
+from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy
 
 KEYS = ("now", "zone", "agents", "horizon", "context", "busy", "instructions", "skills")
 _WISH_KEYS = ("id", "hands_on", "elapsed", "duration", "priority", "agent", "after")
@@ -39,6 +39,7 @@ class Surroundings:
     zone: tzinfo | None
     fallback_now: datetime
     calendar: CalendarReader
+    signals: Mapping[str, Signal]
 
 
 def read_task_file(source: Source, surroundings: Surroundings) -> Request:
@@ -82,7 +83,11 @@ class _TaskFile:
         if "agents" in top:
             self.agents = max(1, reader.whole(top["agents"], "agents", 1, 100))
         horizon = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
-        context = read_context(reader, top["context"]) if "context" in top else Context()
+        context = (
+            read_context_node(reader, top["context"], "context", self.surroundings.signals)
+            if "context" in top
+            else Context()
+        )
         busy = (
             read_busy(reader, top["busy"], self.now, self.agents, self.surroundings.calendar)
             if "busy" in top

@@ -1,0 +1,95 @@
+"""What `fuzzytime doctor` looks at."""
+
+import platform
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from fuzzytime.errors import FuzzytimeError
+
+LIBRARIES = ("numpy", "scipy", "spacy", "typer", "rich", "pyyaml", "prompt_toolkit", "icalendar")
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One finding, and whether it is as it should be."""
+
+    name: str
+    good: bool
+    finding: str
+
+
+def all_checks(environment: Mapping[str, str]) -> Iterator[Check]:
+    """Look at everything."""
+    yield Check("python", sys.version_info >= (3, 11), f"{platform.python_version()} on {platform.system()}")
+    yield _versions()
+    yield _model()
+    yield _tables()
+    yield _settings(environment)
+    yield from _folders(environment)
+
+
+def _versions() -> Check:
+    found, missing = [], []
+    for name in ("fuzzytime-planner", *LIBRARIES):
+        try:
+            found.append(f"{name} {version(name)}")
+        except PackageNotFoundError:
+            missing.append(name)
+    # From a checkout that is not installed, fuzzytime itself has no version.
+    lacking = [name for name in missing if name != "fuzzytime-planner"]
+    return Check(
+        "libraries", not lacking, ", ".join(found) + (f"; missing: {', '.join(lacking)}" if lacking else "")
+    )
+
+
+def _model() -> Check:
+    from fuzzytime.language import installed_model, model_files
+    from fuzzytime.language.sentence.model import FileState
+
+    try:
+        package = installed_model()
+        files = model_files(package)
+    except FuzzytimeError as error:
+        return Check("model", good=False, finding=str(error))
+    wrong = [file.path for file in files if file.state is not FileState.OFFICIAL]
+    finding = f"{package.name} {package.version}, {len(files)} files as published"
+    if wrong:
+        finding = f"{package.name} {package.version}, not as published: {', '.join(wrong)}"
+    return Check("model", not wrong, finding)
+
+
+def _tables() -> Check:
+    from fuzzytime.rulebook import check
+
+    mistakes = check(())
+    return Check(
+        "tables", not mistakes, str(mistakes[0]) if mistakes else "the shipped tables hold no mistake"
+    )
+
+
+def _settings(environment: Mapping[str, str]) -> Check:
+    from fuzzytime_cli.settings import load_settings
+
+    try:
+        settings = load_settings({}, environment)
+    except FuzzytimeError as error:
+        return Check("settings", good=False, finding=str(error).partition("\n")[0])
+    changed = [name for name, setting in settings.values.items() if setting.origin != "default"]
+    return Check("settings", good=True, finding=f"set: {', '.join(changed)}" if changed else "all as shipped")
+
+
+def _folders(environment: Mapping[str, str]) -> Iterator[Check]:
+    from fuzzytime_cli.assembly import parse_cache
+    from fuzzytime_cli.repl.start import data_folder
+
+    for name, folder in (("sessions", data_folder()), ("cache", parse_cache(environment))):
+        yield Check(name, good=True, finding=_folder(folder))
+
+
+def _folder(folder: Path | None) -> str:
+    if folder is None:
+        return "nowhere: nothing is kept"
+    return f"{folder}{'' if folder.is_dir() else ' (made when it is needed)'}"

@@ -1,0 +1,53 @@
+"""`fuzzytime explain`: one instruction, from its words to its start."""
+
+import os
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+
+@flattened
+def explain(
+    text: Annotated[str, typer.Argument(help="An instruction.")],
+    beside: Annotated[
+        str | None,
+        typer.Option("--beside", metavar="FILE", help="Plan it beside the instructions of a file."),
+    ] = None,
+    svg: Annotated[
+        Path | None, typer.Option("--svg", metavar="FILE", help="Draw readings, forecast, μ and ψ to a file.")
+    ] = None,
+    *,
+    moment: Moment,
+    understanding: Understanding,
+    solving: Solving,
+) -> None:
+    """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why it starts so."""
+    from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.commands.plan import is_fault, report_problem, request_of
+    from fuzzytime_cli.drawing.svg import chart_svg
+    from fuzzytime_cli.explaining import chart_of, explanation_lines, reading_lines
+    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.render import Screen
+
+    assembly = Assembly.of(moment, understanding, solving)
+    interpreter = assembly.interpreter()
+    request = request_of(beside, [text], assembly, understanding, interpreter.rulebook.signals)
+    made = assembly.plan(request, interpreter)
+    wish = request.wishes[-1]
+    for problem in made.problems:
+        if problem.text == text.strip() and is_fault(problem):
+            report_problem(problem, "fuzzytime")
+    own = [position for position, interpreted in enumerate(made.skills) if interpreted.wish is wish]
+    screen = Screen.of(sys.stdout, dict(os.environ))
+    if not own:
+        screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))
+        raise typer.Exit(Exit.BAD_DATA)
+    for position in own:
+        screen.write(*explanation_lines(made, position, screen.width, unicode=screen.unicode))
+    if svg is not None:
+        replace_file(svg, chart_svg(chart_of(made.skills[own[0]], made, own[0]), text))

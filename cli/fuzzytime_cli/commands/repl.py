@@ -1,0 +1,22 @@
+"""`fuzzytime repl`: the conversation, with a session's name."""
+
+from typing import Annotated
+
+import typer
+
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+
+@flattened
+def repl(
+    session: Annotated[str, typer.Argument(help="The session's name; it is kept and goes on.")] = "default",
+    forget: Annotated[bool, typer.Option("--forget", help="Keep nothing.")] = False,  # noqa: FBT002 - a flag
+    *,
+    moment: Moment,
+    understanding: Understanding,
+    solving: Solving,
+) -> None:
+    """Hold a conversation: instructions as you type, the schedule after each, a word when a start comes."""
+    from fuzzytime_cli.repl import converse
+
+    converse(session, moment=moment, understanding=understanding, solving=solving, kept=not forget)

@@ -1,0 +1,1 @@
+"""Curves over time, in the terminal by braille and as SVG."""

@@ -1,0 +1,96 @@
+"""A chart as SVG."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fuzzytime_cli.drawing.chart import Chart, Curve, Panel
+from fuzzytime_cli.drawing.markup import element, number, picture, words
+from fuzzytime_cli.formats.clock import Clock
+
+WIDTH, LEFT, RIGHT, PANEL, GAP, TOP, BOTTOM = 720, 56, 16, 120, 28, 24, 36
+COLOURS = ("#1f5fa8", "#b3541e", "#3d7a3a", "#7a4e9c", "#8a6d1a")
+STYLE = (
+    "text{font:12px system-ui,sans-serif;fill:#333}.axis{stroke:#999;stroke-width:1}"
+    ".grid{stroke:#ddd;stroke-width:1}.mark{stroke:#c33;stroke-width:1.5;stroke-dasharray:4 3}"
+    "@media(prefers-color-scheme:dark){text{fill:#ddd}.grid{stroke:#444}}"
+)
+
+
+def chart_svg(chart: Chart, title: str) -> str:
+    """Draw a chart as an SVG document."""
+    bottom = TOP + len(chart.panels) * (PANEL + GAP) - GAP
+    parts = []
+    for index, panel in enumerate(chart.panels):
+        parts += _panel(panel, chart, TOP + index * (PANEL + GAP))
+    parts += _ticks(chart, bottom)
+    for mark in chart.marks:
+        x = float(_across(chart, np.asarray([mark.time]))[0])
+        parts.append(element("line", class_="mark", x1=x, y1=TOP, x2=x, y2=bottom))
+        parts.append(element("text", words(mark.label), x=x, y=TOP - 8, text_anchor="middle"))
+    return picture(WIDTH, bottom + GAP + BOTTOM, title, STYLE, "".join(parts))
+
+
+def _across(chart: Chart, times: NDArray[np.float64]) -> NDArray[np.float64]:
+    return np.asarray(LEFT + chart.share(times) * (WIDTH - LEFT - RIGHT))
+
+
+def _panel(panel: Panel, chart: Chart, top: float) -> list[str]:
+    bottom = top + PANEL
+    parts = [element("text", words(panel.title), x=LEFT, y=top - 6)]
+    for share in (0.0, 0.5, 1.0):
+        y = bottom - share * PANEL
+        value = panel.low + share * (panel.high - panel.low)
+        parts.append(element("line", class_="grid", x1=LEFT, y1=y, x2=WIDTH - RIGHT, y2=y))
+        parts.append(
+            element("text", words(f"{value:g}{panel.unit}"), x=LEFT - 6, y=y, dy=4, text_anchor="end")
+        )
+    for index, curve in enumerate(panel.curves):
+        colour = COLOURS[index % len(COLOURS)]
+        parts += _curve(curve, panel, chart, bottom, colour)
+        if len(panel.curves) > 1:
+            place = {"x": WIDTH - RIGHT - 4, "y": top + 14 + 15 * index}
+            parts.append(
+                element("text", words(curve.label), style=f"fill:{colour}", text_anchor="end", **place)
+            )
+    return parts
+
+
+def _curve(curve: Curve, panel: Panel, chart: Chart, bottom: float, colour: str) -> list[str]:
+    def up(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        share = (values - panel.low) / ((panel.high - panel.low) or 1.0)
+        return np.asarray(bottom - np.clip(share, -0.05, 1.05) * PANEL)
+
+    x, y = _across(chart, curve.times), up(np.asarray(curve.values))
+    parts = []
+    if curve.band is not None:
+        low, high = up(curve.band[0]), up(curve.band[1])
+        outline = path(np.concatenate([x, x[::-1]]), np.concatenate([low, high[::-1]]))
+        parts.append(element("path", d=outline + "Z", fill=colour, fill_opacity=0.15))
+    if curve.dots:
+        places = zip(x.tolist(), y.tolist(), strict=True)
+        parts += [element("circle", cx=across, cy=height, r=2.5, fill=colour) for across, height in places]
+    else:
+        parts.append(element("path", d=path(x, y), fill="none", stroke=colour, stroke_width=2))
+    return parts
+
+
+def path(x: NDArray[np.float64], y: NDArray[np.float64]) -> str:
+    """Write a line through points as path data; a gap (NaN) interrupts it."""
+    steps, pen = [], "M"
+    for across, height in zip(x.tolist(), y.tolist(), strict=True):
+        if np.isfinite(across) and np.isfinite(height):
+            steps.append(f"{pen}{number(across)} {number(height)}")
+            pen = "L"
+        else:
+            pen = "M"
+    return "".join(steps)
+
+
+def _ticks(chart: Chart, bottom: float) -> list[str]:
+    parts = [element("line", class_="axis", x1=LEFT, y1=bottom, x2=WIDTH - RIGHT, y2=bottom)]
+    for time in chart.ticks(8):
+        x = float(_across(chart, np.asarray([time]))[0])
+        parts.append(element("line", class_="axis", x1=x, y1=bottom, x2=x, y2=bottom + 5))
+        label = f"{time / 60:g} min" if chart.now is None else Clock(chart.now, with_seconds=False).of(time)
+        parts.append(element("text", words(label), x=x, y=bottom + 19, text_anchor="middle"))
+    return parts

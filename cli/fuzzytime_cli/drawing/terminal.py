@@ -1,0 +1,58 @@
+"""A chart in the terminal."""
+
+import numpy as np
+
+from fuzzytime_cli.drawing.canvas import Canvas
+from fuzzytime_cli.drawing.chart import Chart, Panel
+from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.render import fitted, plain, width_of
+
+_AXIS = 7
+
+
+def chart_lines(chart: Chart, width: int, rows: int = 8, *, unicode: bool = True) -> list[str]:
+    """Draw a chart as lines of text, ``rows`` high a panel."""
+    columns = max(16, width - _AXIS - 1)
+    lines: list[str] = []
+    for panel in chart.panels:
+        lines += _panel(panel, chart, columns, rows, unicode=unicode)
+    lines.append(_axis(chart, columns))
+    for mark in chart.marks:
+        lines.append(f"{' ' * _AXIS} {_time(chart, mark.time)}: {plain(mark.label)}")
+    return lines
+
+
+def _panel(panel: Panel, chart: Chart, columns: int, rows: int, *, unicode: bool) -> list[str]:
+    canvas = Canvas(columns, rows)
+    span = (panel.high - panel.low) or 1.0
+    for curve in panel.curves:
+        up = (np.asarray(curve.values) - panel.low) / span
+        draw = canvas.points if curve.dots else canvas.curve
+        draw(chart.share(curve.times), up)
+    for mark in chart.marks:
+        share = float(chart.share(np.asarray(mark.time)))
+        if 0 <= share <= 1:
+            canvas.vertical(share)
+    labels = {0: f"{panel.high:g}{panel.unit}", rows - 1: f"{panel.low:g}{panel.unit}"}
+    heading = [f"{' ' * _AXIS} {plain(panel.title)}"] if panel.title else []
+    bar = "│" if unicode else "|"
+    return heading + [
+        f"{labels.get(row, '')[:_AXIS]:>{_AXIS}}{bar}{line}"
+        for row, line in enumerate(canvas.lines(unicode=unicode))
+    ]
+
+
+def _axis(chart: Chart, columns: int) -> str:
+    cells = [" "] * columns
+    for time in chart.ticks(columns // 12):
+        column = round(float(chart.share(np.asarray(time))) * (columns - 1))
+        label = "╵" + _time(chart, time)
+        if column + width_of(label) <= columns and not "".join(cells[column : column + len(label)]).strip():
+            cells[column : column + len(label)] = label
+    return fitted("", _AXIS) + " " + "".join(cells).rstrip()
+
+
+def _time(chart: Chart, time: float) -> str:
+    if chart.now is None:
+        return f"{time / 60:+.4g} min"
+    return Clock(chart.now, with_seconds=bool(round(time + chart.now.second) % 60)).of(time)

@@ -1,0 +1,98 @@
+"""Busy times from an iCalendar file."""
+
+from datetime import date, datetime, time, timedelta
+from pathlib import Path
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.skills import Busy
+from fuzzytime.times import DAY, seconds_between
+
+MAX_BYTES = 4 << 20
+MAX_OCCURRENCES = 500
+AHEAD = 14 * DAY
+"""How far ahead busy times are read, in seconds."""
+
+
+def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
+    """Give the busy times of a calendar file within the next two weeks, in seconds from now.
+
+    Events that are cancelled or transparent (they do not block time) are left out; repeating ones come with
+    each occurrence; an all-day event blocks its days.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the file is not there, too large, or no calendar.
+    """
+    import icalendar
+
+    try:
+        raw = path.read_bytes() if path.stat().st_size <= MAX_BYTES else b""
+    except (OSError, ValueError) as error:
+        raise FuzzytimeError(f"a calendar file must be readable, got {str(path)!r}") from error
+    try:
+        calendar = icalendar.Calendar.from_ical(raw)
+    except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
+        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB: {error}") from error
+    busy: list[Busy] = []
+    for event in calendar.walk("VEVENT"):
+        if (
+            str(event.get("STATUS", "")).upper() != "CANCELLED"
+            and str(event.get("TRANSP", "")).upper() != "TRANSPARENT"
+        ):
+            busy += _busy_of(event, now)
+    return tuple(sorted(busy, key=lambda taken: (taken.start, taken.end)))
+
+
+def _busy_of(event: "object", now: datetime) -> list[Busy]:
+    try:
+        start = _instant(event.decoded("DTSTART"), now)  # type: ignore[attr-defined]
+        length = _length(event, start, now)
+        starts = _occurrences(event, start, length, now)
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError):
+        return []  # an event without a usable time blocks none
+    what = str(event.get("SUMMARY", ""))  # type: ignore[attr-defined]
+    found = []
+    for begin in starts:
+        first = seconds_between(now, begin)
+        if first + length > 0 and first < AHEAD:
+            found.append(Busy(first, first + length, what))
+    return found
+
+
+def _instant(value: date | datetime, now: datetime) -> datetime:
+    if not isinstance(value, datetime):
+        value = datetime.combine(value, time())
+    return value if value.tzinfo is not None else value.replace(tzinfo=now.tzinfo)
+
+
+def _length(event: "object", start: datetime, now: datetime) -> float:
+    if "DTEND" in event:  # type: ignore[operator]
+        return max(0.0, seconds_between(start, _instant(event.decoded("DTEND"), now)))  # type: ignore[attr-defined]
+    if "DURATION" in event:  # type: ignore[operator]
+        return max(0.0, float(event.decoded("DURATION").total_seconds()))  # type: ignore[attr-defined]
+    return DAY if not isinstance(event.decoded("DTSTART"), datetime) else 0.0  # type: ignore[attr-defined]
+
+
+def _occurrences(event: "object", start: datetime, length: float, now: datetime) -> list[datetime]:
+    """Give the starts of an event that may still matter; dateutil comes with icalendar."""
+    rule = event.get("RRULE")  # type: ignore[attr-defined]
+    if rule is None:
+        return [start]
+    from dateutil.rrule import rrulestr
+
+    series = rrulestr(rule.to_ical().decode(), dtstart=start, ignoretz=start.tzinfo is None)
+    after = max(start, _floor(now, start) - timedelta(seconds=length))
+    until = _floor(now, start) + timedelta(seconds=AHEAD)
+    found = []
+    for occurrence in series.xafter(after, count=MAX_OCCURRENCES, inc=True):
+        if occurrence > until:
+            break
+        found.append(occurrence)
+    return found
+
+
+def _floor(now: datetime, like: datetime) -> datetime:
+    if like.tzinfo is None:
+        return now.replace(tzinfo=None)
+    return now if now.tzinfo is not None else now.replace(tzinfo=like.tzinfo)

@@ -1,0 +1,190 @@
+"""What a conversation knows: its kept state, the plan that it leads to, and what has started.
+
+Nothing here reads a clock, or a keyboard, or prints: the moment is passed in, and answers are values.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from fuzzytime.context import Context, Reading
+from fuzzytime.interpreter import Interpreter, Plan, Request, SpokenWish, plan
+from fuzzytime.interpreter import Started as StartedSkill
+from fuzzytime.scheduling import Limits, Solver
+from fuzzytime.skills import Busy
+from fuzzytime.times import seconds_between
+from fuzzytime_cli.session import Entry, KeptReading, SessionStore, Started, State
+
+NOTICEABLE = 20.0
+"""Seconds by which a start must move for it to be said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """A skill whose planned start has moved, by instants; None where it was not, or is no longer, planned."""
+
+    identifier: str
+    name: str
+    before: datetime | None
+    after: datetime | None
+
+
+@dataclass(frozen=True, slots=True)
+class Conversation:
+    """One session in its store, with what understands and schedules it."""
+
+    store: SessionStore
+    name: str
+    interpreter: Interpreter
+    solver_of: Callable[[str], Solver]
+    limits: Limits
+    threshold: float
+
+    # -- the state ------------------------------------------------------------------------------------------
+
+    @property
+    def state(self) -> State:
+        """Where the conversation stands."""
+        return self.store.state(self.name)
+
+    def change(self, what: str, step: Callable[[State], State]) -> State:
+        """Take a step, keep it, and give the new state.
+
+        Raises
+        ------
+        FuzzytimeError
+            From the step, which then changes nothing.
+        """
+        return self.store.change(self.name, what, step)
+
+    # -- the plan -------------------------------------------------------------------------------------------
+
+    def request(self, now: datetime, state: State | None = None) -> Request:
+        """Give what is asked for as seen from a moment."""
+        current = state if state is not None else self.state
+        known = {f"s{entry.number}" for entry in current.entries}
+        started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
+        return Request(
+            now=now,
+            wishes=tuple(wish_of(entry) for entry in current.entries),
+            agents=current.agents,
+            context=context_of(current.readings, now),
+            busy=tuple(
+                Busy(max(0.0, seconds_between(now, kept.start)), seconds_between(now, kept.end), kept.what)
+                for kept in current.busy
+                if seconds_between(now, kept.end) > 0
+            ),
+            started=tuple(_as_seen(one, now) for one in started if one.agent <= current.agents),
+        )
+
+    def plan(self, now: datetime, state: State | None = None) -> Plan:
+        """Plan from a moment on.
+
+        Raises
+        ------
+        FuzzytimeError
+            If a reading is of no signal that the tables know.
+        """
+        current = state if state is not None else self.state
+        return plan(
+            self.request(now, current),
+            self.interpreter,
+            solver=self.solver_of(current.solver),
+            threshold=self.threshold,
+            limits=self.limits,
+        )
+
+    def note_started(self, made: Plan, now: datetime) -> list[Started]:
+        """Note the skills whose start has come by a moment, and give those that are news."""
+        news = []
+        for position, specific in enumerate(made.schedule.skills):
+            start = made.instant(specific.start)
+            if made.schedule.rejected[position] or seconds_between(start, now) < 0:
+                continue
+            started = Started(
+                made.skills[position].identifier,
+                specific.name,
+                start,
+                made.instant(specific.end),
+                made.instant(specific.done),
+                specific.agent,
+                made.schedule.satisfactions[position],
+            )
+            if self.store.note_started(self.name, started):
+                news.append(started)
+        return news
+
+    def running(self, now: datetime) -> list[Started]:
+        """Give the skills that have started and are not done at a moment."""
+        known = {f"s{entry.number}" for entry in self.state.entries}
+        return [
+            one
+            for one in self.store.started(self.name)
+            if seconds_between(now, one.done) > 0 and one.identifier.partition(".")[0] in known
+        ]
+
+
+def wish_of(entry: Entry) -> SpokenWish:
+    """Give an entry as a wish; its number names its skills."""
+    return SpokenWish(
+        text=entry.text,
+        given=entry.given,
+        identifier=f"s{entry.number}",
+        hands_on=entry.hands_on,
+        elapsed=entry.elapsed,
+        priority=entry.priority,
+    )
+
+
+def context_of(readings: tuple[KeptReading, ...], now: datetime) -> Context:
+    """Give kept readings as a context seen from a moment; the future of another terminal's clock is now."""
+    return Context(
+        tuple(
+            Reading(kept.signal, min(0.0, seconds_between(now, kept.at)), kept.value, kept.unit)
+            for kept in readings
+        )
+    )
+
+
+def _as_seen(one: Started, now: datetime) -> StartedSkill:
+    start, end, done = (seconds_between(now, instant) for instant in (one.start, one.end, one.done))
+    return StartedSkill(identifier=one.identifier, start=start, end=end, done=done, agent=one.agent)
+
+
+def starts_of(made: Plan) -> dict[str, tuple[str, datetime]]:
+    """Give each planned skill's name and start by its identifier; rejected ones have none."""
+    return {
+        interpreted.identifier: (interpreted.skill.name, made.instant(made.schedule.start_times[position]))
+        for position, interpreted in enumerate(made.skills)
+        if not made.schedule.rejected[position]
+    }
+
+
+def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
+    """Say which skills of both plans moved noticeably, and which lost or won their place."""
+    if before is None:
+        return []
+    earlier, later = starts_of(before), starts_of(after)
+    known = {interpreted.identifier for interpreted in before.skills}
+    still = {interpreted.identifier for interpreted in after.skills}
+    found = []
+    for identifier in sorted(known & still - started, key=_by_number):
+        old, new = earlier.get(identifier), later.get(identifier)
+        if old is None and new is None:
+            continue
+        name = (new or old or ("", None))[0]
+        first, second = old[1] if old else None, new[1] if new else None
+        if first is None or second is None or abs(seconds_between(first, second)) >= NOTICEABLE:
+            found.append(Move(identifier, name, first, second))
+    return found
+
+
+def _by_number(identifier: str) -> tuple[int, str]:
+    digits = identifier.lstrip("s").partition(".")[0]
+    return (int(digits) if digits.isdigit() else 0, identifier)
+
+
+def answered(entry: Entry, span: tuple[int, int], instant: datetime) -> Entry:
+    """Give an entry with ambiguous words of time replaced by an explicit instant."""
+    words = f"at {instant:%H:%M} on {instant:%Y-%m-%d}"
+    return replace(entry, text=entry.text[: span[0]] + words + entry.text[span[1] :])

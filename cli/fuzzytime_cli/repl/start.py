@@ -1,0 +1,197 @@
+"""The conversation on a terminal or a pipe: what reads lines, keeps the time, and writes answers."""
+
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from datetime import datetime
+from pathlib import Path
+from typing import TextIO
+
+from fuzzytime_cli.assembly import Assembly
+from fuzzytime_cli.choices import SolverChoice
+from fuzzytime_cli.faults import report
+from fuzzytime_cli.options import Moment, Solving, Understanding
+from fuzzytime_cli.render import Screen
+from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.repl.turn import Turns
+from fuzzytime_cli.session import open_store
+
+PROMPT = "› "
+BEAT = 1.0
+"""Seconds between two looks at the clock."""
+
+
+def converse(
+    session: str = "default",
+    *,
+    moment: Moment | None = None,
+    understanding: Understanding | None = None,
+    solving: Solving | None = None,
+    kept: bool = True,
+) -> None:
+    """Hold a conversation until it is left; where input is no terminal, line by line without a prompt."""
+    assembly = Assembly.of(moment or Moment(), understanding or Understanding(), solving or Solving())
+    clock = _clock_of(assembly)
+    folder = data_folder()
+    store, trouble = open_store(folder / "sessions.sqlite" if kept and folder is not None else None)
+    if trouble:
+        report(trouble)
+    conversation = Conversation(
+        store,
+        session,
+        assembly.interpreter(),
+        lambda name: assembly.solver(SolverChoice(name) if name else None),
+        assembly.limits(),
+        assembly.settings.number("threshold"),
+    )
+    screen = Screen.of(sys.stdout, dict(os.environ))
+    turns = Turns(conversation, screen.width, unicode=screen.unicode)
+    talk = _Talk(turns, clock, screen, bell=assembly.settings.flag("bell"))
+    try:
+        if screen.interactive and sys.stdin is not None and sys.stdin.isatty():
+            _prompted(talk, folder)
+        else:
+            _piped(talk, sys.stdin)
+    finally:
+        store.close()
+
+
+def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
+    """Give the clock: the machine's, or one that starts at ``--now`` and goes on from there."""
+    begun, first = datetime.now().astimezone(), assembly.moment()
+    if assembly.now is None:
+        return assembly.moment
+
+    def shifted() -> datetime:
+        from fuzzytime.times import instant_after
+
+        return instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
+
+    return shifted
+
+
+def data_folder() -> Path | None:
+    """Give the folder of sessions and history, by FUZZYTIME_DATA or custom; None for nowhere."""
+    where = os.environ.get("FUZZYTIME_DATA")
+    if where is not None:
+        return Path(where) if where else None
+    from platformdirs import user_data_path
+
+    try:
+        return user_data_path("fuzzytime")
+    except (OSError, RuntimeError):
+        return None  # no home
+
+
+class _Talk:
+    """Turns and the clock's beats, one at a time, written to one screen."""
+
+    def __init__(self, turns: Turns, clock: Callable[[], datetime], screen: Screen, *, bell: bool) -> None:
+        self.turns, self.clock, self.screen, self.bell = turns, clock, screen, bell
+        self.lock = threading.Lock()
+        self.over = threading.Event()
+
+    def open(self) -> None:
+        """Greet."""
+        with self.lock:
+            self.screen.write(*self.turns.opened(self.clock()))
+
+    def take(self, line: str, ask: Callable[[str], str] | None) -> tuple[bool, str]:
+        """Answer a line; say whether to go on, and with which words on the prompt."""
+        with self.lock:
+            reply = self.turns.take(line, self.clock(), ask)
+            self.screen.write(*reply.lines)
+        return not reply.over, reply.edit
+
+    def beat(self) -> None:
+        """Say what starts now; a turn that is being taken goes first."""
+        if not self.lock.acquire(blocking=False):
+            return
+        try:
+            lines = self.turns.tick(self.clock())
+            if lines:
+                self.screen.write(*lines)
+                if self.bell:
+                    self.screen.stream.write("\a")
+                self.screen.stream.flush()
+        finally:
+            self.lock.release()
+
+
+@contextmanager
+def _beating(talk: _Talk) -> Iterator[None]:
+    """Look at the clock every `BEAT` seconds meanwhile."""
+
+    def run() -> None:
+        while not talk.over.wait(BEAT):
+            talk.beat()
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        talk.over.set()
+        thread.join(2 * BEAT)
+
+
+def _prompted(talk: _Talk, folder: Path | None) -> None:
+    """Read lines with editing, history and completion; Ctrl-C clears the line, Ctrl-D leaves."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+    from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+    from prompt_toolkit.patch_stdout import patch_stdout
+
+    from fuzzytime_cli.repl.completion import WordCompleter
+
+    history: History = InMemoryHistory()
+    path = folder / "history" if folder is not None else None
+    if path is not None:
+        try:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.touch(mode=0o600)
+            history = FileHistory(str(path))
+        except OSError:
+            pass  # a home that cannot be written to has no history
+    keys = KeyBindings()
+
+    @keys.add("escape", "enter")
+    def _(event: KeyPressEvent) -> None:
+        event.current_buffer.insert_text("\n")
+
+    completer = WordCompleter.of_rulebook(talk.turns.conversation.interpreter.rulebook)
+    prompt: PromptSession[str] = PromptSession(
+        history=history, completer=completer, complete_while_typing=False, key_bindings=keys
+    )
+    with patch_stdout(raw=True):
+        talk.screen = Screen(
+            sys.stdout, talk.screen.width, talk.screen.colour, talk.screen.unicode, interactive=True
+        )
+        talk.open()
+        going, words = True, ""
+        with _beating(talk):
+            while going:
+                try:
+                    typed = prompt.prompt(PROMPT, default=words)
+                    words = ""
+                    for line in typed.splitlines():
+                        going, words = talk.take(line, prompt.prompt)
+                        if not going:
+                            break
+                except KeyboardInterrupt:
+                    words = ""
+                except EOFError:
+                    return
+
+
+def _piped(talk: _Talk, stream: TextIO | None) -> None:
+    """Read lines as they come; answers follow each."""
+    talk.open()
+    for line in stream if stream is not None else ():
+        talk.beat()
+        going, _ = talk.take(line, None)
+        talk.screen.stream.flush()
+        if not going:
+            return

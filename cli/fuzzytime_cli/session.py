@@ -1,0 +1,334 @@
+"""A conversation that survives: its state as a value, kept in SQLite with every step undoable."""
+
+import json
+import sqlite3
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field, replace
+from datetime import datetime
+from pathlib import Path
+from typing import Any
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime_cli.faults import NoInputError
+
+SCHEMA = "fuzzytime-session/1"
+KEPT_STEPS = 1_000
+"""How many steps can be undone."""
+
+WAIT = 10.0
+"""Seconds to wait for another terminal that writes."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """One instruction of the conversation, with the moment it was given."""
+
+    number: int
+    text: str
+    given: datetime
+    hands_on: float | None = None
+    elapsed: float | None = None
+    priority: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class KeptReading:
+    """A reading with its instant; an event has no value."""
+
+    signal: str
+    at: datetime
+    value: float | None = None
+    unit: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class KeptBusy:
+    """A time that is taken, by instants."""
+
+    start: datetime
+    end: datetime
+    what: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """A skill that has started: it does not move any more."""
+
+    identifier: str
+    name: str
+    start: datetime
+    end: datetime
+    done: datetime
+    agent: int = 1
+    satisfaction: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class State:
+    """Everything that was said in a conversation, as a value."""
+
+    entries: tuple[Entry, ...] = ()
+    next_number: int = 1
+    readings: tuple[KeptReading, ...] = ()
+    busy: tuple[KeptBusy, ...] = ()
+    agents: int = 1
+    solver: str = ""
+    finished: tuple[str, ...] = field(default=())
+
+    def with_entry(self, text: str, given: datetime) -> "State":
+        """Give the state with one more instruction."""
+        entry = Entry(number=self.next_number, text=text, given=given)
+        return replace(self, entries=(*self.entries, entry), next_number=self.next_number + 1)
+
+    def entry(self, number: int) -> Entry:
+        """Find an instruction by its number.
+
+        Raises
+        ------
+        FuzzytimeError
+            If there is none.
+        """
+        for entry in self.entries:
+            if entry.number == number:
+                return entry
+        known = ", ".join(str(entry.number) for entry in self.entries) or "none yet"
+        raise FuzzytimeError(f"a number must be one of the list ({known}), got {number}")
+
+    def with_changed(self, number: int, **changes: Any) -> "State":  # noqa: ANN401 - the fields of Entry
+        """Give the state with one instruction changed."""
+        self.entry(number)
+        entries = (replace(entry, **changes) if entry.number == number else entry for entry in self.entries)
+        return replace(self, entries=tuple(entries))
+
+    def without(self, number: int) -> "State":
+        """Give the state without one instruction."""
+        dropped = self.entry(number)
+        return replace(self, entries=tuple(entry for entry in self.entries if entry is not dropped))
+
+
+def state_text(state: State) -> str:
+    """Write a state as JSON."""
+    return json.dumps({"schema": SCHEMA, **asdict(state)}, default=_instant_text)
+
+
+def _instant_text(value: object) -> str:
+    if isinstance(value, datetime):
+        zone = getattr(value.tzinfo, "key", "")
+        return value.isoformat() + (f"[{zone}]" if zone else "")
+    raise TypeError(type(value).__name__)
+
+
+def _instant(text: str) -> datetime:
+    from fuzzytime.times import parse_instant, parse_zone
+
+    plain, _, zone = text.partition("[")
+    instant = parse_instant(plain)
+    return instant.astimezone(parse_zone(zone.rstrip("]"))) if zone else instant
+
+
+def state_of(text: str) -> State:
+    """Read a state from JSON.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is not one.
+    """
+    try:
+        data = json.loads(text)
+        if data.pop("schema") != SCHEMA:
+            raise FuzzytimeError(f"a session must be of the form {SCHEMA}")
+        entries = tuple(
+            Entry(**{**entry, "given": _instant(entry["given"])}) for entry in data.pop("entries")
+        )
+        readings = tuple(KeptReading(**{**kept, "at": _instant(kept["at"])}) for kept in data.pop("readings"))
+        busy = tuple(
+            KeptBusy(_instant(kept["start"]), _instant(kept["end"]), str(kept["what"]))
+            for kept in data.pop("busy")
+        )
+        finished = tuple(map(str, data.pop("finished")))
+        return State(entries=entries, readings=readings, busy=busy, finished=finished, **data)
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
+
+
+def _started_of(text: str) -> Started:
+    data = json.loads(text)
+    return Started(**{**data, **{key: _instant(data[key]) for key in ("start", "end", "done")}})
+
+
+_TABLES = """
+CREATE TABLE IF NOT EXISTS sessions (name TEXT PRIMARY KEY, head INTEGER NOT NULL);
+CREATE TABLE IF NOT EXISTS steps (
+    session TEXT NOT NULL, number INTEGER NOT NULL, parent INTEGER, what TEXT NOT NULL, state TEXT NOT NULL,
+    PRIMARY KEY (session, number)
+);
+CREATE TABLE IF NOT EXISTS started (
+    session TEXT NOT NULL, identifier TEXT NOT NULL, skill TEXT NOT NULL, PRIMARY KEY (session, identifier)
+);
+"""
+
+
+_HEAD = "SELECT {} FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?"
+
+
+class SessionStore:
+    """Sessions in one SQLite file: every step is durable before it is acknowledged.
+
+    Steps form a tree; the head is where the conversation stands. Terminals that share a session apply their
+    steps to the newest state, one after the other, so that none is lost.
+    """
+
+    def __init__(self, path: Path | None) -> None:
+        """Open or make the file; None keeps everything in memory."""
+        if path is not None:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            if not path.exists():
+                path.touch(mode=0o600)
+        self._connection = sqlite3.connect(
+            str(path) if path is not None else ":memory:",
+            timeout=WAIT,
+            isolation_level=None,
+            check_same_thread=False,
+        )
+        self._connection.execute("PRAGMA journal_mode=WAL")
+        self._connection.execute("PRAGMA synchronous=FULL")
+        self._connection.executescript(_TABLES)
+
+    def close(self) -> None:
+        """Close the file."""
+        self._connection.close()
+
+    @contextmanager
+    def _writing(self) -> Iterator[sqlite3.Connection]:
+        """Hold the file's one write lock from reading the newest state to writing the next."""
+        self._connection.execute("BEGIN IMMEDIATE")
+        try:
+            yield self._connection
+        except BaseException:
+            self._connection.execute("ROLLBACK")
+            raise
+        self._connection.execute("COMMIT")
+
+    def names(self) -> tuple[str, ...]:
+        """Give the names of all sessions."""
+        rows = self._connection.execute("SELECT name FROM sessions ORDER BY name").fetchall()
+        return tuple(row[0] for row in rows)
+
+    def version(self, name: str) -> int:
+        """Give the head's number, by which another terminal's step is noticed; 0 for a new session."""
+        row = self._connection.execute("SELECT head FROM sessions WHERE name = ?", (name,)).fetchone()
+        return int(row[0]) if row is not None else 0
+
+    def state(self, name: str) -> State:
+        """Give the state that a session stands at; an empty one for a new session."""
+        row = self._connection.execute(
+            _HEAD.format("state"),
+            (name,),
+        ).fetchone()
+        return state_of(row[0]) if row is not None else State()
+
+    def change(self, name: str, what: str, step: Callable[[State], State]) -> State:
+        """Apply a step to the newest state, keep the result, and give it.
+
+        Raises
+        ------
+        FuzzytimeError
+            From the step; nothing is changed then.
+        """
+        with self._writing() as connection:
+            head = self.version(name)
+            new = step(self.state(name))
+            number = 1 + int(
+                connection.execute(
+                    "SELECT COALESCE(MAX(number), 0) FROM steps WHERE session = ?", (name,)
+                ).fetchone()[0]
+            )
+            connection.execute(
+                "INSERT INTO steps VALUES (?, ?, ?, ?, ?)", (name, number, head, what, state_text(new))
+            )
+            self._move(name, number)
+            connection.execute(
+                "DELETE FROM steps WHERE session = ? AND number <= ?", (name, number - KEPT_STEPS)
+            )
+        return new
+
+    def _move(self, name: str, head: int) -> None:
+        self._connection.execute(
+            "INSERT INTO sessions VALUES (?, ?) ON CONFLICT (name) DO UPDATE SET head = excluded.head",
+            (name, head),
+        )
+
+    def undo(self, name: str) -> str:
+        """Go back one step and say which; empty where there is none."""
+        with self._writing() as connection:
+            row = connection.execute(
+                _HEAD.format("parent, what"),
+                (name,),
+            ).fetchone()
+            if row is None:
+                return ""
+            parent = connection.execute(
+                "SELECT 1 FROM steps WHERE session = ? AND number = ?", (name, row[0])
+            ).fetchone()
+            if row[0] and parent is None:
+                return ""  # too long ago: the step before is not kept
+            self._move(name, int(row[0]))
+            return str(row[1])
+
+    def redo(self, name: str) -> str:
+        """Go forward again to the step undone last and say which; empty where there is none."""
+        with self._writing() as connection:
+            row = connection.execute(
+                "SELECT number, what FROM steps WHERE session = ? AND parent = ? ORDER BY number DESC",
+                (name, self.version(name)),
+            ).fetchone()
+            if row is None:
+                return ""
+            self._move(name, int(row[0]))
+            return str(row[1])
+
+    # -- what has started is history: it is kept beside the steps, and no undo changes it -----------------
+
+    def started(self, name: str) -> tuple[Started, ...]:
+        """Give the skills that have started."""
+        rows = self._connection.execute(
+            "SELECT skill FROM started WHERE session = ? ORDER BY rowid", (name,)
+        ).fetchall()
+        return tuple(_started_of(text) for (text,) in rows)
+
+    def note_started(self, name: str, started: Started) -> bool:
+        """Note that a skill has started, and say whether it is news: another terminal may have noted it."""
+        with self._writing() as connection:
+            cursor = connection.execute(
+                "INSERT OR IGNORE INTO started VALUES (?, ?, ?)",
+                (name, started.identifier, json.dumps(asdict(started), default=_instant_text)),
+            )
+            return cursor.rowcount == 1
+
+    def note_done(self, name: str, identifier: str, at: datetime) -> None:
+        """Note that a started skill was done at an instant."""
+        with self._writing() as connection:
+            row = connection.execute(
+                "SELECT skill FROM started WHERE session = ? AND identifier = ?", (name, identifier)
+            ).fetchone()
+            if row is None:
+                raise NoInputError(f"{identifier} has not started")
+            data = json.loads(row[0])
+            at_text = _instant_text(at)
+            data["done"] = at_text
+            if _instant(data["end"]) > at:
+                data["end"] = at_text
+            connection.execute(
+                "UPDATE started SET skill = ? WHERE session = ? AND identifier = ?",
+                (json.dumps(data), name, identifier),
+            )
+
+
+def open_store(path: Path | None) -> tuple[SessionStore, str]:
+    """Open the store; where that is not possible, keep the session in memory and say why."""
+    try:
+        return SessionStore(path), ""
+    except (OSError, sqlite3.Error) as error:
+        return SessionStore(None), f"this session is not kept: {path}: {error}"

@@ -1,0 +1,22 @@
+"""Words about time alone, as a plan of one instruction that has no operation of its own."""
+
+from typing import TYPE_CHECKING
+
+from fuzzytime_cli.options import Understanding
+
+if TYPE_CHECKING:
+    from fuzzytime.interpreter import Plan
+    from fuzzytime_cli.assembly import Assembly
+
+
+def shown_plan(text: str, assembly: "Assembly", understanding: Understanding) -> "Plan":
+    """Plan an instruction; a fragment without a verb is taken as the time of "do it"."""
+    from fuzzytime.interpreter import Request, SpokenWish
+
+    interpreter = assembly.interpreter()
+    now = assembly.moment()
+    context = assembly.context(understanding, now, interpreter.rulebook.signals)
+    reading = interpreter.language.read(text, now=now)
+    verbless = all(instruction.operation is None for instruction in reading.instructions)
+    wish = SpokenWish(text=f"start it {text}" if verbless else text, given=now)
+    return assembly.plan(Request(now=now, wishes=(wish,), context=context), interpreter)

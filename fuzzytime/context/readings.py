@@ -1,0 +1,141 @@
+"""What was read: values and events on the instruction's timeline, where 0 is the moment it was given."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from fuzzytime.context.signals import Signal
+from fuzzytime.context.units import parse_quantity
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.yaml_nodes import suggestion
+
+MAX_READINGS = 200_000
+FARTHEST = 1e10
+"""How many seconds from now a reading may lie at most."""
+
+Value = float | str | None
+"""A number, a text such as ``"180 degC"``, or None for an event that happens."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """One value of a signal at one time, in seconds; an event has no value.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the value is not finite, or the time is not within some centuries.
+    """
+
+    signal: str
+    at: float
+    value: float | None = None
+    unit: str | None = None
+
+    def __post_init__(self) -> None:
+        if not abs(self.at) <= FARTHEST:
+            raise FuzzytimeError(f"a reading's time must lie within {FARTHEST:g} s, got {self.at}")
+        if self.value is not None and not abs(self.value) < float("inf"):
+            raise FuzzytimeError(f"a reading's value must be finite, got {self.value}")
+
+    @classmethod
+    def of(cls, signal: str, value: Value, at: float = 0.0) -> "Reading":
+        """Make a reading of a number, of a text with a unit, or of an event (None).
+
+        Raises
+        ------
+        FuzzytimeError
+            If the text is no value.
+        """
+        if isinstance(value, str):
+            return cls(signal, at, *parse_quantity(value))
+        return cls(signal, at, None if value is None else float(value))
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """Readings, ordered by signal and time; of two at one time the later one given stands.
+
+    Readings lie at times ≤ 0, that is up to now. An event may lie ahead, where it is announced; and a
+    context that was `shifted` to an older timeline has readings after that timeline's origin.
+
+    >>> context = Context.of({"pan_temp": "356 degF", "queue": 3, "timer": None})
+    >>> context.signals
+    ('pan_temp', 'queue', 'timer')
+    """
+
+    empty: ClassVar["Context"]
+
+    readings: tuple[Reading, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len(self.readings) > MAX_READINGS:
+            raise FuzzytimeError(
+                f"a context must hold at most {MAX_READINGS:,} readings, got {len(self.readings):,}"
+            )
+        latest = {(reading.signal, reading.at): reading for reading in self.readings}
+        object.__setattr__(self, "readings", tuple(latest[key] for key in sorted(latest)))
+
+    @classmethod
+    def of(cls, values: Mapping[str, Value | Sequence[tuple[float, Value]]]) -> "Context":
+        """Make a context of values now, or of lists of (time in seconds, value).
+
+        Raises
+        ------
+        FuzzytimeError
+            If a text is no value.
+        """
+        readings: list[Reading] = []
+        for signal, given in values.items():
+            pairs = [(0.0, given)] if given is None or isinstance(given, float | int | str) else given
+            readings += [Reading.of(signal, value, at) for at, value in pairs]
+        return cls(tuple(readings))
+
+    @property
+    def signals(self) -> tuple[str, ...]:
+        """The names of all signals that were read."""
+        return tuple(dict.fromkeys(reading.signal for reading in self.readings))
+
+    def of_signal(self, name: str) -> tuple[Reading, ...]:
+        """Give one signal's readings by time."""
+        return tuple(reading for reading in self.readings if reading.signal == name)
+
+    def with_reading(self, *readings: Reading) -> "Context":
+        """Give a context with more readings."""
+        return Context((*self.readings, *readings))
+
+    def merged(self, other: "Context") -> "Context":
+        """Give a context with the readings of both; at one time those of the other stand."""
+        return Context((*self.readings, *other.readings))
+
+    def shifted(self, by: float) -> "Context":
+        """Give the same readings on a timeline whose origin is ``by`` seconds earlier."""
+        return Context(tuple(replace(reading, at=reading.at + by) for reading in self.readings))
+
+    def admitted(self, signals: Mapping[str, Signal]) -> "Context":
+        """Give the readings in the units of the declared signals.
+
+        Raises
+        ------
+        FuzzytimeError
+            If a signal is not declared, or a value is not one that it can have.
+        """
+        return Context(tuple(admitted(reading, signals) for reading in self.readings))
+
+
+Context.empty = Context()
+
+
+def admitted(reading: Reading, signals: Mapping[str, Signal]) -> Reading:
+    """Give a reading in its declared signal's unit.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the signal is not declared, or the value is not one that it can have.
+    """
+    signal = signals.get(reading.signal)
+    if signal is None:
+        raise FuzzytimeError(f"unknown signal {reading.signal!r}{suggestion(reading.signal, signals)}")
+    value = signal.admitted(reading.value, reading.unit)
+    return replace(reading, value=value, unit=None if signal.event else signal.unit)

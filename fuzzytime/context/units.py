@@ -1,0 +1,98 @@
+"""Units of readings, and values with their units: ``180 degC``, ``356 degF``, ``20 min``.
+
+A unit that is not in the table is a name ("tasks"): it converts to nothing but itself.
+"""
+
+import math
+import re
+from dataclasses import dataclass
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.times import UNITS as TIME_UNITS
+from fuzzytime.times import parse_duration
+
+_QUANTITY = re.compile(r"([-+\u2212]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S(?:.{0,28}\S)?)?")
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit by its dimension and its size there: base value = ``size`` · value + ``zero``."""
+
+    dimension: str
+    size: float
+    zero: float = 0.0
+
+
+def _table(dimension: str, sizes: dict[str, float]) -> dict[str, Unit]:
+    return {name: Unit(dimension, size) for spellings, size in sizes.items() for name in spellings.split()}
+
+
+_FAHRENHEIT = Unit("temperature", 5 / 9, -32 * 5 / 9)
+UNITS: dict[str, Unit] = {
+    **dict.fromkeys(("degC", "°C", "℃", "C", "celsius"), Unit("temperature", 1.0)),
+    **dict.fromkeys(("degF", "°F", "℉", "F", "fahrenheit"), _FAHRENHEIT),
+    **dict.fromkeys(("K", "kelvin"), Unit("temperature", 1.0, -273.15)),
+    **{name: Unit("time", size) for name, size in TIME_UNITS.items()},
+    **_table("share", {"1": 1.0, "% percent": 0.01, "ppm": 1e-6}),
+    **_table("mass", {"mg": 1e-6, "g": 1e-3, "kg": 1.0, "lb lbs": 0.45359237, "oz": 0.028349523125}),
+    **_table(
+        "length", {"mm": 1e-3, "cm": 1e-2, "metre meter": 1.0, "km": 1e3, "in inch": 0.0254, "ft": 0.3048}
+    ),
+    **_table("volume", {"ml mL": 1e-3, "cl": 1e-2, "l L": 1.0, "gal": 3.785411784}),
+    **_table("power", {"mW": 1e-3, "W": 1.0, "kW": 1e3}),
+    **_table("energy", {"J": 1.0, "kJ": 1e3, "Wh": 3600.0, "kWh": 3.6e6}),
+    **_table("voltage", {"mV": 1e-3, "V": 1.0, "kV": 1e3}),
+    **_table("current", {"mA": 1e-3, "A": 1.0}),
+    **_table("pressure", {"Pa": 1.0, "hPa mbar": 100.0, "kPa": 1e3, "bar": 1e5, "psi": 6894.757293168}),
+    **_table("frequency", {"Hz": 1.0, "kHz": 1e3, "rpm": 1 / 60}),
+    **_table("speed", {"mm/s": 1e-3, "m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704}),
+    **_table("force", {"N": 1.0, "kN": 1e3}),
+    **_table("torque", {"Nm": 1.0}),
+    **_table("illuminance", {"lx lux": 1.0}),
+}
+"""Every known unit by every name that files and flags may use."""
+
+
+def convert(value: float, source: str, target: str) -> float:
+    """Convert a value between two units.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the two do not measure the same.
+
+    >>> round(convert(356, "degF", "degC"), 9), convert(20, "min", "s"), convert(3, "tasks", "tasks")
+    (180.0, 1200.0, 3)
+    """
+    if source == target:
+        return value
+    start, end = UNITS.get(source), UNITS.get(target)
+    if start is None or end is None or start.dimension != end.dimension:
+        raise FuzzytimeError(f"a value in {source!r} cannot be converted to {target!r}")
+    return (start.size * value + start.zero - end.zero) / end.size
+
+
+def parse_quantity(text: str) -> tuple[float, str | None]:
+    """Read a number with its unit, if there is one; a duration such as ``1h30`` comes in seconds.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the text is no finite number followed by at most a unit.
+
+    >>> parse_quantity("180 degC"), parse_quantity("21.5"), parse_quantity("1h30")
+    ((180.0, 'degC'), (21.5, None), (5400.0, 's'))
+    """
+    match = _QUANTITY.fullmatch(text.strip())
+    if match is None:
+        raise FuzzytimeError(f"a value must be a number and perhaps a unit, such as '180 degC', got {text!r}")
+    unit = match[2]
+    if unit is not None and unit[0].isalpha() and unit not in UNITS and any(map(str.isdigit, unit)):
+        try:
+            return parse_duration(text), "s"
+        except FuzzytimeError:
+            pass
+    value = float(match[1].replace("\u2212", "-"))
+    if not math.isfinite(value):
+        raise FuzzytimeError(f"a value must be finite, got {text!r}")
+    return value, unit

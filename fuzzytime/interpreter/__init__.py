@@ -1,0 +1,23 @@
+"""Language and rulebook joined: from what a person asks for to fuzzy skills, and on to a plan."""
+
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.interpreter import Interpreter
+from fuzzytime.interpreter.planner import Plan, plan, task_of
+from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Started, Wish
+
+__all__ = [
+    "MAX_HORIZON",
+    "DirectWish",
+    "Interpretation",
+    "Interpreted",
+    "Interpreter",
+    "Plan",
+    "Problem",
+    "ProblemKind",
+    "Request",
+    "SpokenWish",
+    "Started",
+    "Wish",
+    "plan",
+    "task_of",
+]

@@ -1,0 +1,65 @@
+"""How far a plan looks ahead, and what that means for wishes that are open or lie beyond it."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.request import MAX_HORIZON, Request
+from fuzzytime.satisfaction import NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.scheduling import THRESHOLD
+from fuzzytime.skills import FuzzySkill
+from fuzzytime.times import format_duration
+
+ROOM = 600.0
+"""Seconds that a plan has to spare behind all its work."""
+
+
+def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
+    """Give the horizon in seconds: as asked, else past the last window, at most `MAX_HORIZON`.
+
+    Behind the last window there is room for all the work, so that what has no time of its own finds one.
+    """
+    if request.horizon is not None:
+        return request.horizon
+    ends = [0.0]
+    for interpreted in skills:
+        window = interpreted.skill.satisfaction.acceptable(THRESHOLD)
+        ends += (
+            [window.high] if math.isfinite(window.high) else [window.low] if math.isfinite(window.low) else []
+        )
+    ends += [busy.end for busy in request.busy if busy.end <= MAX_HORIZON]
+    last = max(end for end in ends if end <= MAX_HORIZON)
+    work = sum(interpreted.skill.time_until_done for interpreted in skills)
+    return min(MAX_HORIZON, last + work + ROOM)
+
+
+def within_horizon(interpreted: Interpreted, horizon: float) -> Interpreted:
+    """Close an open wish at the horizon; one beyond it, or behind now, can never be satisfied, and says so."""
+    function = interpreted.skill.satisfaction
+    support = function.acceptable(THRESHOLD)
+    reason = interpreted.reason
+    if support.empty:
+        return interpreted
+    if support.low > horizon:
+        ahead, limit = format_duration(support.low), format_duration(horizon)
+        reason = f"its time is {ahead} ahead, beyond the horizon of {limit} (a longer one can be given)"
+    elif support.high < 0:
+        reason = f"its time passed {format_duration(-support.high)} ago"
+    closed = NEVER if reason != interpreted.reason else _closed(function, horizon)
+    return replace(interpreted, skill=_with(interpreted.skill, closed), reason=reason)
+
+
+def _closed(function: SatisfactionFunction, horizon: float) -> SatisfactionFunction:
+    if not isinstance(function, (Trapezoid, Triangle, Rectangle)):
+        return function
+    rise_start, full_start, full_end, fall_end = function.corners
+    if full_start == -math.inf:
+        rise_start = full_start = min(0.0, full_end)
+    if full_end == math.inf:
+        full_end = fall_end = max(horizon, full_start)
+    return Trapezoid(rise_start, full_start, full_end, fall_end)
+
+
+def _with(skill: FuzzySkill, function: SatisfactionFunction) -> FuzzySkill:
+    return replace(skill, satisfaction=function) if function is not skill.satisfaction else skill

@@ -1,0 +1,180 @@
+"""From one instruction, read, to the fuzzy skills it asks for."""
+
+import math
+from dataclasses import dataclass, replace
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.language import Instruction, Operation, Reading
+from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
+from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
+from fuzzytime.skills import FuzzySkill
+from fuzzytime.times import seconds_between
+
+MAX_OCCURRENCES = 100
+"""How many occurrences of one repetition are planned at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Maker:
+    """Makes skills of instructions by a rulebook, on the timeline of a request."""
+
+    rulebook: Rulebook
+    request: Request
+
+    def direct(self, wish: DirectWish) -> Interpreted:
+        """Make the skill of a wish without words."""
+        given = seconds_between(self.request.now, wish.given)
+        duration = self._given_duration(wish, None)
+        function = wish.satisfaction.shifted(given) if given else wish.satisfaction
+        skill = self._skill(wish, wish.name, function, duration)
+        reason = "its satisfaction is 0 at every time" if function.support.empty else ""
+        return Interpreted(
+            identifier=wish.identifier, wish=wish, skill=skill, duration=duration, reason=reason
+        )
+
+    def spoken(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> list[Interpreted]:
+        """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
+
+        Raises
+        ------
+        FuzzytimeError
+            If a context reading is of no declared signal, or a duration impossible.
+        """
+        said = [part for part in instruction.requirements if part.constraint is not Constraint.FOR]
+        once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
+        repeated = next((part for part in said if part.recurrence is not None), None)
+        if repeated is None or repeated.recurrence is None:
+            return [self._one(wish, reading, instruction, once)]
+        until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
+        times = repeated.recurrence.occurrences(until)[:MAX_OCCURRENCES]
+        return [self._one(wish, reading, instruction, (_occurrence(repeated, time), *once)) for time in times]
+
+    def _one(
+        self,
+        wish: SpokenWish,
+        reading: Reading,
+        instruction: Instruction,
+        requirements: tuple[TimeRequirement, ...],
+    ) -> Interpreted:
+        operation = instruction.operation
+        duration = self._duration(wish, instruction)
+        own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
+        resolutions = [self._resolved(part, operation, duration) for part in own]
+        function = self._joined(wish, own, resolutions)
+        reason = next((part.reason for part in resolutions if part.reason), "")
+        if not reason and function.support.empty:
+            reason = "what is said about its time contradicts itself"
+        skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
+        return Interpreted(
+            identifier=wish.identifier,
+            wish=wish,
+            skill=replace(
+                skill,
+                fuzzy_parameters=instruction.fuzzy_parameters,
+                parameters=_parameters(operation),
+            ),
+            duration=duration,
+            reading=reading,
+            instruction=instruction,
+            requirements=requirements,
+            resolutions=tuple(resolutions) if requirements else (self.rulebook.untimed(),),
+            reason=reason,
+        )
+
+    def _resolved(
+        self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
+    ) -> Resolution:
+        return self.rulebook.resolve(
+            requirement,
+            self.request.context,
+            verb=operation.lemma if operation is not None else None,
+            duration=duration.hands_on,
+            elapsed=duration.elapsed,
+            horizon=self.request.horizon or MAX_HORIZON,
+        )
+
+    def _joined(
+        self, wish: Wish, requirements: list[TimeRequirement], resolutions: list[Resolution]
+    ) -> SatisfactionFunction:
+        """Join ψ of all requirements on the request's timeline: the paper's logical AND.
+
+        What the readings tell counts from their now; everything else from when it was said.
+        """
+        given = seconds_between(self.request.now, wish.given)
+        joined: SatisfactionFunction = (
+            Rectangle(-math.inf, math.inf) if requirements else ALWAYS.shifted(given)
+        )
+        for requirement, resolution in zip(requirements, resolutions, strict=True):
+            from_readings = requirement.condition is not None or requirement.anchor is not None
+            part = resolution.satisfaction.shifted(0.0 if from_readings else given)
+            joined = (
+                part
+                if joined.model == "trapezoid" and joined.best.high == float("inf")
+                else both(joined, part)
+            )
+        return joined
+
+    def _skill(
+        self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration
+    ) -> FuzzySkill:
+        return FuzzySkill(
+            name=name,
+            satisfaction=function,
+            duration=duration.hands_on,
+            elapsed=duration.elapsed,
+            priority=wish.priority,
+            agent=wish.agent,
+        )
+
+    def _duration(self, wish: Wish, instruction: Instruction) -> OperationDuration:
+        """Take what is given, else what is said ("for eight minutes"), else the table's.
+
+        What is said is how long it goes on; the table knows whether that needs hands: eggs that boil for
+        eight minutes leave the cook free.
+        """
+        if wish.hands_on is not None or wish.elapsed is not None:
+            return self._given_duration(wish, instruction.operation)
+        table = self._table_duration(instruction.operation)
+        if instruction.duration is None:
+            return table
+        unattended = table.known and table.elapsed > table.hands_on
+        hands_on = min(table.hands_on, instruction.duration) if unattended else instruction.duration
+        return OperationDuration(
+            hands_on=hands_on, elapsed=instruction.duration, source="said", assumed=False
+        )
+
+    def _given_duration(self, wish: Wish, operation: Operation | None) -> OperationDuration:
+        """Take what the wish gives; of hands-on and elapsed time, the one not given follows the table."""
+        table = self._table_duration(operation)
+        elapsed = wish.elapsed if wish.elapsed is not None else max(table.elapsed, wish.hands_on or 0.0)
+        hands_on = wish.hands_on if wish.hands_on is not None else min(table.hands_on, elapsed)
+        if operation is None and wish.elapsed is None:
+            elapsed = hands_on
+        return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="given", assumed=False)
+
+    def _table_duration(self, operation: Operation | None) -> OperationDuration:
+        lemma, thing = (operation.lemma, operation.object) if operation is not None else (None, None)
+        return self.rulebook.duration_of(lemma, thing)
+
+
+def _occurrence(repeated: TimeRequirement, time: float) -> TimeRequirement:
+    """Give one occurrence of a repetition as a requirement of its own, at its time."""
+    return replace(
+        repeated,
+        constraint=Constraint.AT,
+        t_spec=time,
+        earliest=time,
+        latest=time,
+        recurrence=None,
+        number=None,
+    )
+
+
+def _parameters(operation: Operation | None) -> dict[str, str]:
+    if operation is None:
+        return {}
+    parts = {"verb": operation.verb, "object": operation.object, "place": operation.place}
+    return {name: words for name, words in parts.items() if words}

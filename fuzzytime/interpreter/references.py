@@ -1,0 +1,193 @@
+"""What wishes say of each other: "after setting the table", "five minutes before you serve the soup".
+
+A reference becomes a precedence with lags. Where the wish for a distance is exact and the other skill has a
+time of its own, ψ of this one follows it, so that both are wished for at matching times.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+from fuzzytime.context import Context
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.remarks import problem_of
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.rulebook import Rulebook
+from fuzzytime.satisfaction import Interval
+from fuzzytime.skills import FuzzyTask, Precedence
+from fuzzytime.yaml_nodes import suggestion
+
+
+@dataclass(slots=True)
+class Links:
+    """Which skills came from which instruction, by its position among all instructions given."""
+
+    instructions: list[range] = field(default_factory=list)
+
+    def skills_of(self, target: int) -> range:
+        """Give the positions of the skills of an instruction; none where it was not planned."""
+        return self.instructions[target] if 0 <= target < len(self.instructions) else range(0)
+
+
+def link(
+    skills: Sequence[Interpreted], links: Links, rulebook: Rulebook
+) -> tuple[list[Interpreted], tuple[Precedence, ...], list[Problem]]:
+    """Turn references into precedences, and let ψ follow the skills that it is measured from.
+
+    Returns
+    -------
+    skills, precedences, problems
+        The skills with their ψ adapted; what binds them; the references that lead nowhere.
+
+    Raises
+    ------
+    FuzzytimeError
+        If ``after`` names an identifier that there is none of.
+    """
+    linked = list(skills)
+    problems: list[Problem] = []
+    wanted: list[tuple[int, Precedence]] = list(_said_by_identifier(skills))
+    for position, interpreted in enumerate(skills):
+        for requirement in interpreted.requirements:
+            if requirement.anchor is None or requirement.anchor.target is None:
+                continue
+            targets = [target for target in links.skills_of(requirement.anchor.target) if target != position]
+            if not targets:
+                message = f"refers to {requirement.anchor.text!r}, which is not planned"
+                problems.append(
+                    problem_of(
+                        interpreted.wish,
+                        ProblemKind.UNRESOLVED,
+                        message,
+                        requirement.span,
+                        interpreted.identifier,
+                    )
+                )
+                continue
+            # Of a repetition, the first occurrence is meant.
+            tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
+            linked[position] = tie.follower()
+            wanted.append((position, tie.precedence(targets[0], position)))
+    kept = _without_circles(linked, wanted, problems)
+    for position, precedence in wanted:
+        if position == precedence.second and precedence in kept:
+            follows = (*linked[position].follows, skills[precedence.first].identifier)
+            linked[position] = replace(linked[position], follows=follows)
+    return linked, kept, problems
+
+
+def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Precedence]]:
+    by_identifier: dict[str, list[int]] = {}
+    for position, interpreted in enumerate(skills):
+        by_identifier.setdefault(interpreted.identifier, []).append(position)
+        if interpreted.wish.identifier not in {"", interpreted.identifier}:
+            by_identifier.setdefault(interpreted.wish.identifier, []).append(position)
+    found = []
+    for position, interpreted in enumerate(skills):
+        for name in interpreted.wish.after:
+            if name not in by_identifier:
+                where = f"line {interpreted.wish.line}: " if interpreted.wish.line is not None else ""
+                meant = suggestion(name, by_identifier)
+                raise FuzzytimeError(f"{where}'after' must name the id of a skill, got {name!r}{meant}")
+            found += [
+                (position, Precedence(first, position)) for first in by_identifier[name] if first != position
+            ]
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Tie:
+    """One skill bound to another by a requirement.
+
+    With x the start of this skill minus the moment it is measured from, the words allow an interval of x.
+    """
+
+    target: Interpreted
+    this: Interpreted
+    requirement: TimeRequirement
+    anchor: Anchor
+    rulebook: Rulebook
+
+    @property
+    def moment(self) -> float:
+        """Seconds from the start of the target to the moment that is measured from."""
+        return 0.0 if self.anchor.edge is Edge.START else self.target.skill.time_until_done
+
+    def allowed(self) -> Interval:
+        """Give the interval of x."""
+        if self.anchor.exact:
+            leeway = self._leeway()
+            return Interval(self.anchor.lag + leeway.low, self.anchor.lag + leeway.high)
+        match self.requirement.constraint:
+            case Constraint.BEFORE:
+                return Interval(-math.inf, self.anchor.lag - self.this.skill.time_until_done)
+            case Constraint.AFTER:
+                return Interval(self.anchor.lag, math.inf)
+            case _:  # while the other goes on
+                return Interval(0.0, max(0.0, self.target.skill.time_until_done - self.moment))
+
+    def _leeway(self) -> Interval:
+        """Give how far from the lag is acceptable: as far as "in" that time from now would be."""
+        distance = abs(self.anchor.lag)
+        as_from_now = replace(
+            self.requirement,
+            constraint=Constraint.AT,
+            preposition="in",
+            t_spec=distance,
+            earliest=distance,
+            latest=distance,
+            anchor=None,
+        )
+        inside = self.rulebook.resolve(as_from_now, Context.empty).satisfaction.acceptable()
+        return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
+
+    def precedence(self, target: int, this: int) -> Precedence:
+        """Give the interval of x as lags from the one that comes first being done to the other's start."""
+        x = self.allowed()
+        comes_first = self.requirement.constraint is Constraint.BEFORE or self.anchor.lag < 0
+        if comes_first:
+            offset = self.moment + self.this.skill.time_until_done
+            return Precedence(this, target, -x.high - offset, -x.low - offset)
+        offset = self.moment - self.target.skill.time_until_done
+        return Precedence(target, this, x.low + offset, x.high + offset)
+
+    def follower(self) -> Interpreted:
+        """Give this skill with ψ following the target's, where the distance is exact and the target timed."""
+        timed = any(requirement.anchor is None for requirement in self.target.requirements)
+        if not (self.anchor.exact and timed):
+            return self.this
+        leeway = self.allowed()
+        follows = self.target.skill.satisfaction.shifted(self.moment + self.anchor.lag)
+        own = self.this.skill.satisfaction
+        alone = len([r for r in self.this.requirements if r.anchor is None]) == 0
+        factor = (
+            1 + leeway.length / max(follows.support.length, 1.0)
+            if math.isfinite(follows.support.length)
+            else 1.0
+        )
+        wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
+        joined = wide if alone else both(own, wide)
+        return replace(self.this, skill=replace(self.this.skill, satisfaction=joined))
+
+
+def _without_circles(
+    skills: Sequence[Interpreted], wanted: list[tuple[int, Precedence]], problems: list[Problem]
+) -> tuple[Precedence, ...]:
+    """Keep the precedences that form no circle, in order; say which do not hold."""
+    kept: list[Precedence] = []
+    task = tuple(interpreted.skill for interpreted in skills)
+    try:
+        return FuzzyTask(task, precedences=tuple(precedence for _, precedence in wanted)).precedences
+    except FuzzytimeError:
+        pass
+    for position, precedence in wanted:
+        try:
+            FuzzyTask(task, precedences=(*kept, precedence))
+            kept.append(precedence)
+        except FuzzytimeError:
+            message = "cannot come before what must come before it: this order is not kept"
+            wish, identifier = skills[position].wish, skills[position].identifier
+            problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
+    return tuple(kept)

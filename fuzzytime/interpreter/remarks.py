@@ -1,0 +1,53 @@
+"""What reading a text has to say, as problems of the wish that it came from."""
+
+from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.request import SpokenWish, Wish
+from fuzzytime.language import Instruction, Reading, RemarkKind
+
+_KINDS = {
+    RemarkKind.NOT_UNDERSTOOD: ProblemKind.NOT_UNDERSTOOD,
+    RemarkKind.UNRESOLVED: ProblemKind.UNRESOLVED,
+    RemarkKind.POLICY: ProblemKind.NOTE,
+    RemarkKind.CORRECTED: ProblemKind.NOTE,
+}
+
+
+def problem_of(
+    wish: Wish, kind: ProblemKind, message: str, span: tuple[int, int] | None = None, identifier: str = ""
+) -> Problem:
+    """Make a problem of a wish."""
+    text = wish.text if isinstance(wish, SpokenWish) else ""
+    return Problem(kind=kind, message=message, line=wish.line, text=text, span=span, identifier=identifier)
+
+
+def remarks_of(reading: Reading, wish: Wish) -> list[Problem]:
+    """Give the remarks of a reading as problems, in the order of the words."""
+    remarks = sorted(reading.remarks, key=lambda remark: remark.span)
+    return [problem_of(wish, _KINDS[remark.kind], remark.message, remark.span) for remark in remarks]
+
+
+def is_spoiled(instruction: Instruction, reading: Reading, problems: list[Problem]) -> bool:
+    """Say whether an instruction holds words about time that were not understood: then it is not acted on.
+
+    Words outside every instruction spoil all of the text's instructions.
+    """
+    for problem in problems:
+        if problem.kind is not ProblemKind.NOT_UNDERSTOOD or problem.span is None:
+            continue
+        owners = [other for other in reading.instructions if _overlap(other.span, problem.span)]
+        if not owners or instruction in owners:
+            return True
+    return False
+
+
+def _overlap(first: tuple[int, int], second: tuple[int, int]) -> bool:
+    return first[0] < second[1] and second[0] < first[1]
+
+
+def notes_of(interpreted: Interpreted) -> list[Problem]:
+    """Give what the rulebook noted about a skill, each sentence once."""
+    if not interpreted.requirements:
+        return []  # that any time satisfies is not news where no time was asked for
+    notes = dict.fromkeys(note for resolution in interpreted.resolutions for note in resolution.notes)
+    wish, identifier = interpreted.wish, interpreted.identifier
+    return [problem_of(wish, ProblemKind.NOTE, note, identifier=identifier) for note in notes]

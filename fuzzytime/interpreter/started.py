@@ -1,0 +1,69 @@
+"""Planning on: what has started stays where it is, holds its agent, and releases what waits for it."""
+
+import math
+from dataclasses import replace
+
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted
+from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.request import Started
+from fuzzytime.satisfaction import NEVER, Rectangle
+from fuzzytime.skills import Busy, Precedence
+
+
+def without_started(
+    interpretation: Interpretation, started: tuple[Started, ...]
+) -> tuple[Interpretation, tuple[Busy, ...]]:
+    """Take started skills out of an interpretation, and give the time for which they hold their agents.
+
+    A skill that must come after a started one starts between that one's being done plus the lags, and never
+    where it asked to come after one that failed; what must come before a started one is no longer bound.
+    """
+    by_identifier = {one.identifier: one for one in started}
+    failed = {one.identifier for one in started if one.done == math.inf}
+    open_positions = [
+        position
+        for position, interpreted in enumerate(interpretation.skills)
+        if interpreted.identifier not in by_identifier
+    ]
+    moved = {position: place for place, position in enumerate(open_positions)}
+    skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
+    kept = []
+    for precedence in interpretation.precedences:
+        if precedence.first in moved and precedence.second in moved:
+            first, second = moved[precedence.first], moved[precedence.second]
+            kept.append(replace(precedence, first=first, second=second))
+        elif precedence.second in moved:
+            first_started = by_identifier[interpretation.skills[precedence.first].identifier]
+            skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
+    busy = tuple(
+        Busy(max(0.0, one.start), one.end, one.identifier, one.agent) for one in started if one.end > 0
+    )
+    remaining = replace(
+        interpretation, skills=tuple(skills[position] for position in open_positions), precedences=tuple(kept)
+    )
+    return remaining, busy
+
+
+def _possible(interpreted: Interpreted, failed: set[str]) -> Interpreted:
+    """Give a skill as it is, or never satisfied where it asked to come after one that failed."""
+    lost = next((identifier for identifier in interpreted.follows if identifier in failed), None)
+    if lost is None:
+        return interpreted
+    never = replace(interpreted.skill, satisfaction=NEVER)
+    return replace(interpreted, skill=never, reason=f"must come after {lost}, which failed")
+
+
+def _released(interpreted: Interpreted, first: Started, precedence: Precedence) -> Interpreted:
+    if first.done == math.inf:
+        return interpreted
+    earliest = first.done + precedence.minimum_lag
+    latest = first.done + precedence.maximum_lag
+    if earliest <= 0 and latest == math.inf:
+        return interpreted
+    # A wish whose last moment has passed is late, not lost: it may start as soon as it can.
+    window = Rectangle(earliest, max(latest, 0.0, earliest))
+    function = both(interpreted.skill.satisfaction, window)
+    reason = interpreted.reason
+    if function.support.empty and not reason:
+        reason = f"must come after {first.identifier}, and that leaves no time that satisfies"
+    return replace(interpreted, skill=replace(interpreted.skill, satisfaction=function), reason=reason)

@@ -1,0 +1,29 @@
+"""The grammar of English time: one file of rules a concern, beside word tables in ``rules/``."""
+
+from functools import cache
+
+from fuzzytime.language.english import (
+    clocks,
+    counted,
+    dates,
+    days,
+    durations,
+    goals,
+    numbers,
+    prepositions,
+    ranges,
+    repetitions,
+    stacks,
+)
+from fuzzytime.language.grammar.chart import Grammar
+
+_ROOMS = (numbers, durations, clocks, days, dates, stacks, goals, prepositions, counted, ranges, repetitions)
+
+
+@cache
+def grammar() -> Grammar:
+    """Give all rules of English."""
+    whole = Grammar()
+    for room in _ROOMS:
+        whole.include(room.grammar)
+    return whole

@@ -1,0 +1,253 @@
+"""Times of day: "six", "half past three", "8:30 pm", "15h30", "1730", "noon", "three pm in the afternoon"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.expressions import Clock, Duration, Half, Part, Quantity, Wall
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("clock", "<integer>", weight=-0.4)
+def number(hour: Integer) -> Clock | None:
+    """Six, 20, 0730, 1730, one hundred and thirty."""
+    value, digits = hour.value, hour.digits
+    if len(digits) == 4 or (100 <= value < 2400 and len(digits) in {0, 3}):
+        if value // 100 > 24 or value % 100 >= 60:
+            return None
+        full_day = digits.startswith("0") or value >= 1300
+        return Clock(value // 100, value % 100, 0, Unit.MINUTE, full_day=full_day, bare=True)
+    if value > 24 or len(digits) > 2:
+        return None
+    return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True)
+
+
+@grammar.rule(
+    "clock",
+    "<integer> o'clock|oclock",
+    "<integer> o ' clock",
+    "<integer> o clock",
+    "<integer> hundred hours",
+)
+def oclock(hour: Integer) -> Clock | None:
+    """Six o'clock, fourteen hundred hours."""
+    return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "<integer> hours|hrs")
+def military(hour: Integer) -> Clock | None:
+    """1730 hours; "two hours" is a length."""
+    found = number(hour)
+    return replace(found, bare=False, full_day=True) if found is not None and hour.value >= 100 else None
+
+
+@grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
+def typed(numbers: Typed) -> Clock | None:
+    """8:30, 08:30."""
+    hour, minute = numbers[0], numbers[1]
+    if hour > 24 or minute >= 60:
+        return None
+    return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=hour > 12 or numbers.parts[0].startswith("0"))
+
+
+@grammar.rule("clock", "<hh:mm:ss>", weight=0.1)
+def typed_to_the_second(numbers: Typed) -> Clock | None:
+    """8:30:15."""
+    hour, minute, second = numbers[0], numbers[1], numbers[2]
+    if hour > 24 or minute >= 60 or second >= 60:
+        return None
+    return Clock(
+        hour % 24, minute, second, Unit.SECOND, full_day=hour > 12 or numbers.parts[0].startswith("0")
+    )
+
+
+@grammar.rule("clock", "<15h30>")
+def typed_with_h(numbers: Typed) -> Clock | None:
+    """15h30, 3h18."""
+    hour, minute = numbers[0], numbers[1]
+    return Clock(hour % 24, minute, 0, Unit.MINUTE, full_day=True) if hour <= 24 and minute < 60 else None
+
+
+@grammar.rule("clock", "<integer> h <integer>", weight=-0.1)
+def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
+    """10 H 10."""
+    if hour.value > 24 or minute.value >= 60 or not (hour.digits and minute.digits):
+        return None
+    return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE)
+
+
+@grammar.rule("clock", "<integer> h", weight=-0.2)
+def hour_with_h(hour: Integer) -> Clock | None:
+    """15h; but 3h alone is a length."""
+    return (
+        Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
+    )
+
+
+# Behind "at", and only there, these are clock times.
+
+
+@grammar.rule("clock behind at", "<integer> h")
+def short_hour(hour: Integer) -> Clock | None:
+    """(at) 7h."""
+    return Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and hour.value <= 24 else None
+
+
+@grammar.rule("clock behind at", "<integer> hours")
+def hours(hour: Integer) -> Clock | None:
+    """(at) five hours."""
+    return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "<hh.mm>", weight=-0.3)
+def dotted(numbers: Typed) -> Clock | None:
+    """2.30, behind a preposition."""
+    found = typed(numbers)
+    return found if found is None else replace(found, pair=True)
+
+
+@grammar.rule("clock", "<integer> <integer>", weight=-0.15)
+def pair(hour: Integer, minute: Integer) -> Clock | None:
+    """Ten thirty, 3 15."""
+    if hour.value > 24 or len(hour.digits) > 2 or bool(hour.digits) != bool(minute.digits):
+        return None
+    if not 10 <= minute.value < 60 and not (not minute.digits and minute.value == 5):
+        return None
+    return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=hour.value > 12, pair=True)
+
+
+@grammar.rule("clock", "<integer> o|oh|ou|zero|nought <integer>")
+def pair_with_zero(hour: Integer, minute: Integer) -> Clock | None:
+    """Twelve oh three."""
+    if not 0 < hour.value <= 24 or not 0 < minute.value < 10 or hour.digits:
+        return None
+    return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=hour.value > 12)
+
+
+@grammar.rule("clock", "<clock> <integer> minutes")
+def with_minutes(hour: Clock, minute: Integer) -> Clock | None:
+    """Six forty-three minutes, seven o'clock five minutes."""
+    if hour.grain is not Unit.HOUR or not 0 < minute.value < 60:
+        return None
+    return replace(hour, minute=minute.value, grain=Unit.MINUTE, bare=False)
+
+
+@grammar.rule(
+    "clock", "<clock> in? the? <meridiem>", "<clock> . <meridiem>", "<hh.mm> <meridiem>", weight=0.2
+)
+def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
+    """3 pm, 3:30 p.m., 3 in the AM, 8.30pm, 330 p.m."""
+    found = typed(clock) if isinstance(clock, Typed) else clock
+    if found is None or found.half is not None or (found.hour > 12 and half is Half.AM):
+        return None
+    return replace(found, half=half, bare=False, pair=False, full_day=found.full_day and found.hour > 12)
+
+
+# -- minutes past and to --------------------------------------------------------------------------------
+
+
+def _moved(clock: Clock, minutes: float) -> Clock | None:
+    if clock.grain is Unit.SECOND or clock.minute % 30 or not -60 < minutes < 60 or minutes != int(minutes):
+        return None
+    return replace(clock, shift=int(minutes * 60), grain=Unit.MINUTE, bare=False, pair=False)
+
+
+@grammar.rule("minutes of clock", "<integer> minutes|minute|mins|min")
+def counted(minutes: Integer) -> float | None:
+    """Fifteen minutes."""
+    return minutes.value if 0 < minutes.value < 60 else None
+
+
+@grammar.rule("bare minutes of clock", "<integer>")
+def rounded(minutes: Integer) -> float | None:
+    """Twenty (past): a number alone must be round."""
+    return minutes.value if 0 < minutes.value < 60 and minutes.value % 5 == 0 else None
+
+
+@grammar.rule("minutes of clock", "a? <fraction>")
+def quarter(fraction: float) -> float | None:
+    """A quarter, half, three quarters."""
+    return fraction * 60 if fraction in {0.25, 0.5, 0.75} else None
+
+
+@grammar.rule("clock", "<minutes of clock> past|after <clock>", weight=0.2)
+def past(minutes: float, clock: Clock) -> Clock | None:
+    """A quarter past three, ten after six pm."""
+    return _moved(clock, minutes)
+
+
+@grammar.rule("clock", "<minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
+def to(minutes: float, clock: Clock) -> Clock | None:
+    """Ten to eleven, a quarter to noon."""
+    return _moved(clock, -minutes)
+
+
+@grammar.rule("clock", "<bare minutes of clock> past|after <clock>", weight=0.2)
+def bare_past(minutes: float, clock: Clock) -> Clock | None:
+    """Ten past three."""
+    return _moved(clock, minutes)
+
+
+@grammar.rule("clock", "<bare minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
+def bare_to(minutes: float, clock: Clock) -> Clock | None:
+    """Ten to eleven; it may be a count of something too."""
+    found = _moved(clock, -minutes)
+    return replace(found, pair=clock.bare) if found is not None else None
+
+
+@grammar.rule("clock", "half <clock>", weight=0.1)
+def half_hour(clock: Clock) -> Clock | None:
+    """Half three: half past three."""
+    return _moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
+
+
+# -- words for clock times ------------------------------------------------------------------------------
+
+
+@grammar.rule("moment part", "<part>")
+def moment(part: Part) -> Part | None:
+    """Noon, midnight, mid-morning."""
+    return part if part.is_point else None
+
+
+@grammar.rule("clock", "the? <moment part>", weight=0.1)
+def named(part: Part) -> Clock:
+    """Noon, midnight."""
+    grain = Unit.HOUR if part.start % 3600 == 0 else Unit.MINUTE
+    return Clock(part.start // 3600, part.start // 60 % 60, 0, grain, full_day=True)
+
+
+@grammar.rule("clock", "<integer> o'clock? <moment part>", weight=0.3)
+def named_twice(hour: Integer, part: Part) -> Clock | None:
+    """Twelve noon, 12 midnight, 1 o'clock midnight."""
+    if hour.value > 12:
+        return None
+    return Clock(hour.value % 12 or 12, half=part.half)
+
+
+@grammar.rule("wall", "<clock>")
+def wall(clock: Clock) -> Wall:
+    """A clock time alone."""
+    return Wall(clock=clock)
+
+
+@grammar.rule("wall", "<wall> <zone>", "<wall> ( <zone> )", weight=0.1)
+def with_zone(time: Wall, zone: str) -> Wall | None:
+    """3pm PST, 8 GMT, 9 am (BST)."""
+    if time.clock is None or time.zone is not None:
+        return None
+    return replace(time, zone=zone, clock=replace(time.clock, bare=False, pair=False))
+
+
+@grammar.rule("wall", "<15h30> <zone>", weight=0.1)
+def typed_with_zone(numbers: Typed, zone: str) -> Wall | None:
+    """15h30 GMT."""
+    clock = typed_with_h(numbers)
+    return None if clock is None else Wall(clock=clock, zone=zone)
+
+
+def minutes_of(quantity: Quantity) -> Duration:
+    """Give a number without a unit, as in "in fifteen", as minutes."""
+    return Duration(((quantity.value, Unit.MINUTE),), quantity.hedges, bare_end=True)

@@ -1,0 +1,188 @@
+"""Durations with a preposition, from now on or how long: "in about ten minutes", "for eight minutes"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.clocks import minutes_of
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Goal,
+    Offset,
+    Quantity,
+    Said,
+    UnitWord,
+    Wall,
+)
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+
+def _length(duration: Duration, constraint: Constraint, preposition: str) -> Said:
+    return Said(replace(duration, hedges=()), constraint, preposition, duration.hedges)
+
+
+def coming_deadline(goal: Goal) -> Said:
+    """Give "the next ten minutes" as a deadline: ten minutes from now."""
+    time = goal.time
+    duration = time.duration if isinstance(time, Coming) else Duration(())
+    return Said(replace(duration, hedges=()), Constraint.BEFORE, "before", (*goal.hedges, *duration.hedges))
+
+
+@grammar.rule(
+    "said",
+    "in the? <duration>",
+    "in <duration> time",
+    "in <duration> ' time",
+    "in <duration> from now",
+    weight=0.3,
+)
+def in_duration(duration: Duration) -> Said:
+    """In ten minutes, in half an hour's time."""
+    return _length(duration, Constraint.AT, "in")
+
+
+@grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
+def starting_in(duration: Duration) -> Said:
+    """Starting in a quarter of an hour."""
+    return _length(duration, Constraint.AT, "in")
+
+
+@grammar.rule("said", "today in <duration>", weight=0.5)
+def today_in(duration: Duration) -> Said:
+    """Today in one hour."""
+    return _length(duration, Constraint.AT, "in")
+
+
+@grammar.rule("said", "in <quantity>", weight=-0.2)
+def in_number(quantity: Quantity) -> Said | None:
+    """In 15: minutes."""
+    if (
+        not 1 <= quantity.value <= 240
+        or quantity.indefinite
+        or quantity.hedges
+        or quantity.value != int(quantity.value)
+    ):
+        return None
+    return _length(minutes_of(quantity), Constraint.AT, "in")
+
+
+@grammar.rule("said", "after <duration>", "after another <duration>", "<hedge> after <duration>", weight=0.3)
+def after_duration(first: str | Duration, second: Duration | None = None) -> Said | None:
+    """After ten minutes."""
+    duration = second if isinstance(first, str) else first
+    if duration is None:
+        return None
+    hedges = (first,) if isinstance(first, str) else ()
+    return _length(duration.hedged(*hedges), Constraint.AFTER, "after")
+
+
+@grammar.rule(
+    "said",
+    "before|within|in <hedge>? the? next <duration>",
+    "before|within|in the? <hedge>? next <duration>",
+    weight=0.6,
+)
+def before_the_next(hedge: str | None, duration: Duration) -> Said:
+    """Before the next ten minutes, before approximately the next ten minutes."""
+    return _length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
+
+
+@grammar.rule("said", "before <duration>", "before <duration> from now", weight=0.2)
+def before_duration(duration: Duration) -> Said:
+    """Before ten minutes."""
+    return _length(duration, Constraint.BEFORE, "before")
+
+
+@grammar.rule("said", "<within> the? <duration>", "<within> <duration> from now|today", weight=0.5)
+def within(preposition: Preposition, duration: Duration) -> Said:
+    """Within ten minutes."""
+    return _length(duration, Constraint.BEFORE, preposition.name)
+
+
+@grammar.rule(
+    "said",
+    "for <duration>",
+    "for another <duration>",
+    "lasting|taking|of? <duration> long",
+    "lasting|taking <duration>",
+    weight=0.35,
+)
+def for_duration(duration: Duration) -> Said:
+    """For eight minutes, for the next hour."""
+    return _length(duration, Constraint.FOR, "for")
+
+
+@grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
+def over_the_next(duration: Duration) -> Said:
+    """Over the next two hours: any time in them."""
+    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+
+
+@grammar.rule("said", "during|in|within|for the? first <duration>", weight=0.5)
+def in_the_first(duration: Duration) -> Said:
+    """During the first twenty minutes."""
+    return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+
+
+@grammar.rule("said", "within|in the <unit>", weight=0.3)
+def within_the_hour(unit: UnitWord) -> Said | None:
+    """Within the hour."""
+    if unit.unit not in {Unit.HOUR, Unit.MINUTE} or len(unit.form) == 1:
+        return None
+    return _length(Duration(((unit.count, unit.unit),)), Constraint.BEFORE, "within")
+
+
+@grammar.rule("said", "<preposition_after> in <duration>", "not for another? <duration>", weight=0.5)
+def not_for(first: Preposition | Duration, second: Duration | None = None) -> Said | None:
+    """No sooner than in ten minutes, not for another ten minutes."""
+    if isinstance(first, Preposition) and first.name != "not before":
+        return None
+    duration = first if isinstance(first, Duration) else second
+    return None if duration is None else _length(duration, Constraint.AFTER, "not before")
+
+
+@grammar.rule("said", "for the? <stretch>", weight=0.45)
+def for_stretch(stretch: Wall | Coming) -> Said | None:
+    """For the next hour: that long, from now."""
+    if not isinstance(stretch, Coming) or stretch.direction < 0:
+        return None
+    return _length(stretch.duration, Constraint.FOR, "for")
+
+
+@grammar.rule("said", "<duration>", weight=-0.2)
+def duration_alone(duration: Duration) -> Said:
+    """Ten minutes: how long."""
+    return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
+
+
+@grammar.rule("said", "<duration> <forward>", "<duration> ' <forward>", weight=0.3)
+def from_now(duration: Duration, preposition: Preposition) -> Said:
+    """Ten minutes from now, half an hour later."""
+    return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
+
+
+@grammar.rule("said", "<duration> <back>", weight=0.3)
+def ago(duration: Duration, preposition: Preposition) -> Said:
+    """Two days ago."""
+    return Said(Offset(replace(duration, hedges=()), -1), None, preposition.name, duration.hedges)
+
+
+@grammar.rule(
+    "said", "<preposition_at> <duration> <forward>", "<preposition_at> <duration> ' <forward>", weight=0.3
+)
+def at_offset(first: Preposition, duration: Duration, second: Preposition) -> Said | None:
+    """For five minutes from now."""
+    return (
+        Said(Offset(replace(duration, hedges=())), None, first.name, duration.hedges)
+        if second.name == "from now"
+        else None
+    )
+
+
+@grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
+def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:
+    """Before ten minutes from now."""
+    return _length(duration, Constraint.BEFORE, first.name)

@@ -1,0 +1,357 @@
+"""Days, weekdays, weeks, parts of the day: "tomorrow morning", "next tuesday", "the weekend", "tonight"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Feast, Fields, Season, Weekend
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Half,
+    Part,
+    Quantity,
+    Rest,
+    UnitWord,
+    Wall,
+)
+from fuzzytime.language.meaning.relations import (
+    Away,
+    Deictic,
+    Following,
+    Relative,
+    Share,
+    Stretch,
+    WeekOf,
+    Which,
+    Within,
+)
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
+PAST_WORDS = frozenset({Which.LAST, Which.PAST})
+
+
+# -- days by name ---------------------------------------------------------------------------------------
+
+
+@grammar.rule("days", "<day>")
+def day(relative: Relative) -> Calendar:
+    """Today, tomorrow, the day after tomorrow."""
+    return relative
+
+
+@grammar.rule("days", "the? <weekday>")
+def weekday(number: int) -> Calendar:
+    """Monday."""
+    return Fields(weekday=number)
+
+
+@grammar.rule("days", "the? <feast>")
+def feast(found: Feast) -> Calendar:
+    """Christmas, thanksgiving."""
+    return found
+
+
+@grammar.rule("series", "weekend|weekends|wkend", "week end", "week - end")
+def weekend() -> Calendar:
+    """The weekend."""
+    return Weekend()
+
+
+@grammar.rule("series", "workweek|workweeks", "working week", "work week", "business week")
+def working_week() -> Calendar:
+    """The working week."""
+    return Weekend(working=True)
+
+
+@grammar.rule("series", "<season>")
+def season(found: Season) -> Calendar:
+    """Summer, fall."""
+    return found
+
+
+@grammar.rule("series", "calendar? <unit>")
+def cycle(unit: UnitWord) -> Calendar | None:
+    """Week, month, fortnight; but "minute" is no day."""
+    return Cycle(unit.unit, unit.count) if unit.unit not in SUB_DAY and len(unit.form) > 1 else None
+
+
+@grammar.rule("series", "<weekday>")
+def weekday_series(number: int) -> Calendar:
+    """Monday, in "next monday"."""
+    return Fields(weekday=number)
+
+
+@grammar.rule("series", "<month>")
+def month_series(number: int) -> Calendar:
+    """March, in "next march"."""
+    return Fields(month=number)
+
+
+@grammar.rule("series", "<feast>")
+def feast_series(found: Feast) -> Calendar:
+    """Easter, in "last easter"."""
+    return found
+
+
+@grammar.rule("days", "<deictic> <series>", weight=0.1)
+def this_or_next(which: Which, series: Calendar) -> Calendar:
+    """Next week, this monday, last march."""
+    return Deictic(which, series)
+
+
+@grammar.rule("days", "the <series>", "over the <series>", weight=-0.2)
+def the_present(series: Calendar) -> Calendar | None:
+    """The week: this week; but "the day" alone is none."""
+    if isinstance(series, Fields) or series == Cycle(Unit.DAY):
+        return None
+    return Deictic(Which.THIS, series)
+
+
+@grammar.rule("days", "<series> after next", "the <series> after next", weight=0.2)
+def after_next(series: Calendar) -> Calendar:
+    """The week after next, wednesday after next."""
+    if isinstance(series, Fields) and series.weekly:
+        return Deictic(Which.NEXT, series)
+    return Following(1, series, Deictic(Which.NEXT, series))
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
+def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
+    """Three fridays from now."""
+    return Following(number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
+
+
+@grammar.rule("days", "<integer> <weekdays>|<weekday> ago", weight=0.5)
+def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
+    """Two thursdays ago."""
+    return Following(-number.value, Fields(weekday=weekday), Relative(0)) if 0 < number.value < 100 else None
+
+
+@grammar.rule(
+    "days", "<weekday> <duration> from now|today", "<duration> from now|today on <weekday>", weight=0.2
+)
+def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | None:
+    """Monday two weeks from now."""
+    duration, number = (first, second) if isinstance(first, Duration) else (second, first)
+    if not isinstance(duration, Duration) or not isinstance(number, int):
+        return None
+    away = from_anchor(duration, Relative(0), 1)
+    return None if away is None else Within(Fields(weekday=number), WeekOf(away))
+
+
+@grammar.rule("days", "<weekday> week", "a week on|from <weekday>", "a week <weekday>", weight=0.2)
+def weekday_week(number: int) -> Calendar:
+    """Tuesday week: a week after the next Tuesday."""
+    return Away(1, Unit.WEEK, Fields(weekday=number))
+
+
+# -- so long after a day --------------------------------------------------------------------------------
+
+
+def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
+    """Give the day some whole days, weeks, months after another; None for hours."""
+    found = anchor
+    for amount, unit in duration.terms:
+        if unit in SUB_DAY or amount != int(amount) or duration.until is not None:
+            return None
+        found = Away(int(amount) * direction, unit, found)
+    return found
+
+
+@grammar.rule("days", "<duration> from|after|following|since <days>", weight=0.2)
+def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
+    """Three days after Easter, a week from tuesday, two day after this day."""
+    return from_anchor(duration, anchor, 1) if not duration.hedges else None
+
+
+@grammar.rule("days", "<duration> before <days>", "<duration> prior to <days>", weight=0.2)
+def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
+    """Two weeks before christmas."""
+    return from_anchor(duration, anchor, -1) if not duration.hedges else None
+
+
+@grammar.rule("days", "<days> in|after <duration>", weight=0.1)
+def feast_in(anchor: Calendar, duration: Duration) -> Calendar | None:
+    """Thanksgiving in two years."""
+    years = duration.terms[0][0]
+    if not isinstance(anchor, Feast) or duration.unit is not Unit.YEAR or years != int(years):
+        return None
+    return _feast_of_year(anchor, int(years))
+
+
+def _feast_of_year(anchor: Feast, years: int) -> Calendar:
+    return Following(years, anchor, anchor) if years > 1 else Following(1, anchor, anchor)
+
+
+# -- stretches of days ----------------------------------------------------------------------------------
+
+
+@grammar.rule(
+    "stretch",
+    "the? <deictic> <duration>",
+    "the? <duration> <deictic>",
+    "<quantity> <deictic> <unit>",
+    weight=0.15,
+)
+def stretch(first: object, second: object, third: object = None) -> Wall | Coming | None:
+    """The next three days, the last two hours, 5 coming minutes."""
+    which = next(x for x in (first, second) if isinstance(x, Which))
+    if isinstance(third, UnitWord) and isinstance(first, Quantity):
+        if third.form == "night":
+            return None
+        duration = Duration(((first.value * third.count, third.unit),), first.hedges)
+    else:
+        duration = next((x for x in (first, second) if isinstance(x, Duration)), Duration(()))
+    if which is Which.THIS or duration.until is not None or not duration.terms:
+        return None
+    direction = -1 if which in PAST_WORDS else 1
+    amount, unit = duration.terms[0]
+    if len(duration.terms) == 1 and unit not in SUB_DAY and amount == int(amount) and amount < 10_000:
+        return Wall(Stretch(int(amount) * direction, unit))
+    return Coming(duration, direction)
+
+
+@grammar.rule("stretch", "the? <deictic> <unit>", "the? <deictic> <unit> and <duration>", weight=0.15)
+def stretch_of_one(which: Which, unit: UnitWord, more: Duration | None = None) -> Coming | None:
+    """The next hour, the last minute, the next day and five hours."""
+    if (unit.unit not in SUB_DAY and more is None) or which is Which.THIS:
+        return None
+    terms = ((unit.count, unit.unit), *(more.terms if more is not None else ()))
+    return Coming(Duration(terms), -1 if which in PAST_WORDS else 1)
+
+
+@grammar.rule("wall", "<days>")
+def wall(days: Calendar) -> Wall:
+    """A day alone."""
+    return Wall(days)
+
+
+# -- parts ----------------------------------------------------------------------------------------------
+
+
+@grammar.rule("parted", "<part>")
+def part(found: Part) -> Part | None:
+    """Morning, evening, lunchtime."""
+    return None if found.is_point else found
+
+
+@grammar.rule("parted", "<share> the? <part>|<parts>", "<share> this|that <part>", weight=0.1)
+def part_share(share: tuple[float, float], found: Part) -> Part | None:
+    """Early morning, late in the evening."""
+    return None if found.is_point else found.share(*share)
+
+
+@grammar.rule("wall", "<parted>", "in|during|at|for|over? the? <parted>", weight=-0.05)
+def wall_of_part(found: Part) -> Wall:
+    """Morning, in the evening, at lunch."""
+    return Wall(part=found)
+
+
+@grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
+def all_part(found: Part) -> Wall | None:
+    """All morning, through the night."""
+    return None if found.is_point else Wall(part=found)
+
+
+@grammar.rule("wall", "at|during|over the? <meal>")
+def at_meal(found: Part) -> Wall:
+    """At lunch, during dinner."""
+    return Wall(part=found)
+
+
+@grammar.rule("wall", "<meal>", weight=-0.1)
+def meal(found: Part) -> Wall:
+    """Lunch: a thing, unless a preposition makes it a time."""
+    return Wall(part=found, weak=True)
+
+
+@grammar.rule("wall", "<deictic> <parted>", "<share> <deictic> <part>", weight=0.1)
+def deictic_part(first: object, second: object, third: Part | None = None) -> Wall | None:
+    """This morning, next evening, late this morning."""
+    which, found = (first, second) if third is None else (second, third)
+    if not isinstance(which, Which) or not isinstance(found, Part) or found.is_point:
+        return None
+    if third is not None and isinstance(first, tuple):
+        found = found.share(*first)
+    return Wall(Relative(which.offset), found)
+
+
+@grammar.rule("wall", "<share>? <day_part>", weight=0.1)
+def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> Wall:
+    """Tonight, late last night."""
+    days, part_of_day = found
+    return Wall(days, part_of_day if share is None else part_of_day.share(*share))
+
+
+@grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
+def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
+    """Later today, early tomorrow."""
+    low, high = share
+    whole = Part("day", 0, 24 * 3600, Half.DAY)
+    return Wall(days or Relative(0), whole.share(low, high))
+
+
+@grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
+def day_half(days: Calendar, half: Part) -> Wall:
+    """Tuesday am."""
+    return Wall(days, half)
+
+
+@grammar.rule("wall", "<share> <days> <part>", weight=0.3)
+def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -> Wall | None:
+    """Early tomorrow morning, first thing monday morning."""
+    return None if found.is_point else Wall(days, found.share(*share))
+
+
+@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", weight=0.3)
+def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
+    """Early next week, mid november."""
+    whole = Fields(month=days) if isinstance(days, int) else days
+    return None if whole.grain is Unit.DAY else Share(*share, whole)
+
+
+@grammar.rule("days", "the week before <days>|<date>", weight=0.4)
+def week_before(days: Calendar) -> Calendar | None:
+    """The week before christmas."""
+    return WeekOf(Away(-1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the week after <days>|<date>", weight=0.4)
+def week_after(days: Calendar) -> Calendar | None:
+    """The week after easter."""
+    return WeekOf(Away(1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("end", "the? <edge> of? the? <days>|<series>|<date>|<weak date>", "the? <ending>", weight=0.2)
+def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
+    """End of the month, the beginning of next week, eod."""
+    if isinstance(first, Ending):
+        return replace(first, days=Deictic(Which.THIS, first.days))
+    if isinstance(days, Cycle):
+        return Ending(first, Deictic(Which.THIS, days))
+    return Ending(first, days or Relative(0))
+
+
+@grammar.rule(
+    "rest",
+    "rest|remainder|remaining of? the|my? <days>|<series>",
+    "the rest of? the|my? <days>|<series>",
+    weight=0.2,
+)
+def rest(days: Calendar) -> Rest:
+    """The rest of the day."""
+    return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))
+
+
+@grammar.rule(
+    "rest", "rest|remainder of? the|this|my? <part>", "the rest of? the|this|my? <part>", weight=0.25
+)
+def rest_of_part(part: Part) -> Rest:
+    """The rest of the morning."""
+    return Rest(Wall(Relative(0), part))

@@ -1,0 +1,156 @@
+"""Lengths of time: "ten minutes", "an hour and a half", "1h30", "five to ten minutes"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import SMALLER, Integer, Typed
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Quantity, UnitWord
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+LARGEST = 1e11
+"""Seconds that a length of time may have at most, about three thousand years."""
+
+
+def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
+    amount = quantity.value * unit.count
+    # "a m" is half of "10 a m".
+    if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and len(unit.form) == 1):
+        return None
+    return Duration(
+        ((amount, unit.unit),),
+        quantity.hedges,
+        ordinal_end=unit.form == "second",
+        indefinite=quantity.indefinite,
+    )
+
+
+@grammar.rule("duration", "<quantity> <unit>")
+def amount(quantity: Quantity, unit: UnitWord) -> Duration | None:
+    """Ten minutes, a few hours, 2.5 h, another week."""
+    return _length(quantity, unit)
+
+
+@grammar.rule("duration", "<fraction> of? a|an|one|the? <unit>", "<quantity> of a|an|the? <unit>")
+def fraction_of(part: float | Quantity, unit: UnitWord) -> Duration | None:
+    """Half an hour, a quarter of an hour, three quarters of an hour, one and a quarter of hour."""
+    quantity = part if isinstance(part, Quantity) else Quantity(part)
+    return _length(quantity, unit) if quantity.value != 1 and not quantity.indefinite else None
+
+
+@grammar.rule("duration", "<quantity> <unit> and|- <fraction>")
+def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration | None:
+    """An hour and a half, one month and half."""
+    return _length(Quantity(quantity.value + fraction, quantity.hedges), unit)
+
+
+@grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
+def sum_of(first: Duration, second: Duration) -> Duration | None:
+    """1 hour and 30 minutes; 2 years, 3 months."""
+    units = {unit for _, unit in first.terms}
+    if (
+        first.bare_end
+        or first.until
+        or second.until
+        or second.hedges
+        or units & {unit for _, unit in second.terms}
+    ):
+        return None
+    # "a day an hour" is a frequency, no sum.
+    if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:
+        return None
+    return replace(first, terms=(*first.terms, *second.terms), ordinal_end=second.ordinal_end)
+
+
+@grammar.rule("duration", "<duration> and? <integer>", weight=-0.2)
+def tail(first: Duration, number: Integer) -> Duration | None:
+    """1 hour fifteen, 2 hours and 10."""
+    _, unit = first.terms[-1]
+    if (
+        first.bare_end
+        or unit not in SMALLER
+        or unit not in {Unit.HOUR, Unit.MINUTE}
+        or not 1 <= number.value < 60
+    ):
+        return None
+    return replace(first, terms=(*first.terms, (number.value, SMALLER[unit])), bare_end=True)
+
+
+@grammar.rule("duration", "<quantity> <unit> or <quantity>", weight=0.2)
+def one_or_two(quantity: Quantity, unit: UnitWord, more: Quantity) -> Duration | None:
+    """An hour or two."""
+    first, last = _length(quantity, unit), _length(more, unit)
+    if first is None or last is None or more.indefinite or first.seconds >= last.seconds:
+        return None
+    return replace(first, until=replace(last, bare_end=True), indefinite=False)
+
+
+@grammar.rule("duration", "<15h30>", weight=-0.15)
+def typed(numbers: Typed) -> Duration | None:
+    """1h30."""
+    hours, minutes = numbers[0], numbers[1]
+    return Duration(((hours, Unit.HOUR), (minutes, Unit.MINUTE))) if minutes < 60 else None
+
+
+@grammar.rule("duration", "<hh:mm> <unit>", "<hh:mm> long", weight=-0.1)
+def typed_with_unit(numbers: Typed, unit: UnitWord | None = None) -> Duration | None:
+    """1:30 hours."""
+    if numbers[1] >= 60 or (unit is not None and unit.unit not in {Unit.HOUR, Unit.MINUTE}):
+        return None
+    large = unit.unit if unit is not None else Unit.HOUR
+    return Duration(((numbers[0], large), (numbers[1], SMALLER[large])))
+
+
+@grammar.rule("duration", "<integer> '")
+def minutes_mark(number: Integer) -> Duration | None:
+    """2'."""
+    return Duration(((number.value, Unit.MINUTE),)) if number.digits else None
+
+
+@grammar.rule("duration", '<integer> "')
+def seconds_mark(number: Integer) -> Duration | None:
+    """30"."""
+    return Duration(((number.value, Unit.SECOND),)) if number.digits else None
+
+
+@grammar.rule("duration", "all|full|whole|entire -? <unit>", "the|an|a whole|full|entire <unit>", weight=-0.1)
+def whole_of(unit: UnitWord) -> Duration | None:
+    """All day, a full week; "all night" is when, not how long."""
+    return Duration(((unit.count, unit.unit),)) if unit.form != "night" else None
+
+
+@grammar.rule(
+    "duration",
+    "<duration> to|or|- <duration>",
+    "<quantity> to|or|- <duration>",
+    "between <quantity> and <duration>",
+)
+def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
+    """Five to ten minutes, two or three hours, half an hour to an hour."""
+    if isinstance(shorter, Quantity):
+        if len(longer.terms) != 1 or shorter.indefinite:
+            return None
+        first = Duration(((shorter.value, longer.terms[0][1]),), shorter.hedges)
+    else:
+        first = shorter
+    if (
+        first.until is not None
+        or longer.until is not None
+        or first.seconds >= longer.seconds
+        or first.bare_end
+    ):
+        return None
+    return replace(first, until=longer, ordinal_end=longer.ordinal_end)
+
+
+@grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)
+def hedged(hedge: str, duration: Duration) -> Duration:
+    """Roughly ten minutes, at least an hour."""
+    return duration.hedged(hedge)
+
+
+@grammar.rule("duration", "<duration> <hedge_after>", "<duration> - <hedge_after>", weight=0.05)
+def hedged_after(duration: Duration, hedge: str) -> Duration:
+    """Ten minutes or so, half an hour at most."""
+    return replace(duration, hedges=(*duration.hedges, hedge))

@@ -1,0 +1,116 @@
+"""Times with their hedges, and times counted from them: "about noon", "twenty minutes before six"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Ending,
+    Goal,
+    HourMark,
+    Offset,
+    Range,
+    SameTime,
+    Time,
+    TimeWord,
+    Wall,
+)
+
+grammar = Grammar()
+
+
+@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<offset>|<word>")
+def goal(time: Time) -> Goal:
+    """Any time."""
+    return Goal(time)
+
+
+@grammar.rule(
+    "same", "this|same time <days>", "at? the? same time <days>", "<days> at? this|the same? time", weight=0.3
+)
+def same_time(days: Calendar) -> SameTime:
+    """This time tomorrow."""
+    return SameTime(days)
+
+
+@grammar.rule("same", "the? top|end of the hour", "on the hour", weight=0.2)
+def on_the_hour() -> HourMark:
+    """On the hour."""
+    return HourMark(0)
+
+
+@grammar.rule("same", "half past", weight=0.1)
+def half_past() -> HourMark:
+    """(at) half past."""
+    return HourMark(30)
+
+
+@grammar.rule("same", "a? quarter past", weight=0.4)
+def quarter_past() -> HourMark:
+    """(at) a quarter past."""
+    return HourMark(15)
+
+
+@grammar.rule("same", "a? quarter to", weight=0.4)
+def quarter_to() -> HourMark:
+    """(at) a quarter to."""
+    return HourMark(45)
+
+
+@grammar.rule("goal", "<same>")
+def goal_like_now(time: SameTime | HourMark) -> Goal:
+    """A time of day that depends on the one now."""
+    return Goal(time)
+
+
+@grammar.rule("goal", "<hedge> the? <goal>", weight=0.05)
+def hedged(hedge: str, goal: Goal) -> Goal | None:
+    """About noon, almost six."""
+    return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
+
+
+@grammar.rule("goal", "<goal> <hedge_after>", "<goal> - <hedge_after>", "<goal> , <hedge_after>", weight=0.05)
+def hedged_after(goal: Goal, hedge: str) -> Goal | None:
+    """Noon sharp, 3pm approximately, elevenish."""
+    if isinstance(goal.time, Wall) and goal.time.clock is not None:
+        clock = replace(goal.time.clock, bare=False, pair=False)
+        goal = replace(goal, time=replace(goal.time, clock=clock))
+    return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
+
+
+@grammar.rule("offset", "<duration> <forward>|<back>")
+def counted(duration: Duration, preposition: Preposition) -> Offset:
+    """Ten minutes from now, as the end of a range or behind a preposition."""
+    return Offset(duration, -1 if preposition.name == "ago" else 1)
+
+
+@grammar.rule("offset", "<duration> before|'til|to|prior <goal>", "<duration> prior to <goal>", weight=0.1)
+def before_goal(duration: Duration, goal: Goal) -> Offset | None:
+    """Twenty minutes before noon."""
+    return Offset(duration, -1, goal.time) if _counts_from(goal) else None
+
+
+@grammar.rule("offset", "<duration> after|past|following <goal>", weight=0.1)
+def after_goal(duration: Duration, goal: Goal) -> Offset | None:
+    """Two hours after lunch."""
+    return Offset(duration, 1, goal.time) if _counts_from(goal) else None
+
+
+@grammar.rule("offset", "<duration> from <goal>", weight=0.1)
+def from_goal(duration: Duration, goal: Goal) -> Offset | None:
+    """An hour from noon, 15 minutes from 1pm."""
+    return Offset(duration, 1, goal.time) if _counts_from(goal) else None
+
+
+@grammar.rule(
+    "offset", "less than <duration> after|from <goal>", "within <duration> after|from|of <goal>", weight=0.4
+)
+def soon_after(duration: Duration, goal: Goal) -> Range | None:
+    """Less than three days after tomorrow: from then to then."""
+    return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
+
+
+def _counts_from(goal: Goal) -> bool:
+    return not goal.hedges and isinstance(goal.time, (Wall, TimeWord, Ending))

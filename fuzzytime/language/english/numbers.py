@@ -1,0 +1,79 @@
+"""How much of a unit: numbers, fractions, and both together."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.expressions import Quantity
+
+grammar = Grammar()
+
+
+@grammar.rule("quantity", "<integer>")
+def whole(number: Integer) -> Quantity:
+    """Eight, 8."""
+    return Quantity(number.value)
+
+
+@grammar.rule("quantity", "<decimal>")
+def decimal(number: Typed) -> Quantity:
+    """2.5."""
+    return Quantity(float(number.parts[0]))
+
+
+@grammar.rule("quantity", "a|an")
+def one() -> Quantity:
+    """A minute, an hour."""
+    return Quantity(1, indefinite=True)
+
+
+@grammar.rule("fraction", "<ratio>")
+def ratio(number: Typed) -> float | None:
+    """1/2, 3/4; but 2/15 is a date."""
+    return number[0] / number[1] if number[1] in {2, 3, 4} and number[0] < number[1] else None
+
+
+@grammar.rule("fraction", "a <fraction>", "one <fraction>", "an <fraction>")
+def one_fraction(fraction: float) -> float:
+    """A half, one quarter."""
+    return fraction
+
+
+@grammar.rule("fraction", "<integer> quarters|quarter|thirds|halves", weight=0.1)
+def fractions(number: Integer) -> float | None:
+    """Three quarters, two quarters."""
+    return number.value / 4 if number.value < 4 else None
+
+
+@grammar.rule("quantity", "<fraction>")
+def fraction_alone(fraction: float) -> Quantity:
+    """Half, 1/2."""
+    return Quantity(fraction)
+
+
+@grammar.rule("quantity", "<integer> and? <fraction>")
+def mixed(number: Integer, fraction: float) -> Quantity:
+    """Two and a half, one and three quarters, 1 1/2."""
+    return Quantity(number.value + fraction)
+
+
+@grammar.rule("quantity", "<quantity> more|additional|extra|other|fewer|further|full|whole|short|long|good")
+def added(quantity: Quantity) -> Quantity:
+    """Two more minutes, three additional hours, two full days."""
+    return quantity
+
+
+@grammar.rule("quantity", "another")
+def another() -> Quantity:
+    """Another hour."""
+    return Quantity(1, indefinite=True)
+
+
+@grammar.rule("quantity", "<hedge> <quantity>", weight=-0.1)
+def hedged(hedge: str, quantity: Quantity) -> Quantity:
+    """About ten (minutes), at least two."""
+    return Quantity(quantity.value, (hedge, *quantity.hedges), quantity.indefinite)
+
+
+@grammar.rule("quantity", "<quantity> <hedge_after>", "<quantity> - <hedge_after>", weight=-0.1)
+def hedged_after(quantity: Quantity, hedge: str) -> Quantity:
+    """Ten or so (minutes), 10-ish, twenty-ish."""
+    return Quantity(quantity.value, (*quantity.hedges, hedge), quantity.indefinite)

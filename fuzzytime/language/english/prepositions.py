@@ -1,0 +1,150 @@
+"""How a preposition binds a time: "by noon", "not before six", "shortly after lunch", "at 1730"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.counted import coming_deadline
+from fuzzytime.language.english.stacks import joined
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.expressions import (
+    Clock,
+    Coming,
+    Edge,
+    Ending,
+    Goal,
+    Offset,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+
+def _said(
+    goal: Goal, preposition: str | None, constraint: Constraint | None = None, edge: Edge = Edge.START
+) -> Said:
+    return Said(goal.time, constraint, preposition, goal.hedges, edge)
+
+
+@grammar.rule("said", "<goal>")
+def plain(goal: Goal) -> Said:
+    """Tomorrow, now, six o'clock."""
+    return _said(goal, None)
+
+
+@grammar.rule("said", "<preposition_at> the? <goal>", weight=0.1)
+def beside(preposition: Preposition, goal: Goal) -> Said | None:
+    """At six, on friday, around noon, sometime tomorrow."""
+    if isinstance(goal.time, TimeWord) and preposition.name in {"in", "at", "on"}:
+        return None
+    return _said(goal, preposition.name)
+
+
+@grammar.rule("said", "at <clock>|<clock behind at>", weight=0.3)
+def at_clock(clock: Clock) -> Said:
+    """At 1030, at 7h, at 2.30."""
+    return Said(Wall(clock=clock), None, "at")
+
+
+@grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)
+def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
+    """At 2.30 tomorrow."""
+    time = joined(Wall(clock=clock), wall)
+    return None if time is None else Said(time, None, "at")
+
+
+@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
+def deadline(preposition: Preposition, goal: Goal) -> Said | None:
+    """By noon, no later than six, before tomorrow."""
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE:
+        return None
+    if isinstance(goal.time, Coming):
+        return replace(coming_deadline(goal), preposition=preposition.name)
+    return _said(goal, preposition.name, Constraint.BEFORE, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
+def release(preposition: Preposition, goal: Goal) -> Said | None:
+    """After 5 pm, from monday, not before noon."""
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE:
+        return None
+    return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
+
+
+@grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
+def starting_at(goal: Goal) -> Said | None:
+    """Starting at three pm: then, not some time after it; but "starting tomorrow" is from then on."""
+    clock = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return _said(goal, "starting") if clock else None
+
+
+@grammar.rule(
+    "said",
+    "<goal> or|and later|after|greater|onwards|onward",
+    "<goal> onwards|onward",
+    "<goal> at the earliest",
+    weight=0.3,
+)
+def or_later(goal: Goal) -> Said:
+    """3 pm or later, monday onwards, at noon at the earliest."""
+    return _said(goal, "not before", Constraint.AFTER, Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "at|on|from|by <goal> or|and later|after|onwards|onward",
+    "from <goal> on|onwards|onward",
+    "at|on <goal> at the earliest",
+    weight=0.4,
+)
+def at_or_later(goal: Goal) -> Said:
+    """At 3 pm or later."""
+    return _said(goal, "not before", Constraint.AFTER, Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "<goal> or|and before|earlier|sooner",
+    "by|at|on|in? <goal> at the latest",
+    "at|on|by <goal> or earlier|before|sooner",
+    weight=0.4,
+)
+def or_earlier(goal: Goal) -> Said:
+    """Noon at the latest, six or earlier."""
+    return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
+
+
+@grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)
+def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:
+    """Within the day."""
+    if isinstance(goal.time, (TimeWord, Offset)):
+        return None
+    if isinstance(goal.time, Coming):
+        return replace(coming_deadline(goal), preposition="within")
+    hedges = () if hedge is None else (hedge,)
+    return Said(goal.time, Constraint.BEFORE, "within", (*hedges, *goal.hedges), Edge.LAST)
+
+
+@grammar.rule("said", "<beside> the? <goal>", "at|on <beside> the? <goal>", weight=0.4)
+def just_off(hedge: str, goal: Goal) -> Said | None:
+    """Shortly before noon, just after 5 pm: points, no deadlines."""
+    if not isinstance(goal.time, (Wall, Ending)):
+        return None
+    edge = Edge.END if hedge.endswith("after") else Edge.START
+    return Said(goal.time, None, None, (hedge, *goal.hedges), edge, beside=True)
+
+
+@grammar.rule("said", "<preposition_at> <said>", weight=0.05)
+def sometime(preposition: Preposition, said: Said) -> Said | None:
+    """Sometime between 3 and 4."""
+    return said if preposition.name == "sometime" and said.preposition is not None else None
+
+
+@grammar.rule("said", "<hedge> <said>", weight=0.05)
+def hedged_said(hedge: str, said: Said) -> Said | None:
+    """Exactly at six, roughly in ten minutes."""
+    if said.preposition is None or len(said.hedges) > 1 or hedge in {"less than", "more than", "some"}:
+        return None
+    return replace(said, hedges=(hedge, *said.hedges))

@@ -1,0 +1,178 @@
+"""From one time to another: "between 5 and 6 pm", "friday from 10 to 4", "from 4 pm for an hour"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.stacks import joined
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.expressions import (
+    Clock,
+    Duration,
+    Ending,
+    Goal,
+    Offset,
+    Range,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+
+def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
+    for time in (first.time, last.time):
+        if not isinstance(time, (Wall, Ending, Offset)) and not (
+            isinstance(time, TimeWord) and time.word == "now"
+        ):
+            return None
+    if isinstance(first.time, Wall) and isinstance(last.time, Wall):
+        apart = _lent(first.time, last.time)
+        if apart is None or not _comparable(*apart):
+            return None
+        first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
+    time = Range(first.time, last.time)
+    return Said(time, Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
+
+
+def _comparable(first: Wall, last: Wall) -> bool:
+    """Whether two can be the ends of one range: a year and a clock time cannot."""
+    for one, other in ((first, last), (last, first)):
+        coarse = one.days is not None and one.days.grain is not Unit.DAY and one.clock is None
+        if coarse and other.clock is not None and other.days is None:
+            return False
+    return True
+
+
+def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
+    """Lend each end what only the other says: "july 13 to 15", "from 5 to 6pm tomorrow"."""
+    if (first.clock is None) != (last.clock is None):
+        bare = first if first.clock is not None else last
+        other = last if first.clock is not None else first
+        if bare.bare and isinstance(other.days, Fields) and other.days.day is not None:
+            # A number beside a date is a day of the month.
+            day = Fields(day=bare.clock.hour) if bare.clock is not None else None
+            if day is None or not 1 <= (day.day or 0) <= 31:
+                return None
+            first, last = (Wall(day), last) if bare is first else (first, Wall(day))
+    if first.clock is not None and last.clock is not None:
+        days = first.days or last.days
+        zone = first.zone or last.zone
+        part = None if first.days and last.days else first.part or last.part
+        # The other end's day, where it says one itself, is its own.
+        first = replace(first, days=first.days or days, zone=zone, part=first.part or part)
+        last = replace(last, zone=zone, part=last.part or part)
+        if last.days == first.days:
+            last = replace(last, days=None)
+    return first, last
+
+
+@grammar.rule(
+    "said",
+    "between the? <goal> and|to|- the? <goal>",
+    "from the? <goal> to|-|through|thru the? <goal>",
+    weight=1.1,
+)
+def between(first: Goal, last: Goal) -> Said | None:
+    """Between 5 and 6 pm, from monday to friday."""
+    return _range(first, last, "between")
+
+
+@grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
+def from_to(first: Goal, last: Goal) -> Said | None:
+    """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
+    walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
+    if len(walls) == 2 and all(wall.bare for wall in walls):
+        return None
+    grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}
+    if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:
+        # "Q1-2019" and "aug-01-2019" are one date each.
+        return None
+    return _range(first, last, "between")
+
+
+@grammar.rule("said", "<wall> <integer> - <integer>", weight=0.9)
+def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
+    """Monday 11-4."""
+    ends = [number(first), number(last)]
+    if wall.clock is not None or wall.weak or None in ends:
+        return None
+    said = _range(Goal(Wall(clock=ends[0])), Goal(Wall(clock=ends[1])), "between")
+    return None if said is None else refined(said, wall)
+
+
+@grammar.rule("said", "from? the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+def from_until(first: Goal, last: Goal) -> Said | None:
+    """From 9:30 until 11."""
+    return _range(first, last, "between")
+
+
+@grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)
+def until_other_day(first: Goal, days: Calendar, clock: Clock) -> Said | None:
+    """From 2pm till tomorrow 4:30pm: a day before the clock time is its own."""
+    if not isinstance(first.time, Wall) or first.time.clock is None:
+        return None
+    return Said(Range(first.time, Wall(days, clock=clock)), Constraint.BETWEEN, "between", first.hedges)
+
+
+@grammar.rule("said", "<preposition_after> <goal> but|and <preposition_before> <goal>", weight=0.8)
+def after_and_before(after: Preposition, first: Goal, before: Preposition, last: Goal) -> Said | None:
+    """Later than 3:30pm but before 6pm."""
+    return _range(first, last, "between")
+
+
+@grammar.rule(
+    "said",
+    "from|starting|beginning|at? at? the? <goal> ,? for <duration>",
+    "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>",
+    "<duration> starting|beginning from|at|on|in? the? <goal>",
+    weight=0.9,
+)
+def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
+    """From 4pm for thirty minutes, for 2 hours from 2pm: a start, and how long."""
+    goal, duration = (second, first) if isinstance(first, Duration) else (first, second)
+    if not isinstance(goal, Goal) or not isinstance(duration, Duration) or not isinstance(goal.time, Wall):
+        return None
+    return Said(goal.time, None, "at", goal.hedges, lasting=duration)
+
+
+@grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
+def range_on_day(said: Said, wall: Wall) -> Said | None:
+    """Between 3 and 5 on friday."""
+    return refined(said, wall)
+
+
+@grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> <said>", weight=0.1)
+def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | None = None) -> Said | None:
+    """Tomorrow before 5pm, tomorrow evening by seven, friday between 1PM and 4 PM."""
+    wall, said = (first, second) if third is None else (second, third)
+    if not isinstance(wall, Wall) or not isinstance(said, Said):
+        return None
+    return refined(said, wall)
+
+
+def refined(said: Said, wall: Wall) -> Said | None:
+    """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
+    bounds = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+    beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
+    if not (said.constraint in bounds or beside) or wall.clock is not None or said.lasting is not None:
+        return None
+    if isinstance(said.time, Wall) and said.time.clock is not None:
+        time = joined(said.time, wall)
+        return None if time is None else replace(said, time=time)
+    if (
+        isinstance(said.time, Range)
+        and isinstance(said.time.first, Wall)
+        and isinstance(said.time.last, Wall)
+    ):
+        first, last = joined(said.time.first, wall), said.time.last
+        if first is None or said.time.first.days is not None:
+            return None
+        if wall.part is not None and last.part is None and last.clock is not None:
+            last = replace(last, part=wall.part)
+        return replace(said, time=Range(first, last))
+    return None

@@ -1,0 +1,101 @@
+"""Times in a text by the grammar alone: no tree, no model, no spaCy."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from functools import cache
+
+from fuzzytime.errors import InstructionError
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import Question, Remark, RemarkKind
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.requirements import Grounded, Moment, UngroundedError, grounded
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import TimeRequirement
+
+LONGEST_TEXT = 4000
+"""Characters that one instruction may have at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Times:
+    """The times that a text says: grounded, with the words that were not understood among its remarks."""
+
+    found: tuple[Grounded, ...]
+    remarks: tuple[Remark, ...] = ()
+
+    @property
+    def requirements(self) -> tuple[TimeRequirement, ...]:
+        """The requirements, in the order of the words."""
+        return tuple(grounded.requirement for grounded in self.found)
+
+    @property
+    def questions(self) -> tuple[Question, ...]:
+        """The ambiguous times."""
+        return tuple(question for grounded in self.found for question in grounded.questions)
+
+
+@cache
+def shipped_lexicon() -> Lexicon:
+    """Give the shipped word tables, read once."""
+    return Lexicon.shipped()
+
+
+def shipped_grammar() -> Grammar:
+    """Give the shipped rules."""
+    from fuzzytime.language.english import grammar
+
+    return grammar()
+
+
+def check_length(text: str) -> None:
+    """Refuse a text beyond the limit.
+
+    Raises
+    ------
+    InstructionError
+        If it is longer than `LONGEST_TEXT`.
+    """
+    if len(text) > LONGEST_TEXT:
+        shown = text[:LONGEST_TEXT]
+        message = f"an instruction must not be longer than {LONGEST_TEXT:,} characters, got {len(text):,}"
+        raise InstructionError(message, shown, (0, 0))
+
+
+def find_times(
+    text: str, now: datetime | None, lexicon: Lexicon | None = None, policy: Policy | None = None
+) -> Times:
+    """Give the times that a text says, by the grammar alone.
+
+    Raises
+    ------
+    InstructionError
+        If the text is too long.
+
+    >>> from datetime import datetime
+    >>> found = find_times("in about two minutes", datetime(2026, 3, 4, 9))
+    >>> found.requirements[0].t_spec, found.requirements[0].fuzziness
+    (120.0, ('about',))
+    """
+    check_length(text)
+    words = lexicon or shipped_lexicon()
+    scanned = Scanned.of(text, shipped_grammar(), words)
+    moment = Moment(now, policy or words.policy)
+    return ground_all(phrases_of(scanned, words), text, moment)
+
+
+def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
+    """Ground phrases; those that name no time become remarks."""
+    found: list[Grounded] = []
+    remarks: list[Remark] = []
+    for phrase in phrases:
+        try:
+            some = grounded(phrase, text, moment)
+        except UngroundedError as error:
+            said = text[phrase.span[0] : phrase.span[1]]
+            remarks.append(Remark(RemarkKind.NOT_UNDERSTOOD, phrase.span, f"{said!r}: {error}"))
+            continue
+        found += some
+        remarks += [remark for one in some for remark in one.remarks]
+    return Times(tuple(found), tuple(remarks))

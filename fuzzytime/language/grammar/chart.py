@@ -1,0 +1,208 @@
+"""Rules of a grammar, and the chart that applies them: the same machinery for every language.
+
+A rule says which pieces, side by side, make a larger piece, and what it means:
+
+    @grammar.rule("clock", "half past? <hour>")
+    def half_past(hour: Hour) -> Clock: ...
+
+In a pattern ``<name>`` is a piece of that category, given to the function; other words stand for
+themselves; ``a|b`` is a choice, and ``?`` after an element makes it optional (an optional piece that is
+absent is given as None). A function may answer None: then the words do not make that piece ("the 31st of
+April").
+
+The chart is filled from the last word to the first; so, when a rule meets a piece, everything that can follow
+it is already there. For one category and stretch of words only the reading with the highest weight is kept,
+which bounds the work: no input makes it explode.
+"""
+
+import itertools
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from fuzzytime.language.grammar.words import Word, joins
+
+LONGEST = 28
+"""Words that one piece may span at most: longer ones are not said."""
+
+Action = Callable[..., Any]
+_Action = TypeVar("_Action", bound=Callable[..., Any])
+
+_ELEMENT = re.compile(r"(?:<[^>]*>|[^\s<])+")
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One way to make a piece: its pattern unfolded to a plain row of symbols.
+
+    ``slots`` gives, for each argument of the action, the position of its symbol, or None.
+    """
+
+    name: str
+    category: str
+    symbols: tuple[str, ...]
+    slots: tuple[int | None, ...]
+    action: Action
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A stretch of words with a category and a meaning; ``start`` and ``end`` count words."""
+
+    category: str
+    start: int
+    end: int
+    value: Any
+    weight: float
+    rule: str
+
+
+Cell = dict[str, dict[int, Piece]]
+"""What starts at one word: by category, then by end."""
+
+
+def literal(word: str) -> str:
+    """Give the symbol of a word that stands for itself."""
+    return f"'{word}"
+
+
+class Grammar:
+    """The rules of a language."""
+
+    def __init__(self) -> None:
+        self.rules: list[Rule] = []
+        self.literals: set[str] = set()
+        # By first symbol: the rules of one symbol, and by their second symbol those of more.
+        self._single: dict[str, list[Rule]] = {}
+        self._longer: dict[str, dict[str, list[Rule]]] = {}
+
+    def rule(self, category: str, *patterns: str, weight: float = 0.0) -> Callable[[_Action], _Action]:
+        """Give a decorator that adds a rule; the weight decides between readings of the same words."""
+
+        def added(action: _Action) -> _Action:
+            name = f"{action.__module__.rpartition('.')[2]}.{action.__name__}"
+            for pattern in patterns:
+                for symbols, slots in unfolded(pattern):
+                    self.add(Rule(name, category, symbols, slots, action, weight))
+            return action
+
+        return added
+
+    def include(self, other: "Grammar") -> None:
+        """Add the rules of another grammar."""
+        for rule in other.rules:
+            self.add(rule)
+
+    def add(self, rule: Rule) -> None:
+        """Add a rule."""
+        self.rules.append(rule)
+        self.literals.update(symbol[1:] for symbol in rule.symbols if symbol[0] == "'")
+        first = rule.symbols[0]
+        if len(rule.symbols) == 1:
+            self._single.setdefault(first, []).append(rule)
+        else:
+            self._longer.setdefault(first, {}).setdefault(rule.symbols[1], []).append(rule)
+
+    def parse(self, words: Sequence[Word], lexical: Mapping[int, Iterable[Piece]]) -> list[Cell]:
+        """Fill the chart.
+
+        Parameters
+        ----------
+        words
+            The text's words.
+        lexical
+            By the word where they start, the pieces that word tables and shapes of numbers give.
+        """
+        chart = Chart(words)
+        for start in range(len(words) - 1, -1, -1):
+            agenda = list(lexical.get(start, ()))
+            word = words[start].text
+            if word in self.literals:
+                agenda.append(Piece(literal(word), start, start + 1, word, 0.0, "word"))
+            if agenda:
+                self._close(chart, start, agenda)
+        return chart.cells
+
+    def _close(self, chart: "Chart", start: int, agenda: list[Piece]) -> None:
+        """Add pieces that start at one word, and all that they begin."""
+        cell = chart.cells[start]
+        while agenda:
+            piece = agenda.pop()
+            known = cell.setdefault(piece.category, {})
+            held = known.get(piece.end)
+            if held is not None and held.weight >= piece.weight:
+                continue
+            known[piece.end] = piece
+            for rule in self._single.get(piece.category, ()):
+                _make(rule, (piece,), agenda)
+            longer = self._longer.get(piece.category)
+            if longer is not None:
+                for second in chart.following(piece.end):
+                    for symbol, choices in second.items():
+                        for rule in longer.get(symbol, ()):
+                            _extend(chart, rule, (piece,), choices, agenda)
+
+
+class Chart:
+    """Cells, one for each word, and what may follow a piece."""
+
+    def __init__(self, words: Sequence[Word]) -> None:
+        self.cells: list[Cell] = [{} for _ in range(len(words) + 1)]
+        self._jumps = [joins(words, place) for place in range(len(words))] + [False]
+
+    def following(self, end: int) -> tuple[Cell, ...]:
+        """Give the cells at which the next piece may start; a hyphen that joins words may be passed over."""
+        if self._jumps[end]:
+            return self.cells[end], self.cells[end + 1]
+        return (self.cells[end],)
+
+
+def _extend(
+    chart: Chart, rule: Rule, found: tuple[Piece, ...], choices: Mapping[int, Piece], agenda: list[Piece]
+) -> None:
+    """Add each of some pieces to those found, and match the rest of a rule's symbols behind it."""
+    for piece in tuple(choices.values()):
+        if piece.end - found[0].start > LONGEST:
+            continue
+        more = (*found, piece)
+        if len(more) == len(rule.symbols):
+            _make(rule, more, agenda)
+            continue
+        symbol = rule.symbols[len(more)]
+        for cell in chart.following(piece.end):
+            if symbol in cell:
+                _extend(chart, rule, more, cell[symbol], agenda)
+
+
+def _make(rule: Rule, found: tuple[Piece, ...], agenda: list[Piece]) -> None:
+    """Make the piece of a rule whose symbols are all found."""
+    value = rule.action(*[None if slot is None else found[slot].value for slot in rule.slots])
+    if value is not None:
+        weight = rule.weight + sum(piece.weight for piece in found)
+        agenda.append(Piece(rule.category, found[0].start, found[-1].end, value, weight, rule.name))
+
+
+def unfolded(pattern: str) -> list[tuple[tuple[str, ...], tuple[int | None, ...]]]:
+    """Give the plain rows of symbols that a pattern stands for, and where their arguments are.
+
+    >>> unfolded("half past? <hour>")
+    [(("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,))]
+    """
+    rows = []
+    parts = _ELEMENT.findall(pattern)
+    elements = [(part.rstrip("?").split("|"), part.endswith("?")) for part in parts]
+    choices = [[*names, None] if optional else list(names) for names, optional in elements]
+    argument = [names[0].startswith("<") for names, _ in elements]
+    for row in itertools.product(*choices):
+        symbols: list[str] = []
+        slots: list[int | None] = []
+        for name, wanted in zip(row, argument, strict=True):
+            if wanted:
+                slots.append(None if name is None else len(symbols))
+            if name is not None:
+                symbols.append(name[1:-1] if wanted else literal(name))
+        if symbols:
+            rows.append((tuple(symbols), tuple(slots)))
+    return rows

@@ -1,0 +1,133 @@
+"""The words of a language and what they mean, from ``rules/lexicon.yaml`` and ``rules/calendar.yaml``."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.words import Word, joins, words_of
+from fuzzytime.language.meaning.expressions import Edge
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import Constraint
+from fuzzytime.resources import rules_directory
+
+
+@dataclass(frozen=True, slots=True)
+class Preposition:
+    """How a preposition binds a time: on which side, and by which edge of an interval."""
+
+    name: str
+    constraint: Constraint
+    edge: Edge
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One way to say something: its words, the category and the meaning they have."""
+
+    words: tuple[str, ...]
+    category: str
+    value: Any
+    weight: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Lexicon:
+    """Word tables.
+
+    Parameters
+    ----------
+    entries
+        By their first word, the entries of all tables that the grammar uses.
+    numbers, magnitudes, ordinals
+        Number words.
+    ambiguous
+        Words of the calendar that have another meaning too.
+    indicators, connectives, clauses, corrections, addresses, amounts, results
+        Words that the reading of sentences uses, by meaning.
+    wanting, forgetting, causing
+        Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
+    measure_verbs, measure_nouns
+        Words beside which a number is an amount.
+    function_words
+        Words that may follow a bare number without making it a count.
+    """
+
+    entries: Mapping[str, tuple[Entry, ...]]
+    numbers: Mapping[str, int]
+    magnitudes: Mapping[str, int]
+    ordinals: Mapping[str, int]
+    ambiguous: frozenset[str]
+    indicators: Mapping[str, str]
+    connectives: Mapping[tuple[str, ...], str]
+    clauses: Mapping[tuple[str, ...], str]
+    corrections: frozenset[tuple[str, ...]]
+    addresses: frozenset[str]
+    amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
+    results: frozenset[str]
+    wanting: frozenset[str]
+    forgetting: frozenset[str]
+    causing: frozenset[str]
+    measure_verbs: frozenset[str]
+    measure_nouns: frozenset[str]
+    function_words: frozenset[str]
+    policy: Policy = field(default_factory=Policy)
+
+    @classmethod
+    def shipped(cls) -> "Lexicon":
+        """Read the tables that are shipped: English.
+
+        Raises
+        ------
+        DocumentError
+            If a table breaks rules: every mistake with file, line and column.
+        """
+        return cls.of_files(rules_directory() / "lexicon.yaml", rules_directory() / "calendar.yaml")
+
+    @classmethod
+    def of_files(cls, words: Path, calendar: Path) -> "Lexicon":
+        """Read the tables from two files.
+
+        Raises
+        ------
+        OSError
+            If a file cannot be read.
+        DocumentError
+            If a table breaks rules: every mistake with file, line and column.
+        """
+        from fuzzytime.language.grammar.word_tables import read_lexicon
+
+        return read_lexicon(words, calendar)
+
+    def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
+        """Give what the tables say of the words from one place on."""
+        for entry in self.entries.get(words[start].text, ()):
+            end = _matched(words, start, entry.words)
+            if end:
+                yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
+
+
+def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:
+    """Give the end of a form that stands at a place, or 0; a hyphen may join its words."""
+    at = start + 1
+    for text in form[1:]:
+        if at < len(words) and words[at].text != text and joins(words, at):
+            at += 1
+        if at >= len(words) or words[at].text != text:
+            return 0
+        at += 1
+    return at
+
+
+def longest_match(
+    words: Sequence[Word], start: int, forms: Iterable[tuple[str, ...]]
+) -> tuple[str, ...] | None:
+    """Give the longest of some forms that stands at a place, or None."""
+    found = [f for f in forms if words[start].text == f[0] and _matched(words, start, f)]
+    return max(found, key=len, default=None)
+
+
+def form_of(text: str) -> tuple[str, ...]:
+    """Give a way to say something as the words it is matched by."""
+    return tuple(word.text for word in words_of(text))

@@ -1,0 +1,71 @@
+"""A text cut into words that remember their place, in a form that word tables can be asked about.
+
+Case, full-width digits, typographic apostrophes and dashes are levelled; the text itself is never changed, so
+that spans point into what was typed.
+"""
+
+import re
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+_WORD = re.compile(r"\d+|[^\W\d_]+(?:['’ʼ][^\W\d_]+)?|\S")
+_LEVELLED = str.maketrans(
+    {"’": "'", "ʼ": "'", "′": "'", "‘": "'", "“": '"', "”": '"', "″": '"', "×": "x", "∼": "~"}
+)
+_DASHES = frozenset("-–—−‐‑‒")
+_FRACTIONS = frozenset("¼½¾⅓⅔")
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """A word, a run of digits or a mark: levelled, with its place, and whether no space stands before it."""
+
+    text: str
+    start: int
+    end: int
+    glued: bool
+
+    @property
+    def is_digits(self) -> bool:
+        """Whether it is a run of digits."""
+        return self.text[0].isdigit() and self.text.isdecimal()
+
+    @property
+    def is_letters(self) -> bool:
+        """Whether it is a word in the common sense."""
+        return self.text[0].isalpha()
+
+
+def words_of(text: str) -> tuple[Word, ...]:
+    """Cut a text into words and marks; letters and digits that touch are cut apart ("3pm" are two).
+
+    >>> [word.text for word in words_of("At 3PM – o’clock")]
+    ['at', '3', 'pm', '-', "o'clock"]
+    """
+    found = []
+    last = -1
+    for match in _WORD.finditer(text):
+        start, end = match.span()
+        found.append(Word(_levelled(match[0]), start, end, start == last))
+        last = end
+    return tuple(found)
+
+
+def joins(words: Sequence[Word], place: int) -> bool:
+    """Whether the word at a place is a hyphen without spaces around it."""
+    return (
+        words[place].text == "-" and words[place].glued and place + 1 < len(words) and words[place + 1].glued
+    )
+
+
+def _levelled(raw: str) -> str:
+    if raw.isascii():
+        return raw.lower()
+    if raw in _DASHES:
+        return "-"
+    if raw in _FRACTIONS:
+        return raw
+    # A compatibility form may fall apart into several characters; a word stays one.
+    plain = unicodedata.normalize("NFKC", raw).lower().translate(_LEVELLED)
+    return plain.strip() or raw

@@ -1,0 +1,1 @@
+"""What time words mean: expressions that know no language, and how they become instants and requirements."""

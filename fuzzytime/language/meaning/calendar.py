@@ -1,0 +1,369 @@
+"""Days as people name them: series of days, weeks, months that can be asked for the next or the last one.
+
+Every expression ("monday", "the 15th of february", "first week of 2027", "three days after Easter") is a
+value that gives its periods in order of time, from a day on or back from a day. Choosing among them is the
+business of `grounding`.
+"""
+
+import calendar
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import MAXYEAR, date, timedelta
+from enum import StrEnum
+
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import Unit
+
+ONE_DAY = timedelta(days=1)
+SEARCHED_YEARS = 60
+"""How far a date is searched: a weekday returns to the 29th of February within 40 years."""
+
+
+@dataclass(frozen=True, slots=True)
+class Days:
+    """Consecutive days, from ``first`` to before ``end``."""
+
+    first: date
+    end: date
+
+    @property
+    def middle(self) -> date:
+        """The day that decides where a week belongs: the Thursday of a week from Monday."""
+        return self.first + (self.end - self.first - ONE_DAY) // 2
+
+    @classmethod
+    def single(cls, day: date) -> "Days":
+        """Give one day."""
+        return cls(day, day + ONE_DAY)
+
+
+@dataclass(frozen=True, slots=True)
+class Today:
+    """The day of the instruction, and the policy that reads it."""
+
+    day: date
+    policy: Policy
+
+
+class Calendar(ABC):
+    """A series of periods of whole days."""
+
+    __slots__ = ()
+
+    @property
+    @abstractmethod
+    def grain(self) -> Unit:
+        """The unit that the words name: day, week, month, quarter or year."""
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the words mean one period whatever day is asked from: "last week", "March 2015"."""
+        return False
+
+    @abstractmethod
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the periods that end after the day ``since`` begins, ascending; all where it is fixed."""
+
+    @abstractmethod
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the periods that begin before the day ``until``, descending; all where it is fixed."""
+
+
+def month_after(year: int, month: int, months: int) -> tuple[int, int]:
+    """Give year and month some months away."""
+    count = year * 12 + month - 1 + months
+    return count // 12, count % 12 + 1
+
+
+def moved(day: date, unit: Unit, count: int) -> date:
+    """Give the same day some units away; the last day of a shorter month stands for a day that it lacks.
+
+    Raises
+    ------
+    OverflowError, ValueError
+        If the day lies outside the calendar.
+    """
+    if unit is Unit.DAY:
+        return day + timedelta(days=count)
+    if unit is Unit.WEEK:
+        return day + timedelta(weeks=count)
+    months = {Unit.MONTH: 1, Unit.QUARTER: 3, Unit.YEAR: 12}[unit] * count
+    year, month = month_after(day.year, day.month, months)
+    if not 1 <= year <= MAXYEAR:
+        raise OverflowError(f"a year must be 1 to {MAXYEAR}, got {year}")
+    return date(year, month, min(day.day, calendar.monthrange(year, month)[1]))
+
+
+@dataclass(frozen=True, slots=True)
+class Cycle(Calendar):
+    """Every day, week, month, quarter or year, or every so many of them: a fortnight, a decade."""
+
+    unit: Unit
+    count: int = 1
+
+    @property
+    def grain(self) -> Unit:
+        """The unit; a fortnight counts as weeks, a decade as years."""
+        return self.unit
+
+    def holding(self, today: Today, day: date) -> Days:
+        """Give the period that holds a day."""
+        if self.unit is Unit.DAY:
+            return Days(day, moved(day, Unit.DAY, self.count))
+        if self.unit is Unit.WEEK:
+            first = day - timedelta(days=(day.weekday() - today.policy.week_starts) % 7)
+        elif self.unit is Unit.YEAR:
+            first = date(max(1, day.year // self.count * self.count), 1, 1)
+        else:
+            months = 3 if self.unit is Unit.QUARTER else 1
+            first = date(day.year, (day.month - 1) // months * months + 1, 1)
+        return Days(first, moved(first, self.unit, self.count))
+
+    def away(self, today: Today, day: date, periods: int) -> Days:
+        """Give the period some periods away from the one that holds a day."""
+        first = moved(self.holding(today, day).first, self.unit, periods * self.count)
+        return Days(first, moved(first, self.unit, self.count))
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the period that holds the day, and on."""
+        for periods in range(SEARCHED_YEARS * 366):
+            yield self.away(today, since, periods)
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the period that holds the day before, and back."""
+        for periods in range(SEARCHED_YEARS * 366):
+            yield self.away(today, until - ONE_DAY, -periods)
+
+
+@dataclass(frozen=True, slots=True)
+class Fields(Calendar):
+    """What of a date is said: any of year, month, day of the month and weekday (0 for Monday)."""
+
+    year: int | None = None
+    month: int | None = None
+    day: int | None = None
+    weekday: int | None = None
+
+    @property
+    def grain(self) -> Unit:
+        """The finest unit said."""
+        if self.day is not None or self.weekday is not None:
+            return Unit.DAY
+        return Unit.MONTH if self.month is not None else Unit.YEAR
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the year is said, and all between it and the finest unit."""
+        return self.year is not None and not (self.day is not None and self.month is None)
+
+    @property
+    def weekly(self) -> bool:
+        """Whether only a weekday is said."""
+        return self.weekday is not None and self.year is self.month is self.day is None
+
+    def joined(self, other: "Fields") -> "Fields | None":
+        """Give both as one, or None where both say the same field."""
+        for name in ("year", "month", "day", "weekday"):
+            if getattr(self, name) is not None and getattr(other, name) is not None:
+                return None
+        return Fields(
+            self.year if self.year is not None else other.year,
+            self.month if self.month is not None else other.month,
+            self.day if self.day is not None else other.day,
+            self.weekday if self.weekday is not None else other.weekday,
+        )
+
+    def filled(self, other: "Fields") -> "Fields":
+        """Give this with the year and month that it lacks from another."""
+        return replace(
+            self,
+            year=self.year if self.year is not None else other.year,
+            month=self.month if self.month is not None or self.weekday is not None else other.month,
+        )
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give matching periods in ascending order."""
+        for days in self._found(since, 1):
+            if days.end > since or self.fixed:
+                yield days
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give matching periods in descending order."""
+        for days in self._found(until, -1):
+            if days.first < until or self.fixed:
+                yield days
+
+    def _found(self, near: date, step: int) -> Iterator[Days]:
+        if self.weekly:
+            ahead = ((self.weekday or 0) - near.weekday()) % 7
+            first = near + timedelta(days=ahead - (7 if step < 0 else 0))
+            for weeks in range(SEARCHED_YEARS * 53):
+                yield Days.single(first + timedelta(weeks=step * weeks))
+            return
+        if self.grain is Unit.YEAR:
+            yield Days(date(self.year or 1, 1, 1), moved(date(self.year or 1, 1, 1), Unit.YEAR, 1))
+            return
+        for year, month in self._months(near, step):
+            yield from self.in_month(year, month, step)
+
+    def _months(self, near: date, step: int) -> Iterator[tuple[int, int]]:
+        years = (
+            [self.year]
+            if self.year is not None
+            else range(near.year, near.year + step * SEARCHED_YEARS, step)
+        )
+        for year in years:
+            months = [self.month] if self.month is not None else list(range(1, 13))[::step]
+            for month in months:
+                if 1 <= year < MAXYEAR:
+                    yield year, month
+
+    def in_month(self, year: int, month: int, step: int) -> Iterator[Days]:
+        """Give the matching periods of one month, backwards where ``step`` is -1."""
+        length = calendar.monthrange(year, month)[1]
+        if self.day is not None:
+            wanted = [self.day] if self.day <= length else []
+        elif self.weekday is not None:
+            wanted = list(range(1, length + 1))[::step]
+        else:
+            yield Days(date(year, month, 1), moved(date(year, month, 1), Unit.MONTH, 1))
+            return
+        for day in wanted:
+            if self.weekday is None or date(year, month, day).weekday() == self.weekday:
+                yield Days.single(date(year, month, day))
+
+
+@dataclass(frozen=True, slots=True)
+class Weekend(Calendar):
+    """Every weekend, or every longer stretch of weekdays: Saturday and Sunday, Monday to Friday."""
+
+    working: bool = False
+
+    @property
+    def grain(self) -> Unit:
+        """Days."""
+        return Unit.DAY
+
+    def of_week(self, today: Today, day: date) -> Days:
+        """Give the weekend, or working days, of the week that holds a day."""
+        week = Cycle(Unit.WEEK).holding(today, day)
+        policy = today.policy
+        offset = (policy.weekend_from - policy.week_starts) % 7
+        if self.working:
+            return Days(week.first, week.first + timedelta(days=7 - policy.weekend_days))
+        first = week.first + timedelta(days=offset)
+        return Days(first, first + timedelta(days=policy.weekend_days))
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give weekends in ascending order."""
+        for weeks in range(-1, SEARCHED_YEARS * 53):
+            days = self.of_week(today, since + timedelta(weeks=weeks))
+            if days.end > since:
+                yield days
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give weekends in descending order."""
+        for weeks in range(SEARCHED_YEARS * 53):
+            days = self.of_week(today, until - timedelta(weeks=weeks))
+            if days.first < until:
+                yield days
+
+
+class Yearly(Calendar):
+    """A period that comes once a year."""
+
+    __slots__ = ()
+
+    @abstractmethod
+    def of_year(self, year: int) -> Days:
+        """Give the period that begins in a year."""
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give the periods in ascending order."""
+        for year in range(max(1, since.year - 1), min(MAXYEAR, since.year + SEARCHED_YEARS)):
+            days = self.of_year(year)
+            if days.end > since:
+                yield days
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give the periods in descending order."""
+        for year in range(until.year, max(1, until.year - SEARCHED_YEARS), -1):
+            days = self.of_year(year)
+            if days.first < until:
+                yield days
+
+
+def easter(year: int) -> date:
+    """Give Easter Sunday of the Gregorian calendar.
+
+    The arithmetic is the anonymous Gregorian computus, as printed in Nature, 20 April 1876.
+
+    >>> easter(2026)
+    datetime.date(2026, 4, 5)
+    """
+    golden = year % 19
+    century, rest = divmod(year, 100)
+    leap_centuries, common_centuries = divmod(century, 4)
+    correction = (century - (century + 8) // 25 + 1) // 3
+    epact = (19 * golden + century - leap_centuries - correction + 15) % 30
+    leaps, common = divmod(rest, 4)
+    sunday = (32 + 2 * common_centuries + 2 * leaps - epact - common) % 7
+    shift = (golden + 11 * epact + 22 * sunday) // 451
+    month, day = divmod(epact + sunday - 7 * shift + 114, 31)
+    return date(year, month, day + 1)
+
+
+class Reckoning(StrEnum):
+    """How a feast finds its day."""
+
+    DATE = "date"
+    NTH = "nth"
+    EASTER = "easter"
+
+
+@dataclass(frozen=True, slots=True)
+class Feast(Yearly):
+    """A holiday: a date, the nth weekday of a month, or days from Easter; moved by ``days``."""
+
+    name: str
+    reckoning: Reckoning
+    month: int = 1
+    day: int = 1
+    nth: int = 1
+    weekday: int = 0
+    days: int = 0
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    def of_year(self, year: int) -> Days:
+        """Give its day in a year."""
+        if self.reckoning is Reckoning.EASTER:
+            day = easter(year)
+        elif self.reckoning is Reckoning.DATE:
+            day = date(year, self.month, self.day)
+        else:
+            matching = list(Fields(year, self.month, None, self.weekday).in_month(year, self.month, 1))
+            day = matching[self.nth - 1 if self.nth > 0 else self.nth].first
+        return Days.single(day + timedelta(days=self.days))
+
+
+@dataclass(frozen=True, slots=True)
+class Season(Yearly):
+    """A stretch of the year from a month and day to before another."""
+
+    name: str
+    begins: tuple[int, int]
+    ends: tuple[int, int]
+
+    @property
+    def grain(self) -> Unit:
+        """Days."""
+        return Unit.DAY
+
+    def of_year(self, year: int) -> Days:
+        """Give the season that begins in a year."""
+        return Days(date(year, *self.begins), date(year + (self.ends <= self.begins), *self.ends))

@@ -1,0 +1,298 @@
+"""What time words mean before it is known when they were said: the values that grammar rules build.
+
+Nothing here knows a language or the time now; `grounding` turns these into instants.
+"""
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.requirement import Constraint, Unit
+
+UNIT_SECONDS = {
+    Unit.SECOND: 1.0,
+    Unit.MINUTE: 60.0,
+    Unit.HOUR: 3600.0,
+    Unit.DAY: 86400.0,
+    Unit.WEEK: 7 * 86400.0,
+    Unit.MONTH: 30 * 86400.0,
+    Unit.QUARTER: 90 * 86400.0,
+    Unit.YEAR: 365 * 86400.0,
+}
+"""Seconds in a unit of a duration; a month counts 30 days, a year 365."""
+
+DAY_SECONDS = 86400
+
+
+class Edge(StrEnum):
+    """Which edge of an interval a bound means: its start, the moment it is over, its last moment."""
+
+    START = "start"
+    END = "end"
+    LAST = "last"
+
+
+class Half(StrEnum):
+    """Which half of the day a clock time is in, as said by "am", "in the evening", "at night"."""
+
+    AM = "am"
+    PM = "pm"
+    DAY = "day"
+    NIGHT = "night"
+    EITHER = "either"
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """How many: a number, and the hedge that it is ("a few"); ``indefinite`` for "a" and "an"."""
+
+    value: float
+    hedges: tuple[str, ...] = ()
+    indefinite: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class UnitWord:
+    """A unit as said, and how many of it the word means (a fortnight: 2 weeks)."""
+
+    unit: Unit
+    count: int
+    form: str
+
+
+@dataclass(frozen=True, slots=True)
+class Duration:
+    """A length of time: amounts of units, its hedges, and the longer end of a range ("five to ten minutes").
+
+    ``bare_end`` says that it ends in a number without a unit ("an hour thirty"), ``ordinal_end`` in the word
+    "second", which may be an ordinal.
+    """
+
+    terms: tuple[tuple[float, Unit], ...]
+    hedges: tuple[str, ...] = ()
+    until: "Duration | None" = None
+    bare_end: bool = False
+    ordinal_end: bool = False
+    indefinite: bool = False
+
+    @property
+    def seconds(self) -> float:
+        """Its length, by `UNIT_SECONDS`."""
+        return sum(amount * UNIT_SECONDS[unit] for amount, unit in self.terms)
+
+    @property
+    def unit(self) -> Unit:
+        """The finest unit said."""
+        return min((unit for _, unit in self.terms), key=list(Unit).index)
+
+    @property
+    def number(self) -> float:
+        """The amount as said; of several units, their sum in the finest."""
+        return self.terms[0][0] if len(self.terms) == 1 else self.seconds / UNIT_SECONDS[self.unit]
+
+    def hedged(self, *hedges: str) -> "Duration":
+        """Give the same with hedges before its own."""
+        return replace(self, hedges=(*hedges, *self.hedges))
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """A time of day as said; ``full_day`` where the hour counts from 0 to 24 ("15h30", "0730").
+
+    ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty").
+    """
+
+    hour: int
+    minute: int = 0
+    second: int = 0
+    grain: Unit = Unit.HOUR
+    half: Half | None = None
+    full_day: bool = False
+    bare: bool = False
+    pair: bool = False
+    shift: int = 0
+
+    @property
+    def seconds(self) -> int:
+        """Seconds since midnight, the hour taken as said."""
+        return self.hour * 3600 + self.minute * 60 + self.second + self.shift
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it may be before noon or after."""
+        return not self.full_day and self.half in {None, Half.EITHER} and 1 <= self.hour <= 12
+
+    def candidates(self) -> tuple[int, ...]:
+        """Give the seconds since midnight that it may mean, morning first."""
+        base = self.minute * 60 + self.second + self.shift
+        if self.full_day or self.hour > 12 or self.hour == 0:
+            return ((self.hour * 3600 + base) % DAY_SECONDS,)
+        before_noon = (self.hour % 12) * 3600 + base
+        after_noon = before_noon + 12 * 3600
+        if self.half is Half.AM:
+            return (before_noon % DAY_SECONDS,)
+        if self.half is Half.PM:
+            return (after_noon % DAY_SECONDS,)
+        if self.half is Half.NIGHT:
+            return ((before_noon if self.hour in {12, 1, 2, 3, 4} else after_noon) % DAY_SECONDS,)
+        if self.half is Half.DAY:
+            return ((before_noon if 6 <= self.hour <= 11 else after_noon) % DAY_SECONDS,)
+        return tuple(sorted((before_noon % DAY_SECONDS, after_noon % DAY_SECONDS)))
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next."""
+
+    name: str
+    start: int
+    end: int
+    half: Half
+    meal: bool = False
+
+    @property
+    def is_point(self) -> bool:
+        """Whether it is a moment, as noon is."""
+        return self.start == self.end
+
+    def share(self, low: float, high: float) -> "Part":
+        """Give the stretch between two shares of it: the early morning."""
+        length = self.end - self.start
+        return replace(self, start=int(self.start + low * length), end=int(self.start + high * length))
+
+
+@dataclass(frozen=True, slots=True)
+class Wall:
+    """A wall-clock expression: any of a day, a part of the day and a clock time, and the zone of its clock.
+
+    ``latest_clock`` is the other end of a stretch ("monday 3-8 pm"); ``weak`` says that the words alone are
+    no sure time ("May", "2000").
+    """
+
+    days: Calendar | None = None
+    part: Part | None = None
+    clock: Clock | None = None
+    zone: str | None = None
+    weak: bool = False
+
+    @property
+    def bare(self) -> bool:
+        """Whether it is nothing but a number."""
+        return self.clock is not None and self.clock.bare and self.days is None and self.part is None
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """The start or the end of a day, week, month or year: "end of the month"; a moment, or a part of it."""
+
+    edge: Edge
+    days: Calendar
+
+
+@dataclass(frozen=True, slots=True)
+class Offset:
+    """So long after (or before) now, or another time: "in ten minutes", "twenty minutes before noon"."""
+
+    duration: Duration
+    direction: int = 1
+    anchor: "Time | None" = None
+
+
+@dataclass(frozen=True, slots=True)
+class Coming:
+    """The stretch of time ahead, or just gone: "the next ten minutes", "the last two hours"."""
+
+    duration: Duration
+    direction: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """From one time to another."""
+
+    first: "Time"
+    last: "Time"
+
+
+@dataclass(frozen=True, slots=True)
+class TimeWord:
+    """A word that is a time by itself: "now", "soon"."""
+
+    word: str
+    constraint: Constraint
+
+
+@dataclass(frozen=True, slots=True)
+class Rest:
+    """From now to the end of a period: "the rest of the day"."""
+
+    of: Wall
+
+
+@dataclass(frozen=True, slots=True)
+class SameTime:
+    """The time of day that it is now, on another day: "this time tomorrow"."""
+
+    days: Calendar
+
+
+@dataclass(frozen=True, slots=True)
+class HourMark:
+    """A minute of whichever hour comes next: "on the hour", "at half past"."""
+
+    minute: int
+
+
+Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | HourMark
+
+
+@dataclass(frozen=True, slots=True)
+class Repeat:
+    """A repetition: every so long, or at each of some days, parts of the day and clock times.
+
+    ``starting`` and ``until`` bound it where that was said; ``per`` counts occurrences in each period
+    ("twice a day").
+    """
+
+    every: Duration | None = None
+    walls: tuple[Wall, ...] = ()
+    skip: int = 1
+    starting: Time | None = None
+    until: Time | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A time with its hedges, in the order said."""
+
+    time: Time
+    hedges: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A temporal specification: how which time binds.
+
+    ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says
+    that a hedge puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for
+    thirty minutes").
+    """
+
+    time: Time | Duration | Repeat
+    constraint: Constraint | None = None
+    preposition: str | None = None
+    hedges: tuple[str, ...] = ()
+    edge: Edge = Edge.START
+    beside: bool = False
+    lasting: Duration | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Phrase:
+    """A stretch of words that is a time: what it says, and where it stands, in words and in characters."""
+
+    said: Said
+    first: int
+    end: int
+    span: tuple[int, int]
+    rule: str

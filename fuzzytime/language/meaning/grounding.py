@@ -1,0 +1,415 @@
+"""From what was said to instants: the time now and the policy decide what the words leave open."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import date, datetime, time, timedelta
+from itertools import islice
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
+from fuzzytime.language.meaning.expressions import (
+    DAY_SECONDS,
+    Clock,
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Half,
+    HourMark,
+    Offset,
+    Part,
+    Range,
+    Rest,
+    SameTime,
+    Time,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.policy import Policy, SameWeekday
+from fuzzytime.requirement import Unit
+
+SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
+CALENDAR_UNITS = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
+FAR = 3
+"""Years within which a weekday with a date that does not match is looked for."""
+
+
+class UngroundedError(FuzzytimeError):
+    """Words that name no time: a date that does not exist, a time of day when no clock is known."""
+
+
+@dataclass(frozen=True, slots=True)
+class Instants:
+    """Wall-clock time, from ``start`` to before ``end``; a moment where the two are one.
+
+    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone``
+    is that of the clock that the words named.
+    """
+
+    start: datetime
+    end: datetime
+    grain: Unit
+    choices: tuple[datetime, ...] = ()
+    zone: str | None = None
+
+    @property
+    def is_point(self) -> bool:
+        """Whether it is a moment."""
+        return self.start == self.end
+
+
+def midnight(day: date) -> datetime:
+    """Give the moment a day begins on the wall clock."""
+    return datetime.combine(day, time())
+
+
+@dataclass(frozen=True, slots=True)
+class Grounding:
+    """The moment of an instruction, on the wall clock, and the policy.
+
+    Parameters
+    ----------
+    now : datetime
+        Without a zone: wall-clock arithmetic is done here, zones are applied by the caller.
+    policy : Policy
+        What decides.
+    lasting : float
+        Seconds that what is asked for was said to last, 0 where nothing was said.
+    """
+
+    now: datetime
+    policy: Policy
+    lasting: float = 0.0
+
+    @property
+    def today(self) -> Today:
+        """The day of the instruction."""
+        return Today(self.now.date(), self.policy)
+
+    def instants(self, said: Time) -> Instants:
+        """Ground a time.
+
+        Raises
+        ------
+        UngroundedError
+            If the words name no time.
+        """
+        try:
+            return self._instants(said)
+        except (OverflowError, ValueError) as error:
+            raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+    def _instants(self, said: Time) -> Instants:
+        if isinstance(said, Wall):
+            return self.wall(said)
+        if isinstance(said, Ending):
+            return self._ending(said)
+        if isinstance(said, Offset):
+            return self._offset(said)
+        if isinstance(said, Coming):
+            return self._coming(said)
+        if isinstance(said, Range):
+            return self._range(said)
+        if isinstance(said, Rest):
+            whole = self.wall(said.of)
+            return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
+        if isinstance(said, SameTime):
+            days = next(self.days(said.days))
+            moment = datetime.combine(days.first, self.now.time())
+            return Instants(moment, moment, Unit.MINUTE)
+        if isinstance(said, HourMark):
+            moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
+            moment += timedelta(hours=moment <= self.now)
+            return Instants(moment, moment, Unit.MINUTE)
+        return Instants(self.now, self.now, Unit.SECOND)
+
+    # -- days -------------------------------------------------------------------------------------------
+
+    def days(self, calendar: Calendar) -> Iterator[Days]:
+        """Give the periods that an expression may mean, the likeliest first.
+
+        Raises
+        ------
+        UngroundedError
+            If there is none.
+        """
+        today = self.today
+        if isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None:
+            yield from self._nearest(calendar)
+            return
+        upcoming = islice(calendar.upcoming(today, today.day), 3)
+        first = next(upcoming, None)
+        if first is None:
+            raise UngroundedError("a date must exist")
+        yield first
+        yield from upcoming
+
+    def _nearest(self, calendar: Fields) -> Iterator[Days]:
+        """Give the nearest day, past or future, on which a weekday fits its date."""
+        today = self.today
+        ahead = next(calendar.upcoming(today, today.day), None)
+        behind = next(calendar.past(today, today.day), None)
+        found = [days for days in (ahead, behind) if days is not None]
+        limit = timedelta(days=366 * FAR)
+        near = [
+            d
+            for d in found
+            if abs(d.first - today.day) <= limit and not (d is behind and calendar.month is None)
+        ]
+        if near:
+            yield min(near, key=lambda days: abs(days.first - today.day))
+            return
+        # No such weekday: the date is believed.
+        yield from self.days(replace(calendar, weekday=None))
+
+    # -- wall-clock expressions -------------------------------------------------------------------------
+
+    def wall(self, wall: Wall) -> Instants:
+        """Ground a day, a part of the day, a clock time, or what of them is said."""
+        if wall.days is None:
+            if wall.clock is not None:
+                return self._clock_alone(wall, wall.clock)
+            if wall.part is None:
+                raise UngroundedError("a time must name a day or a time of day")
+            return self._part_alone(wall.part)
+        if wall.clock is not None:
+            return self._clock_on(wall, wall.days, wall.clock)
+        days = self._chosen_day(wall.days, wall.part)
+        if wall.part is not None:
+            return self._part_on(days.first, wall.part)
+        return Instants(midnight(days.first), midnight(days.end), wall.days.grain)
+
+    def _chosen_day(self, calendar: Calendar, part: Part | None) -> Days:
+        candidates = self.days(calendar)
+        first = next(candidates)
+        if isinstance(calendar, Fields) and calendar.weekly and first.first == self.now.date():
+            over = part is not None and midnight(first.first) + timedelta(seconds=part.end) <= self.now
+            if over or (part is None and self.policy.same_weekday is SameWeekday.NEXT):
+                return next(candidates, first)
+        return first
+
+    def _part_on(self, day: date, part: Part) -> Instants:
+        start = midnight(day) + timedelta(seconds=part.start)
+        return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
+
+    def _part_alone(self, part: Part) -> Instants:
+        """Give the part of the day that is not over yet."""
+        here = self._part_on(self.now.date(), part)
+        if here.end <= self.now:
+            return self._part_on(self.now.date() + timedelta(days=1), part)
+        return here
+
+    def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
+        """Give the next occurrence; without am or pm, the next plausible one."""
+        if wall.part is not None:
+            clock = _halved(clock, wall.part.half)
+        moments = sorted(self._next(seconds) for seconds in clock.candidates())
+        return self._decided(moments, clock, wall)
+
+    def _next(self, seconds: int) -> datetime:
+        moment = midnight(self.now.date()) + timedelta(seconds=seconds)
+        return moment if moment >= self.now else moment + timedelta(days=1)
+
+    def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
+        plausible = [moment for moment in moments if self._is_plausible(moment)]
+        chosen = (plausible or moments)[0]
+        choices = tuple(moments) if len(moments) > 1 else ()
+        return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+    def _is_plausible(self, moment: datetime) -> bool:
+        """Whether people are up, for as long as what is asked for is said to last."""
+        first, last = self.policy.plausible_from, self.policy.plausible_to
+        end = moment + timedelta(seconds=self.lasting)
+        return first <= moment.time() < last and (
+            not self.lasting or (end.date() == moment.date() and end.time() <= last)
+        )
+
+    def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
+        night = wall.part is not None and wall.part.half is Half.NIGHT
+        if wall.part is not None:
+            clock = _halved(clock, wall.part.half)
+        for days in islice(self.days(calendar), 3):
+            moments = [midnight(days.first) + timedelta(seconds=seconds) for seconds in clock.candidates()]
+            if night:
+                moments = [self._of_night(moment, days.first) for moment in moments]
+            # A weekday or a date that is today means today only while its clock time is ahead.
+            ahead = [moment for moment in moments if moment >= self.now]
+            dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
+            if not ahead and not calendar.fixed and not dated:
+                continue
+            if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:
+                # "This morning at three", said at half past four, is the morning to come.
+                moments = [moment + timedelta(days=1) for moment in moments]
+            if days.first == self.now.date() and ahead:
+                moments = ahead
+            return self._decided(sorted(moments), clock, wall)
+        raise UngroundedError("a time of day must lie on its day")
+
+    def _of_night(self, moment: datetime, day: date) -> datetime:
+        """Put the small hours into the night that began the evening before, unless that night is now."""
+        if moment.hour >= 6 or (day == self.now.date() and moment >= self.now and self.now.hour < 6):
+            return moment
+        return moment + timedelta(days=1)
+
+    # -- the rest ---------------------------------------------------------------------------------------
+
+    def _ending(self, said: Ending) -> Instants:
+        days = next(self.days(said.days))
+        start, end = midnight(days.first), midnight(days.end)
+        length = (days.end - days.first).days
+        if said.edge is Edge.START:
+            return Instants(start, start if length == 1 else start + (end - start) / 3, Unit.DAY)
+        if length == 1:
+            last = end - timedelta(seconds=1)
+            return Instants(last, last, Unit.SECOND)
+        third = timedelta(days=max(1, length // 3))
+        return Instants(end - third, end, Unit.DAY)
+
+    def _offset(self, said: Offset) -> Instants:
+        duration = said.duration
+        if said.anchor is None:
+            start = shifted(self.now, duration, said.direction)
+            if duration.until is not None:
+                return Instants(start, shifted(self.now, duration.until, said.direction), Unit.SECOND)
+            return Instants(start, start, duration.unit if duration.unit in SUB_DAY else Unit.SECOND)
+        anchor = self._instants(said.anchor)
+        base = anchor.end if said.direction > 0 and not self._is_day(said.anchor) else anchor.start
+        start = shifted(base, duration, said.direction)
+        return Instants(start, start, Unit.MINUTE, (), anchor.zone)
+
+    @staticmethod
+    def _is_day(said: Time) -> bool:
+        return isinstance(said, Wall) and said.part is None and said.clock is None
+
+    def _coming(self, said: Coming) -> Instants:
+        if said.direction < 0:
+            return Instants(shifted(self.now, said.duration, -1), self.now, Unit.SECOND)
+        return Instants(self.now, shifted(self.now, said.duration, 1), Unit.SECOND)
+
+    def _range(self, said: Range) -> Instants:
+        first, last = said.first, said.last
+        if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
+            return self._clock_range(first, last)
+        if (
+            isinstance(first, Wall)
+            and isinstance(last, Wall)
+            and first.days is not None
+            and last.days is not None
+        ):
+            return self._day_range(first, last)
+        start = self._instants(first)
+        end = self._instants(last)
+        if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
+            return self._since(start)
+        if end.start < start.start and isinstance(last, Wall):
+            end = self._after(start.start).instants(last)
+        return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+    def _since(self, start: Instants) -> Instants:
+        """Ground a range up to now: it began at the last such clock time."""
+        choices = start.choices or (start.start,)
+        begun = max(choice - timedelta(days=1) for choice in choices)
+        return Instants(begun, self.now, start.grain)
+
+    def _day_range(self, first: Wall, last: Wall) -> Instants:
+        """Ground a range of days, which lend each other the month or the year that only one names."""
+        first_days, last_days = first.days, last.days
+        lent = False
+        if isinstance(first_days, Fields) and isinstance(last_days, Fields):
+            lent = first_days.year is None and last_days.year is not None
+            first_days = first_days.filled(last_days)
+            if last_days.month is None and last_days.weekday is None:
+                last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
+            elif last_days.year is None and first_days.year is not None and last_days.month is not None:
+                last_days = replace(last_days, year=first_days.year)
+        first, last = replace(first, days=first_days), replace(last, days=last_days)
+        start = self.wall(first)
+        if last_days is not None and last_days.fixed:
+            end = self.wall(last)
+            if end.end < start.start and lent and isinstance(first_days, Fields):
+                # "November to february 2017" begins the year before.
+                year = (first_days.year or 1) - 1
+                start = self.wall(replace(first, days=replace(first_days, year=year)))
+        else:
+            start = self._begun(first, last, start)
+            end = self._after(start.start).wall(last)
+        if end.end < start.start:
+            raise UngroundedError("a range must not end before it starts")
+        return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+    def _after(self, moment: datetime) -> "Grounding":
+        """Give the grounding of what comes after a moment."""
+        return Grounding(moment, replace(self.policy, same_weekday=SameWeekday.NEXT))
+
+    def _begun(self, first: Wall, last: Wall, start: Instants) -> Instants:
+        """Give the start of a range of dates that is not over: "august to october", said in september."""
+        days = first.days
+        if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
+            return start
+        before = next(days.past(self.today, self.now.date()), None)
+        if before is None:
+            return start
+        end = Grounding(midnight(before.first), self.policy).wall(last)
+        return (
+            Instants(midnight(before.first), midnight(before.end), days.grain)
+            if end.end > self.now
+            else start
+        )
+
+    def _clock_range(self, first: Wall, last: Wall) -> Instants:
+        """Ground a range of clock times: without am or pm, the shortest that they can mean."""
+        start_clock, end_clock = first.clock, last.clock
+        if start_clock is None or end_clock is None:
+            raise UngroundedError("a range of clock times must have two")
+        if first.part is not None:
+            start_clock = _halved(start_clock, first.part.half)
+        if last.part is not None:
+            end_clock = _halved(end_clock, last.part.half)
+        known_end = not end_clock.is_open
+        if start_clock.is_open and known_end:
+            begins = min(
+                start_clock.candidates(),
+                key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS,
+            )
+            settled = _settled(start_clock, begins)
+            start = self.wall(replace(first, clock=settled, part=None))
+        else:
+            start = self.wall(replace(first, clock=start_clock, part=None))
+        grounded = replace(start, choices=start.choices if not known_end else ())
+        if last.days is not None:
+            end = self.wall(replace(last, clock=end_clock, part=None))
+            return replace(grounded, end=end.start)
+        ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
+        later = [e if e > start.start else e + timedelta(days=1) for e in ends]
+        return replace(grounded, end=min(later), zone=first.zone)
+
+
+def _last_of(said: Time, found: Instants) -> datetime:
+    """Where a range ends that ends in an interval: at its end, for days; at its start, for parts of a day."""
+    return found.start if isinstance(said, Wall) and said.part is not None else found.end
+
+
+def _clocked(said: Time) -> bool:
+    return isinstance(said, Wall) and said.clock is not None
+
+
+def _halved(clock: Clock, half: Half) -> Clock:
+    return replace(clock, half=half) if clock.is_open else clock
+
+
+def _settled(clock: Clock, seconds: int) -> Clock:
+    """Give a clock time whose half of the day is decided."""
+    return replace(clock, half=Half.AM if seconds < DAY_SECONDS // 2 else Half.PM)
+
+
+def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:
+    """Give the moment a duration away: months and years by the calendar, all else by the clock."""
+    found = moment
+    for amount, unit in duration.terms:
+        if unit in CALENDAR_UNITS and amount == int(amount):
+            day = moved(found.date(), unit, int(amount) * direction)
+            found = datetime.combine(day, found.time())
+        else:
+            found += timedelta(seconds=direction * Duration(((amount, unit),)).seconds)
+    return found

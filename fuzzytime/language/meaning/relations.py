@@ -1,0 +1,371 @@
+"""Days in relation to others: this and next, the nth of a period, a part of it, so long after it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import date, timedelta
+from enum import StrEnum
+from itertools import islice
+
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Days,
+    Fields,
+    Today,
+    Weekend,
+    moved,
+)
+from fuzzytime.requirement import Unit
+
+
+class Which(StrEnum):
+    """Which one of a series is meant."""
+
+    THIS = "this"
+    NEXT = "next"
+    COMING = "coming"
+    LAST = "last"
+    PAST = "past"
+
+    @property
+    def offset(self) -> int:
+        """How many periods from the one that holds now."""
+        return {"this": 0, "next": 1, "coming": 1, "last": -1, "past": -1}[self.value]
+
+
+class _Single(Calendar):
+    """A calendar expression that means one period whatever day one asks from."""
+
+    __slots__ = ()
+
+    @property
+    def fixed(self) -> bool:
+        """Always."""
+        return True
+
+    def period(self, today: Today) -> Days | None:
+        """Give the period; None where there is none, such as a fifth Monday."""
+        raise NotImplementedError
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give the period."""
+        found = self.period(today)
+        if found is not None:
+            yield found
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give the period."""
+        return self.upcoming(today, today.day)
+
+
+@dataclass(frozen=True, slots=True)
+class Relative(_Single):
+    """A day by its distance from today: "tomorrow"."""
+
+    days: int
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    def period(self, today: Today) -> Days:
+        """Give the day."""
+        return Days.single(today.day + timedelta(days=self.days))
+
+
+@dataclass(frozen=True, slots=True)
+class Deictic(_Single):
+    """The one that "this", "next" or "last" means of a series.
+
+    A weekday or a weekend is that of this, the next or the last week ("next Friday", said on a Tuesday, is
+    ten days away), unless "coming" and "past" ask for the nearest. A month, a feast or a date is the next
+    to begin, or the last to end.
+    """
+
+    which: Which
+    of: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """That of the series."""
+        return self.of.grain
+
+    def period(self, today: Today) -> Days | None:
+        """Give the one that is meant."""
+        if isinstance(self.of, Cycle):
+            return self.of.away(today, today.day, self.which.offset)
+        weekly = isinstance(self.of, Weekend) or (isinstance(self.of, Fields) and self.of.weekly)
+        if weekly and self.which in {Which.THIS, Which.NEXT, Which.LAST}:
+            week = Cycle(Unit.WEEK).away(today, today.day, self.which.offset)
+            found = next(self.of.upcoming(today, week.first))
+            if self.which is Which.THIS and found.end <= today.day:
+                found = next(self.of.upcoming(today, today.day))
+            return found
+        if self.which is Which.THIS:
+            year = Cycle(Unit.YEAR).holding(today, today.day)
+            here = islice(self.of.upcoming(today, year.first), 8)
+            return next((days for days in here if days.first >= year.first), None)
+        if self.which.offset > 0:
+            series = islice(self.of.upcoming(today, today.day), 4)
+            return next((days for days in series if days.first > today.day), None)
+        series = islice(self.of.past(today, today.day), 4)
+        return next((days for days in series if days.end <= today.day), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Stretch(_Single):
+    """So many days, weeks or months after or before today: "the next three days", "the last two weeks"."""
+
+    count: int
+    unit: Unit
+    business: bool = False
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    def period(self, today: Today) -> Days:
+        """Give the days after today, or those before."""
+        if self.count < 0:
+            return Days(moved(today.day, self.unit, self.count), today.day)
+        first = today.day + timedelta(days=1)
+        return Days(first, moved(first, self.unit, self.count))
+
+
+@dataclass(frozen=True, slots=True)
+class Within(Calendar):
+    """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
+
+    inner: Calendar
+    outer: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """That of the inner."""
+        return self.inner.grain
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the outer is."""
+        return self.outer.fixed
+
+    def _in(self, today: Today, outer: Days) -> Days | None:
+        for days in islice(self.inner.upcoming(today, outer.first), 64):
+            if outer.first <= days.middle < outer.end:
+                return days
+            if days.first >= outer.end:
+                return None
+        return None
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the periods that lie in a period of the outer series."""
+        for outer in islice(self.outer.upcoming(today, since), 400):
+            found = self._in(today, outer)
+            if found is not None and (self.fixed or found.end > since):
+                yield found
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the periods that lie in a period of the outer series."""
+        for outer in islice(self.outer.past(today, until), 400):
+            found = self._in(today, outer)
+            if found is not None and (self.fixed or found.first < until):
+                yield found
+
+
+@dataclass(frozen=True, slots=True)
+class Nth(Calendar):
+    """The nth of one series inside another, from its end where negative; ``count`` of them from there.
+
+    A week belongs to the month or year that holds its middle day, as in ISO 8601.
+    """
+
+    number: int
+    inner: Calendar
+    outer: Calendar
+    count: int = 1
+
+    @property
+    def grain(self) -> Unit:
+        """That of the inner."""
+        return self.inner.grain
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the outer is."""
+        return self.outer.fixed
+
+    def _in(self, today: Today, outer: Days) -> Days | None:
+        inside = [
+            days
+            for days in islice(self.inner.upcoming(today, outer.first), self._needed(outer))
+            if outer.first <= days.middle < outer.end
+        ]
+        place = self.number - 1 if self.number > 0 else len(inside) + self.number
+        stop = place + self.count if self.number > 0 else place + 1
+        start = place if self.number > 0 else place - self.count + 1
+        if start < 0 or stop > len(inside):
+            return None
+        return Days(inside[start].first, inside[stop - 1].end)
+
+    def _needed(self, outer: Days) -> int:
+        return min((outer.end - outer.first).days, 40_000) + 2
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the nth of each outer period."""
+        for outer in islice(self.outer.upcoming(today, since), 100):
+            found = self._in(today, outer)
+            if found is not None and (self.fixed or found.end > since):
+                yield found
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the nth of each outer period."""
+        for outer in islice(self.outer.past(today, until), 100):
+            found = self._in(today, outer)
+            if found is not None and (self.fixed or found.first < until):
+                yield found
+
+
+@dataclass(frozen=True, slots=True)
+class Away(Calendar):
+    """So many units after (or before) another day: "three days after Easter", "a week from tuesday"."""
+
+    count: int
+    unit: Unit
+    anchor: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the anchor is."""
+        return self.anchor.fixed
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give each day counted from the anchor's next ones."""
+        for anchor in self.anchor.upcoming(today, since):
+            yield Days.single(moved(anchor.first, self.unit, self.count))
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give each day counted from the anchor's last ones."""
+        for anchor in self.anchor.past(today, until):
+            yield Days.single(moved(anchor.first, self.unit, self.count))
+
+
+@dataclass(frozen=True, slots=True)
+class Following(_Single):
+    """The nth of a series after or before a day: "three fridays from now", "second tuesday after easter"."""
+
+    number: int
+    series: Calendar
+    anchor: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """That of the series."""
+        return self.series.grain
+
+    def period(self, today: Today) -> Days | None:
+        """Give the nth that begins after the anchor, or ends before it."""
+        anchor = next(self.anchor.upcoming(today, today.day), None)
+        if anchor is None:
+            return None
+        if self.number > 0:
+            later = (days for days in self.series.upcoming(today, anchor.end) if days.first >= anchor.end)
+            return next(islice(later, self.number - 1, None), None)
+        earlier = (days for days in self.series.past(today, anchor.first) if days.end <= anchor.first)
+        return next(islice(earlier, -self.number - 1, None), None)
+
+
+@dataclass(frozen=True, slots=True)
+class Share(Calendar):
+    """A part of each period, from one share of its days to another: "early next week", "mid november"."""
+
+    low: float
+    high: float
+    of: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the whole is."""
+        return self.of.fixed
+
+    def _part(self, whole: Days) -> Days:
+        days = (whole.end - whole.first).days
+        first, end = int(days * self.low), max(int(days * self.high + 0.5), 1)
+        return Days(whole.first + timedelta(days=min(first, end - 1)), whole.first + timedelta(days=end))
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the part of each period."""
+        for whole in self.of.upcoming(today, since):
+            part = self._part(whole)
+            if self.fixed or part.end > since:
+                yield part
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the part of each period."""
+        for whole in self.of.past(today, until):
+            yield self._part(whole)
+
+
+@dataclass(frozen=True, slots=True)
+class WeekOf(Calendar):
+    """The week that holds a day: "the week of october 7th"."""
+
+    day: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """A week."""
+        return Unit.WEEK
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the day is."""
+        return self.day.fixed
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the week of each such day."""
+        for days in self.day.upcoming(today, since):
+            yield Cycle(Unit.WEEK).holding(today, days.first)
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the week of each such day."""
+        for days in self.day.past(today, until):
+            yield Cycle(Unit.WEEK).holding(today, days.first)
+
+
+def narrowed(first: Calendar, second: Calendar) -> Calendar | None:
+    """Give what two expressions said side by side mean together, or None where they do not go together.
+
+    "tuesday" and "the 19th" are one date; "wednesday" and "next week" are a finer one in a coarser one.
+    """
+    if isinstance(first, Fields) and isinstance(second, Fields):
+        return first.joined(second)
+    sizes = list(Unit)
+    finer, coarser = sorted((first, second), key=lambda calendar: sizes.index(calendar.grain))
+    if sizes.index(finer.grain) >= sizes.index(coarser.grain):
+        return None
+    if isinstance(finer, Relative) or (finer.fixed and coarser.fixed):
+        return None
+    if isinstance(finer, Deictic) and isinstance(finer.of, Cycle):
+        return None
+    return Within(finer, coarser)
+
+
+def same_day(first: Calendar, second: Calendar) -> bool:
+    """Whether one may say again which day another means: "tomorrow, the 13th", "in three days on friday"."""
+    if isinstance(first, Deictic):
+        # "Next friday, 5/12": the date is believed.
+        weekly = isinstance(first.of, Fields) and first.of.weekly
+        return weekly and isinstance(second, Fields) and second.month is not None and second.day is not None
+    return isinstance(first, (Relative, Away)) and isinstance(second, Fields) and second.grain is Unit.DAY

@@ -1,0 +1,330 @@
+"""From a phrase to the time requirement that the rest of the program works with."""
+
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime, timedelta, timezone, tzinfo
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    Offset,
+    Phrase,
+    Range,
+    Repeat,
+    Rest,
+    Said,
+    Time,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.meaning.grounding import (
+    CALENDAR_UNITS,
+    SUB_DAY,
+    Grounding,
+    Instants,
+    UngroundedError,
+    shifted,
+)
+from fuzzytime.language.meaning.recurrence import recurrence_of
+from fuzzytime.language.meaning.relations import Away
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
+from fuzzytime.times import parse_clock, parse_zone, seconds_between
+
+UPPER = frozenset({"at most", "less than"})
+LOWER = frozenset({"at least", "more than"})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Grounded:
+    """A requirement, the duration or repetition that its words say, and what needs saying about them."""
+
+    requirement: TimeRequirement
+    duration: float | None = None
+    recurrence: Recurrence | None = None
+    remarks: tuple[Remark, ...] = ()
+    questions: tuple[Question, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Moment:
+    """When an instruction was given: with a zone, without, or not known."""
+
+    now: datetime | None
+    policy: Policy
+
+    def grounding(self, zone: str | None = None) -> Grounding:
+        """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
+
+        Raises
+        ------
+        UngroundedError
+            If no clock is known.
+        """
+        if self.now is None:
+            raise UngroundedError("a time of day needs a clock: say what time it is now")
+        if zone is not None and self.now.tzinfo is not None:
+            return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
+        return Grounding(self.now.replace(tzinfo=None), self.policy)
+
+    def seconds(self, wall: datetime, zone: str | None = None) -> float:
+        """Give the seconds from now to a wall-clock time, in our zone or another.
+
+        A wall-clock time that a change of clocks skips is the moment that long after the change; of one
+        that comes twice, it is the first.
+        """
+        if self.now is None:
+            raise UngroundedError("a time of day needs a clock: say what time it is now")
+        if self.now.tzinfo is None:
+            return seconds_between(self.now, wall)
+        there = zone_of(zone) if zone is not None else self.now.tzinfo
+        try:
+            return seconds_between(self.now, wall.replace(tzinfo=there, fold=self._fold(wall, there)))
+        except (OverflowError, ValueError) as error:
+            raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+    def _fold(self, wall: datetime, zone: tzinfo) -> int:
+        """Give the second of two equal wall-clock times, where the first is over."""
+        if self.now is None or self.now.tzinfo is None:
+            return 0
+        first, second = (wall.replace(tzinfo=zone, fold=fold).astimezone(UTC) for fold in (0, 1))
+        return 1 if first < self.now.astimezone(UTC) <= second else 0
+
+    def later(self, duration: Duration, direction: int = 1) -> float:
+        """Give the seconds to a duration from now: days and longer by the wall clock, the rest as elapsed."""
+        days = tuple(term for term in duration.terms if term[1] not in SUB_DAY)
+        rest = sum(Duration((term,)).seconds for term in duration.terms if term[1] in SUB_DAY)
+        if not days or (self.now is None and not any(unit in CALENDAR_UNITS for _, unit in days)):
+            return direction * duration.seconds
+        try:
+            wall = shifted(self.grounding().now, Duration(days), direction)
+            return self.seconds(wall) + direction * rest
+        except (OverflowError, ValueError) as error:
+            raise UngroundedError("a time must lie in the years 1 to 9999") from error
+
+
+def zone_of(name: str) -> tzinfo:
+    """Give the zone of a name from the word tables: an IANA name or an offset."""
+    if name[0] in "+-":
+        offset = parse_clock(name[1:])
+        minutes = (offset.hour * 60 + offset.minute) * (-1 if name[0] == "-" else 1)
+        return timezone(timedelta(minutes=minutes))
+    return parse_zone(name)
+
+
+def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
+    """Ground a phrase: one requirement, or two where it says a start and how long.
+
+    Raises
+    ------
+    UngroundedError
+        If its words name no time.
+    """
+    first = _Grounder(phrase, text, moment).result()
+    if phrase.said.lasting is None:
+        return (first,)
+    length = phrase.said.lasting
+    said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
+    return first, _Grounder(replace(phrase, said=said), text, moment).result()
+
+
+class _Grounder:
+    def __init__(self, phrase: Phrase, text: str, moment: Moment) -> None:
+        self.phrase = phrase
+        self.said = phrase.said
+        self.text = text[phrase.span[0] : phrase.span[1]]
+        self.moment = moment
+
+    def result(self) -> Grounded:
+        time = self.said.time
+        if isinstance(time, Duration):
+            return self._of_duration(time)
+        if isinstance(time, Repeat):
+            return self._of_repeat(time)
+        if isinstance(time, TimeWord):
+            return self._of_word(time)
+        if isinstance(time, Offset) and time.anchor is None:
+            return self._of_offset(time)
+        return self._of_instants(time)
+
+    def _requirement(
+        self,
+        constraint: Constraint,
+        earliest: float | None,
+        latest: float | None,
+        *,
+        hedges: tuple[str, ...] | None = None,
+        word: str | None = None,
+        duration: Duration | None = None,
+        grain: Unit | None = None,
+        recurrence: Recurrence | None = None,
+    ) -> TimeRequirement:
+        t_spec = {Constraint.AT: earliest, Constraint.AFTER: earliest, Constraint.BEFORE: latest}.get(
+            constraint
+        )
+        return TimeRequirement(
+            text=self.text,
+            span=self.phrase.span,
+            constraint=constraint,
+            preposition=self.said.preposition,
+            word=word,
+            fuzziness=self.said.hedges if hedges is None else hedges,
+            number=None if duration is None else duration.number,
+            unit=None if duration is None else duration.unit,
+            grain=grain,
+            t_spec=t_spec,
+            earliest=earliest,
+            latest=latest,
+            recurrence=recurrence,
+        )
+
+    # -- kinds ------------------------------------------------------------------------------------------
+
+    def _of_duration(self, time: Duration) -> Grounded:
+        constraint = self.said.constraint or Constraint.AT
+        if constraint is Constraint.FOR:
+            seconds = time.seconds if time.until is None else (time.seconds + time.until.seconds) / 2
+            return Grounded(
+                requirement=self._requirement(constraint, None, None, duration=time), duration=seconds
+            )
+        return Grounded(requirement=self._counted(time, constraint, 1))
+
+    def _of_offset(self, time: Offset) -> Grounded:
+        hedges = (*self.said.hedges, *time.duration.hedges)
+        constraint = self.said.constraint or Constraint.AT
+        return Grounded(requirement=self._counted(time.duration, constraint, time.direction, hedges))
+
+    def _counted(
+        self, time: Duration, constraint: Constraint, direction: int, hedges: tuple[str, ...] | None = None
+    ) -> TimeRequirement:
+        """Give a time by its distance from now; "at most" makes it a deadline, "at least" a release."""
+        said = self.said.hedges if hedges is None else hedges
+        if constraint is Constraint.AT and UPPER & set(said):
+            constraint = Constraint.BEFORE
+        elif constraint is Constraint.AT and LOWER & set(said):
+            constraint = Constraint.AFTER
+        near = self.moment.later(time, direction)
+        far = near if time.until is None else self.moment.later(time.until, direction)
+        if constraint is Constraint.BEFORE:
+            return self._requirement(constraint, None, far, hedges=said, duration=time)
+        if constraint is Constraint.AFTER:
+            return self._requirement(constraint, near, None, hedges=said, duration=time)
+        if near != far:
+            constraint = Constraint.BETWEEN
+        return self._requirement(constraint, min(near, far), max(near, far), hedges=said, duration=time)
+
+    def _of_word(self, time: TimeWord) -> Grounded:
+        constraint = self.said.constraint or time.constraint
+        if constraint is Constraint.VAGUE:
+            return Grounded(requirement=self._requirement(constraint, None, None, word=time.word))
+        earliest = None if constraint is Constraint.BEFORE else 0.0
+        latest = None if constraint is Constraint.AFTER else 0.0
+        return Grounded(requirement=self._requirement(constraint, earliest, latest, word=time.word))
+
+    def _of_repeat(self, time: Repeat) -> Grounded:
+        recurrence = recurrence_of(time, self.moment)
+        requirement = self._requirement(
+            Constraint.EVERY, None, None, duration=time.every, recurrence=recurrence
+        )
+        return Grounded(requirement=requirement, recurrence=recurrence)
+
+    def _of_instants(self, time: Time) -> Grounded:
+        zone = _zone_in(time)
+        lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
+        found = replace(self.moment.grounding(zone), lasting=lasting).instants(time)
+        start, end = self._bounds(time, found, zone)
+        constraint = self.said.constraint or self._distance_bound(time)
+        if constraint is None:
+            constraint = Constraint.AT if start == end else Constraint.BETWEEN
+        if constraint is Constraint.BETWEEN and start == end:
+            constraint = Constraint.AT
+        earliest = None if constraint is Constraint.BEFORE else start
+        latest = None if constraint is Constraint.AFTER else end
+        duration = time.duration if isinstance(time, (Offset, Coming)) else None
+        hedges = self.said.hedges if duration is None else (*self.said.hedges, *duration.hedges)
+        grain = found.grain if isinstance(time, (Wall, Range, Ending, Rest)) else None
+        requirement = self._requirement(
+            constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
+        )
+        remarks, questions = self._decisions(found, zone)
+        return Grounded(requirement=requirement, remarks=remarks, questions=questions)
+
+    def _distance_bound(self, time: Time) -> Constraint | None:
+        """Give the bound that "at least an hour before noon" is; None for other times."""
+        hedges, direction = set(self.said.hedges), 0
+        if isinstance(time, Offset):
+            hedges, direction = hedges | set(time.duration.hedges), time.direction
+        elif isinstance(time, Wall) and isinstance(time.days, Away) and time.clock is None:
+            direction = time.days.count
+        if not direction or not LOWER & hedges:
+            return None
+        return Constraint.BEFORE if direction < 0 else Constraint.AFTER
+
+    def _bounds(self, time: Time, found: Instants, zone: str | None) -> tuple[float, float]:
+        """Give the seconds of the edges that count: of an interval that a bound names, the one it means."""
+        start, end = found.start, found.end
+        if self.said.beside:
+            start = end = end if self.said.edge is Edge.END else start
+        elif self.said.constraint is Constraint.BEFORE and start != end:
+            end = start if self._counts_from_start(time) else end
+            if self.said.edge is Edge.LAST and isinstance(time, Wall) and end != start:
+                end -= timedelta(seconds=1)
+        elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
+            start = end
+        if isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE and time.edge is Edge.END:
+            end = found.end if not found.is_point else found.end + timedelta(seconds=1)
+        return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
+
+    def _counts_from_start(self, time: Time) -> bool:
+        if self.said.edge is Edge.START:
+            return not isinstance(time, (Ending, Range, Rest))
+        return isinstance(time, Wall) and time.part is not None
+
+    def _decisions(
+        self, found: Instants, zone: str | None
+    ) -> tuple[tuple[Remark, ...], tuple[Question, ...]]:
+        span = self.phrase.span
+        remarks, questions = [], []
+        if zone is not None and self.moment.now is not None and self.moment.now.tzinfo is None:
+            remarks.append(
+                Remark(
+                    RemarkKind.POLICY, span, f"{self.text!r}: the zone is not used, as the time now has none"
+                )
+            )
+        if found.choices:
+            chosen = found.choices.index(found.start)
+            said = found.start.strftime("%H:%M")
+            others = " or ".join(c.strftime("%H:%M") for c in found.choices if c != found.start)
+            remarks.append(
+                Remark(
+                    RemarkKind.POLICY, span, f"{self.text!r} is taken as {said}, not {others}: say am or pm"
+                )
+            )
+            if self.moment.policy.ask:
+                questions.append(Question(span, self._with_zone(found.choices), chosen))
+        return tuple(remarks), tuple(questions)
+
+    def _with_zone(self, choices: tuple[datetime, ...]) -> tuple[datetime, ...]:
+        zone = None if self.moment.now is None else self.moment.now.tzinfo
+        return tuple(choice.replace(tzinfo=zone) for choice in choices)
+
+
+def _zone_in(time: Time) -> str | None:
+    if isinstance(time, Wall):
+        return time.zone
+    if isinstance(time, Range):
+        return _zone_in(time.first) or _zone_in(time.last)
+    if isinstance(time, Offset) and time.anchor is not None:
+        return _zone_in(time.anchor)
+    return None
+
+
+def phrase_of(span: Span, said: Said) -> Phrase:
+    """Give a phrase for words that were joined outside the grammar."""
+    return Phrase(said, 0, 0, span, "joined")
+
+
+__all__ = ["FuzzytimeError", "Grounded", "Moment", "UngroundedError", "grounded", "phrase_of", "zone_of"]

@@ -1,0 +1,52 @@
+"""What is decided where words leave it open: explicit, and configurable in ``rules/calendar.yaml``."""
+
+from dataclasses import dataclass
+from datetime import time
+from enum import StrEnum
+
+
+class SameWeekday(StrEnum):
+    """Which day "on Tuesday" is when it is said on a Tuesday."""
+
+    NEXT = "next"
+    TODAY = "today"
+
+
+class DateOrder(StrEnum):
+    """Whether 4/5 is the fifth of April or the fourth of May."""
+
+    MONTH_DAY = "month-day"
+    DAY_MONTH = "day-month"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Policy:
+    """Decisions for what is ambiguous.
+
+    Parameters
+    ----------
+    plausible_from, plausible_to
+        A clock time without am or pm is its next occurrence within these hours of the day.
+    same_weekday
+        Which day a weekday means on that very day, where no time of day decides it.
+    week_starts
+        First day of the week, 0 for Monday.
+    weekend_from, weekend_days
+        The weekend's first weekday, 0 for Monday, and how many days it has.
+    date_order
+        How a date of two numbers is read.
+    bare_pair_from
+        The first hour from which two number words alone ("eight forty") are a clock time.
+    ask
+        Whether ambiguous times become questions. The choice is made in any case, and said.
+    """
+
+    plausible_from: time = time(7)
+    plausible_to: time = time(22)
+    same_weekday: SameWeekday = SameWeekday.NEXT
+    week_starts: int = 0
+    weekend_from: int = 5
+    weekend_days: int = 2
+    date_order: DateOrder = DateOrder.MONTH_DAY
+    bare_pair_from: int = 8
+    ask: bool = True

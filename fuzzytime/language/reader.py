@@ -1,0 +1,148 @@
+"""Language: from texts to readings, by the grammar for times and the tree for everything around them."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+from pathlib import Path
+
+from fuzzytime.language.finding import check_length, shipped_grammar, shipped_lexicon
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.policy import Policy
+from fuzzytime.language.sentence.compose import composed
+from fuzzytime.language.sentence.drafts import Draft, drafted
+from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
+from fuzzytime.language.sentence.parse_cache import ParseCache
+from fuzzytime.language.sentence.tree import Tree
+
+
+@dataclass(frozen=True, slots=True)
+class Language:
+    """A language: its words and rules, its policy, and a model that is loaded when a text needs it.
+
+    Parameters
+    ----------
+    lexicon, grammar
+        Words and rules.
+    cache
+        Where parses are kept, None for nowhere.
+
+    >>> from datetime import datetime
+    >>> text = "Flip the pancakes in about two minutes"
+    >>> flip = Language.shipped().read(text, now=datetime(2026, 3, 4, 9)).instructions[0]
+    >>> flip.operation.name, flip.requirements[0].t_spec
+    ('flip the pancakes', 120.0)
+    """
+
+    lexicon: Lexicon
+    grammar: Grammar
+    cache: ParseCache | None = None
+
+    @classmethod
+    def shipped(cls, *, cache: Path | None = None, policy: Policy | None = None) -> "Language":
+        """Give English, with the shipped tables.
+
+        Parameters
+        ----------
+        cache
+            A folder where parses are kept.
+        policy
+            What decides where words leave it open; None for that of the tables.
+
+        Raises
+        ------
+        DocumentError
+            If a table breaks rules.
+        """
+        lexicon = shipped_lexicon()
+        if policy is not None:
+            lexicon = replace(lexicon, policy=policy)
+        return cls(
+            lexicon, shipped_grammar(), ParseCache(cache / "parses.sqlite") if cache is not None else None
+        )
+
+    @property
+    def policy(self) -> Policy:
+        """What decides where words leave it open."""
+        return self.lexicon.policy
+
+    def read(
+        self, text: str, *, now: datetime | None = None, given: Sequence[Operation | None] = ()
+    ) -> Reading:
+        """Read one text.
+
+        Parameters
+        ----------
+        text
+            One or several instructions.
+        now
+            When it is said; without it, wall-clock words are not understood.
+        given
+            The operations of all instructions given before, which it may refer to.
+
+        Raises
+        ------
+        InstructionError
+            If the text is too long.
+        """
+        return self.read_all([(text, now)], given=given)[0]
+
+    def read_all(
+        self,
+        texts: Iterable[tuple[str, datetime | None]],
+        *,
+        given: Sequence[Operation | None] = (),
+    ) -> list[Reading]:
+        """Read texts with their moments; each may refer to those before it.
+
+        Raises
+        ------
+        InstructionError
+            If a text is too long.
+        """
+        operations = list(given)
+        readings = []
+        for draft in self._drafts(list(texts)):
+            reading = composed(draft, self.lexicon, operations)
+            operations += [instruction.operation for instruction in reading.instructions]
+            readings.append(reading)
+        return readings
+
+    def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
+        """Read texts that do not know of each other.
+
+        Raises
+        ------
+        InstructionError
+            If a text is too long.
+        """
+        return [composed(draft, self.lexicon, ()) for draft in self._drafts(list(texts))]
+
+    def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
+        for text, _ in texts:
+            check_length(text)
+        return drafted(texts, self.grammar, self.lexicon, self.trees)
+
+    def trees(self, texts: Sequence[str]) -> list[Tree]:
+        """Parse texts, those that the cache knows without the model.
+
+        Raises
+        ------
+        ModelError
+            If the model is needed and not installed.
+        """
+        wanted = list(dict.fromkeys(text for text in texts if text.strip()))
+        if not wanted:
+            return [Tree(text, ()) for text in texts]
+        package = installed_model()
+        known = self.cache.known(wanted, package) if self.cache is not None else {}
+        missing = [text for text in wanted if text not in known]
+        made = self._parsed(missing, package)
+        return [known.get(text) or made.get(text) or Tree(text, ()) for text in texts]
+
+    def _parsed(self, texts: Sequence[str], package: ModelPackage) -> dict[str, Tree]:
+        made = {tree.text: tree for tree in parsed(texts, package)}
+        if self.cache is not None:
+            self.cache.keep(made.values(), package)
+        return made

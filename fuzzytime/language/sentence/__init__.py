@@ -1,0 +1,1 @@
+"""What stands around the times of a text, by the dependency tree: operations, clauses, references."""

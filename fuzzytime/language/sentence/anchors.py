@@ -1,0 +1,115 @@
+"""Times that depend on another instruction: "five minutes before you serve", "ten minutes later", "then"."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
+from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.references import content_words, target_of
+from fuzzytime.language.sentence.segments import Segment
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+FIRST = frozenset({"before", "until", "by the time"})
+"""Clauses whose instruction comes first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Anchors:
+    """What one instruction's words may refer to: the operations of all others.
+
+    ``position`` is its own, ``first`` that of the first instruction of its text.
+    """
+
+    position: int
+    first: int
+    operations: Sequence[Operation | None]
+    lexicon: Lexicon
+
+    def target_of(self, clause: Clause) -> int | None:
+        """Give the position of the instruction that a clause is about, None where there is none."""
+        others = [None if place == self.position else o for place, o in enumerate(self.operations)]
+        return target_of(clause, others, self.lexicon)
+
+    def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
+        """Give the requirement of a clause that names another instruction, or an event."""
+        before = clause.kind in FIRST
+        together = clause.kind == "while"
+        distance = clause.distance
+        lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
+        anchor = Anchor(
+            text=what,
+            verb=clause.verb,
+            object=clause.object,
+            target=target,
+            edge=Edge.START if before or together else Edge.END,
+            lag=lag,
+            exact=distance is not None,
+        )
+        return TimeRequirement(
+            text=text,
+            span=clause.span,
+            constraint=Constraint.AT if together else Constraint.BEFORE if before else Constraint.AFTER,
+            preposition=clause.marker,
+            fuzziness=() if distance is None else distance.hedges,
+            number=None if distance is None else distance.number,
+            unit=None if distance is None else distance.unit,
+            anchor=anchor,
+        )
+
+    def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
+        """Give a requirement of the grammar as a reference, where it is one."""
+        return self._meal(phrase, requirement) or self._later(phrase, requirement) or requirement
+
+    def _meal(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
+        """Read "before dinner" as a reference where another instruction makes that dinner."""
+        time = phrase.said.time
+        part = time.part if isinstance(time, Wall) and time.days is None else None
+        constraint = phrase.said.constraint
+        if part is None or not part.meal or constraint not in {Constraint.BEFORE, Constraint.AFTER}:
+            return None
+        words = content_words(part.name)
+        targets = [
+            place
+            for place, operation in enumerate(self.operations)
+            if place != self.position and operation is not None and words <= content_words(operation.object)
+        ]
+        if not targets:
+            return None
+        edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
+        anchor = Anchor(text=part.name, object=part.name, target=targets[-1], edge=edge)
+        return _only(requirement, anchor, constraint)
+
+    def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
+        """Read "ten minutes later" as a distance from the instruction before, in the same text."""
+        time = phrase.said.time
+        later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
+        if not later or self.position == self.first:
+            return None
+        lag = requirement.t_spec or 0.0
+        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=Edge.END, lag=lag, exact=True)
+        return _only(requirement, anchor, Constraint.AFTER)
+
+
+def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
+    """Give a requirement that counts from another instruction alone."""
+    return replace(
+        requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
+    )
+
+
+def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
+    """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
+    if segment.connective not in {"then", "meanwhile"} or position == 0:
+        return None
+    first, end = segment.connective_span
+    said = text[first:end].rstrip(" ,:")
+    follows = segment.connective == "then"
+    return TimeRequirement(
+        text=said,
+        span=(first, first + len(said)),
+        constraint=Constraint.AFTER if follows else Constraint.AT,
+        preposition=segment.connective,
+        anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
+    )

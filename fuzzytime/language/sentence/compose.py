@@ -1,0 +1,192 @@
+"""The second pass: sketches grounded, their references resolved, put together as a reading."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import (
+    Instruction,
+    Operation,
+    Question,
+    Reading,
+    Remark,
+    RemarkKind,
+    Span,
+    StrictReading,
+    Token,
+)
+from fuzzytime.language.meaning.requirements import Moment
+from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
+from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.leftovers import leftovers
+from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
+from fuzzytime.language.sentence.sketches import Sketch, sketches_of
+from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
+
+TURNED = {
+    Constraint.BEFORE: Constraint.AFTER,
+    Constraint.AFTER: Constraint.BEFORE,
+    Constraint.FOR: Constraint.AFTER,
+}
+"""What "don't … before", "don't … after" and "don't … for" ask for."""
+
+LASTING = frozenset({"until", "through"})
+
+
+def composed(draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> Reading:
+    """Put a reading together; ``given`` are the operations of the instructions before."""
+    return _Composer(draft, lexicon, given).reading()
+
+
+class _Composer:
+    def __init__(self, draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> None:
+        self.draft = draft
+        self.lexicon = lexicon
+        self.moment = Moment(draft.now, lexicon.policy)
+        self.given = list(given)
+        self.remarks: list[Remark] = list(draft.remarks)
+        self.questions: list[Question] = []
+        self.explained: list[Span] = [said.span for said in draft.phrases]
+        self.explained += [remark.span for remark in draft.remarks]
+
+    def reading(self) -> Reading:
+        """Read every part, then resolve what parts say of each other."""
+        sketches, remarks = sketches_of(self.draft, self.lexicon)
+        self.remarks += remarks
+        operations: list[Operation | None] = list(self.given)
+        for place, sketch in enumerate(sketches):
+            if sketch.operation is not None:
+                named = replace(sketch.operation, object=resolved_object(sketch.operation, operations))
+                sketches[place] = replace(sketch, operation=named)
+            operations.append(sketches[place].operation)
+        instructions = tuple(
+            self._instruction(sketch, len(self.given) + place, operations)
+            for place, sketch in enumerate(sketches)
+        )
+        self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
+        tokens, strict = self._tokens()
+        return Reading(
+            text=self.draft.text,
+            now=self.draft.now,
+            instructions=instructions,
+            tokens=tokens,
+            strict=strict,
+            remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
+            questions=tuple(dict.fromkeys(self.questions)),
+        )
+
+    def _instruction(
+        self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
+    ) -> Instruction:
+        times = ground_all(sketch.phrases, self.draft.text, self.moment)
+        self.remarks += times.remarks
+        self.questions += times.questions
+        anchors = Anchors(position, len(self.given), operations, self.lexicon)
+        requirements: list[TimeRequirement] = []
+        for grounded in times.found:
+            phrase, reference = next(
+                (phrase, reference)
+                for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
+                if phrase.span == grounded.requirement.span
+            )
+            requirement = anchors.of_phrase(phrase, grounded.requirement)
+            requirements.append(_referred(requirement, reference))
+        requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
+        connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
+        if connected is not None:
+            requirements.append(connected)
+            self.explained.append(connected.span)
+        requirements.sort(key=lambda requirement: requirement.span)
+        operation, duration = (
+            sketch.operation,
+            next((g.duration for g in times.found if g.duration is not None), None),
+        )
+        if operation is not None and operation.negated and any(r.constraint in TURNED for r in requirements):
+            requirements = [_turned(requirement, duration) for requirement in requirements]
+            operation, duration = replace(operation, negated=False), None
+        return Instruction(
+            span=sketch.part.segment.span,
+            operation=operation,
+            requirements=tuple(requirements),
+            duration=duration,
+            repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
+            fuzzy_parameters=sketch.parameters,
+        )
+
+    def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
+        text = self.draft.text[slice(*clause.span)]
+        self.explained.append(clause.span)
+        target = anchors.target_of(clause)
+        if target is None and clause.condition is not None and clause.kind in {"when", "until", "while"}:
+            reference = Reference.FINISH if clause.kind == "until" else Reference.START
+            return TimeRequirement(
+                text=text,
+                span=clause.span,
+                constraint=Constraint.WHEN,
+                preposition=clause.marker,
+                condition=_named(replace(clause.condition, text=text), sketch.operation),
+                reference=reference,
+            )
+        what = self.draft.text[slice(*clause.content)]
+        if target is None:
+            message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+            self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
+        return _referred(anchors.of_clause(clause, text, what, target), sketch.reference)
+
+    def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
+        """Give the words of all trees with places in the whole text, and the paper's reading of the first."""
+        tokens: list[Token] = []
+        strict: StrictReading | None = None
+        for part in self.draft.parts:
+            trees = [(part.front, part.segment.span[0])] if part.front is not None else []
+            for tree, offset in (*trees, (part.tree, part.offset)):
+                own, reading = strict_reading(tree, self.lexicon)
+                base = len(tokens)
+                tokens += [
+                    replace(t, span=(t.span[0] + offset, t.span[1] + offset), head=t.head + base) for t in own
+                ]
+                if strict is None and own and tree is part.tree:
+                    strict = reading.moved(base)
+        return tuple(tokens), strict or StrictReading()
+
+
+def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
+    """Read "don't open it before six" as: open it, not before six."""
+    constraint = TURNED.get(requirement.constraint)
+    if constraint is None:
+        return requirement
+    time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
+    after = constraint is Constraint.AFTER
+    return replace(
+        requirement,
+        constraint=constraint,
+        preposition="not before" if after else "no later than",
+        t_spec=time,
+        earliest=time if after else None,
+        latest=None if after else time,
+    )
+
+
+def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequirement:
+    """Give a requirement the moment of the execution that its verb is about."""
+    if reference is Reference.START or requirement.constraint in {
+        Constraint.FOR,
+        Constraint.EVERY,
+        Constraint.WHEN,
+    }:
+        return requirement
+    lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
+    if reference is Reference.THROUGHOUT and not lasting:
+        return requirement
+    return replace(requirement, reference=reference)
+
+
+def _named(condition: Condition, operation: Operation | None) -> Condition:
+    """Put a name for a pronoun: "stir the sauce until it thickens"."""
+    if condition.subject not in PRONOUNS or operation is None or operation.object is None:
+        return condition
+    words = [word for word in operation.object.lower().split() if content_words(word)]
+    return replace(condition, subject=" ".join(words) or condition.subject)

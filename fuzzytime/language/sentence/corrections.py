@@ -1,0 +1,123 @@
+"""Taken back: in "at five, no, six" and "in ten minutes, I mean twenty" the later words count."""
+
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.meaning.expressions import Clock, Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.requirement import Constraint
+
+PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
+
+
+def corrected(
+    scanned: Scanned, phrases: Sequence[Phrase], lexicon: Lexicon
+) -> tuple[list[Phrase], list[Remark]]:
+    """Replace times that are taken back, and say so."""
+    kept: list[Phrase] = []
+    remarks: list[Remark] = []
+    starts = {phrase.first for phrase in phrases}
+    waiting = list(phrases)
+    while waiting:
+        phrase = waiting.pop(0)
+        while (found := _correction(scanned, phrase, starts, lexicon)) is not None:
+            old, new = scanned.text[slice(*phrase.span)], scanned.text[slice(*found.span)]
+            taken_back = (phrase.span[0], found.span[0])
+            remarks.append(Remark(RemarkKind.CORRECTED, taken_back, f"{old!r} is corrected by {new!r}"))
+            waiting = [other for other in waiting if other.first >= found.end]
+            phrase = found
+        kept.append(phrase)
+    return kept, remarks
+
+
+def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:
+    """Give the time that replaces a phrase, if words right behind it take it back."""
+    place = _behind_pauses(scanned, phrase.end)
+    marker = longest_match(scanned.words, place, lexicon.corrections) if place < len(scanned.words) else None
+    # "By six, no later than seven": the marker begins a time itself.
+    if marker is None or place in starts:
+        return None
+    start = _behind_pauses(scanned, place + len(marker))
+    if start >= len(scanned.words):
+        return None
+    cell = scanned.cells[start]
+    for category in ("said", "wall", "duration", "clock", "quantity"):
+        pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)
+        for piece in pieces:
+            said = _replaced(phrase.said, piece.value)
+            if said is not None:
+                span = (scanned.words[piece.start].start, scanned.words[piece.end - 1].end)
+                return Phrase(said, piece.start, piece.end, span, "correction")
+    return None
+
+
+def _behind_pauses(scanned: Scanned, place: int) -> int:
+    while place < len(scanned.words) and scanned.words[place].text in PAUSES:
+        place += 1
+    return place
+
+
+def _replaced(old: Said, new: object) -> Said | None:
+    """Give what was said with a new time in it: bound as before, where the new words do not bind anew."""
+    if isinstance(new, Said):
+        bare = isinstance(new.time, Duration) or (isinstance(new.time, Wall) and new.time.bare)
+        if new.preposition is not None or not bare:
+            return (
+                replace(new, preposition=new.preposition or _fitting(old, new))
+                if new.preposition or new.constraint is None
+                else new
+            )
+        return _replaced(old, new.time)
+    if isinstance(new, Wall) and isinstance(old.time, Wall):
+        clock = new.clock
+        if clock is not None and old.time.clock is not None:
+            return replace(
+                old,
+                time=replace(old.time, clock=_in_half(clock, old.time.clock), part=new.part or old.time.part),
+            )
+        return replace(old, time=new)
+    if isinstance(new, Duration):
+        return replace(old, time=new) if isinstance(old.time, Duration) else _offset(old, new)
+    if isinstance(new, Clock):
+        return (
+            _replaced(old, Wall(clock=new))
+            if isinstance(old.time, Wall) and old.time.clock is not None
+            else None
+        )
+    if isinstance(new, Quantity) and not new.indefinite:
+        return _counted(old, new)
+    return None
+
+
+def _counted(old: Said, new: Quantity) -> Said | None:
+    """Give another number of the same unit."""
+    time = old.time.duration if isinstance(old.time, Offset) else old.time
+    if not isinstance(time, Duration) or len(time.terms) != 1:
+        return None
+    duration = replace(time, terms=((new.value, time.terms[0][1]),), until=None)
+    return _offset(old, duration) or replace(old, time=duration)
+
+
+def _offset(old: Said, new: Duration) -> Said | None:
+    if isinstance(old.time, Offset):
+        return replace(old, time=replace(old.time, duration=new))
+    return None
+
+
+def _fitting(old: Said, new: Said) -> str | None:
+    """Give the old preposition, which stays before a new time of the same kind."""
+    return (
+        old.preposition
+        if type(old.time) is type(new.time) and new.constraint in {None, Constraint.AT}
+        else None
+    )
+
+
+def _in_half(clock: Clock, old: Clock) -> Clock:
+    return (
+        replace(clock, half=old.half, bare=False)
+        if clock.is_open and old.half is not None
+        else replace(clock, bare=False)
+    )

@@ -1,0 +1,213 @@
+"""The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import Remark
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.corrections import corrected
+from fuzzytime.language.sentence.operations import is_doubtful
+from fuzzytime.language.sentence.segments import Segment, further_verbs, segments_of
+from fuzzytime.language.sentence.tree import Tree
+
+CARRIERS = ("", "please ", "you should ")
+"""Words that make a parser see the verb behind them, tried in this order."""
+
+JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
+"""What stands between two instructions."""
+
+ROUNDS = 12
+"""How often a segment may be cut again: instructions joined by "and" in one sentence."""
+
+Trees = Callable[[Sequence[str]], list[Tree]]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One instruction: its stretch, and the tree of its words from ``offset`` on.
+
+    A clause in front ("before you serve the soup, …") has a tree of its own: in one tree with the rest, it is
+    often taken for the main clause.
+    """
+
+    segment: Segment
+    tree: Tree
+    offset: int
+    front: Tree | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A text with its times and its parts, before anything is grounded."""
+
+    text: str
+    now: datetime | None
+    scanned: Scanned
+    phrases: tuple[Phrase, ...]
+    parts: tuple[Part, ...]
+    remarks: tuple[Remark, ...]
+
+
+def drafted(
+    texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
+) -> list[Draft]:
+    """Draft texts; ``trees`` parses."""
+    sources = []
+    for text, now in texts:
+        scanned = Scanned.of(text, grammar, lexicon)
+        phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+        sources.append(_Source(now, scanned, tuple(phrases), tuple(remarks)))
+    parts = _parted(sources, lexicon, trees)
+    return [
+        Draft(s.scanned.text, s.now, s.scanned, s.phrases, tuple(own), s.remarks)
+        for s, own in zip(sources, parts, strict=True)
+    ]
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """A text, scanned for times."""
+
+    now: datetime | None
+    scanned: Scanned
+    phrases: tuple[Phrase, ...]
+    remarks: tuple[Remark, ...]
+
+    @property
+    def sound(self) -> str:
+        """The text with spaces where words were taken back: "at five, I mean six"."""
+        text = self.scanned.text
+        for first, end in (remark.span for remark in self.remarks):
+            text = text[:first] + " " * (end - first) + text[end:]
+        return text
+
+    def places(self, first: int, end: int) -> list[int]:
+        """Give the places of the words in a stretch of characters."""
+        return [place for place, word in enumerate(self.scanned.words) if first <= word.start < end]
+
+
+@dataclass(frozen=True, slots=True)
+class _Waiting:
+    """A segment of a text that waits for its tree; its main words begin at ``main``."""
+
+    position: int
+    source: _Source
+    segment: Segment
+    main: int
+
+    @property
+    def text(self) -> str:
+        """The main words, or nothing where they are all time: such a fragment needs no tree."""
+        covered = {place for phrase in self.source.phrases for place in range(phrase.first, phrase.end)}
+        words = self.source.scanned.words
+        places = self.source.places(self.main, self.segment.span[1])
+        said = [words[place] for place in places if place not in covered]
+        wanted = any((word.is_letters or word.is_digits) and word.text != "please" for word in said)
+        return self.source.sound[self.main : self.segment.span[1]] if wanted else ""
+
+    @property
+    def front(self) -> str:
+        """The clause in front, nothing where there is none."""
+        return self.source.sound[self.segment.span[0] : self.main]
+
+    @property
+    def behind_time(self) -> int:
+        """Where the main words begin behind a time in front of them, from ``main``."""
+        places = self.source.places(self.main, self.segment.span[1])
+        words = self.source.scanned.words
+        while places:
+            leading = next((p for p in self.source.phrases if p.first == places[0]), None)
+            if leading is None and words[places[0]].text != ",":
+                return words[places[0]].start - self.main
+            end = leading.end if leading is not None else places[0] + 1
+            places = [place for place in places if place >= end]
+        return 0
+
+
+def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
+    """Parse every segment, and cut it again where its tree shows a further instruction."""
+    done: list[dict[int, Part]] = [{} for _ in sources]
+    waiting = [
+        _waiting(position, source, segment, lexicon)
+        for position, source in enumerate(sources)
+        for segment in segments_of(source.scanned.text, source.scanned.words, source.phrases, lexicon)
+    ]
+    for last_round in (False,) * ROUNDS + (True,):
+        if not waiting:
+            break
+        found, fronts = _trees(waiting, trees), trees([one.front for one in waiting])
+        following: list[_Waiting] = []
+        for one, tree, front in zip(waiting, found, fronts, strict=True):
+            part = Part(one.segment, tree, one.main, front if front.nodes else None)
+            cut = [] if last_round else list(_cut(one, part))
+            following += [_waiting(one.position, one.source, segment, lexicon) for segment in cut]
+            if not cut:
+                done[one.position][one.segment.span[0]] = part
+        waiting = following
+    return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _waiting(position: int, source: _Source, segment: Segment, lexicon: Lexicon) -> _Waiting:
+    return _Waiting(position, source, segment, _main(source, segment, lexicon))
+
+
+def _main(source: _Source, segment: Segment, lexicon: Lexicon) -> int:
+    """Give where the words behind a clause in front begin; the segment's start where there is none.
+
+    A clause in front begins with a marker, or with a length of time and a marker, and ends at a comma.
+    """
+    words = source.scanned.words
+    places = source.places(*segment.span)
+    first = next(
+        (p.end for p in source.phrases if places and p.first == places[0]), places[0] if places else -1
+    )
+    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
+    if first not in places or inside or longest_match(words, first, lexicon.clauses) is None:
+        return segment.span[0]
+    comma = next((place for place in places if place > first and words[place].text == ","), None)
+    return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]
+
+
+def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
+    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
+    texts = [one.text for one in waiting]
+    found = trees(texts)
+    for carrier in CARRIERS:
+        again = [
+            (place, waiting[place].behind_time)
+            for place, tree in enumerate(found)
+            if tree.nodes and is_doubtful(tree) and (carrier or waiting[place].behind_time)
+        ]
+        carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
+        for (place, skipped), tree in zip(again, carried, strict=True):
+            bare = tree.without_carrier(carrier, texts[place], skipped)
+            if bare.nodes and not is_doubtful(bare):
+                found[place] = bare
+    return found
+
+
+def _lowered(text: str) -> str:
+    """Give a text whose first letter is no capital, as behind other words."""
+    return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text
+
+
+def _cut(one: _Waiting, part: Part) -> Iterator[Segment]:
+    """Give the two pieces of a segment around its first further verb; none where there is none."""
+    root = part.tree.root
+    if root is None:
+        return
+    first, last = one.segment.span
+    for place in sorted(further_verbs(part.tree, root)):
+        start = part.tree.nodes[place].start + part.offset
+        if any(a < start < b for a, b in (phrase.span for phrase in one.source.phrases)):
+            continue
+        end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+        if end > part.offset:
+            yield replace(one.segment, span=(first, end))
+            yield Segment((start, last))
+            return

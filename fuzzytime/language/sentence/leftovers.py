@@ -1,0 +1,55 @@
+"""Words that look like time and are part of no time: pointed at, never guessed."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
+
+TELLING = frozenset(
+    {"unit", "day", "weekday", "weekdays", "part", "day_part", "hh:mm", "hh:mm:ss", "y-m-d", "month"}
+)
+SHORTEST = 3
+"""Letters that a unit must have to look like time by itself."""
+
+
+def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> list[Remark]:
+    """Give a remark for each stretch that looks like time and was not understood."""
+    return [
+        Remark(
+            RemarkKind.NOT_UNDERSTOOD,
+            span,
+            f"{scanned.text[span[0] : span[1]]!r} looks like a time and was not understood",
+        )
+        for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))))
+    ]
+
+
+def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
+    """Give the places of words that look like time."""
+    for start, cell in enumerate(scanned.cells):
+        for category in TELLING & cell.keys():
+            for piece in cell[category].values():
+                words = scanned.words[piece.start : piece.end]
+                span = (words[0].start, words[-1].end)
+                if any(first < span[1] and span[0] < end for first, end in explained):
+                    continue
+                counted = start > 0 and "integer" in scanned.cells[start - 1]
+                doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
+                if len(words) == 1 and words[0].is_letters and doubtful and not counted:
+                    continue
+                yield from range(start, piece.end)
+
+
+def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:
+    """Join neighbours into stretches, with the number before them."""
+    start = None
+    for position, place in enumerate(places):
+        if start is None:
+            start = place
+            before = scanned.words[place - 1] if place else None
+            if before is not None and (before.is_digits or "integer" in scanned.cells[place - 1]):
+                start = place - 1
+        if position + 1 == len(places) or places[position + 1] != place + 1:
+            yield scanned.words[start].start, scanned.words[place].end
+            start = None

@@ -1,0 +1,172 @@
+"""A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.tree import Node, Tree
+
+ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
+JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+IMPERATIVE = frozenset({"VB", "VBP"})
+SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
+EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
+COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A stretch of the text that holds one instruction, and the connective that led to it, with its span."""
+
+    span: Span
+    connective: str = ""
+    connective_span: Span = (0, 0)
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing is left."""
+        return self.span[0] >= self.span[1]
+
+
+def segments_of(
+    text: str, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+) -> list[Segment]:
+    """Cut a text at what always ends an instruction: full stops and connectives, outside of times."""
+    inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    cuts: list[tuple[int, int, str]] = []
+    place = 0
+    while place < len(words):
+        if place in inside:
+            place += 1
+            continue
+        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, inside) else None
+        if found is not None:
+            end = _end_of(words, place, len(found))
+            cuts.append((place, end, lexicon.connectives[found]))
+            place = end
+            continue
+        if words[place].text in ENDS and _is_end(text, words, place):
+            cuts.append((place, place + 1, ""))
+        place += 1
+    return list(_between(text, words, cuts, lexicon.addresses))
+
+
+def _end_of(words: Sequence[Word], place: int, length: int) -> int:
+    """Give the place behind a connective, and the comma that may follow it."""
+    end = place + length
+    return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
+
+
+def _opens(words: Sequence[Word], place: int, inside: set[int]) -> bool:
+    """Whether a connective here opens an instruction: at the start, behind a mark, or before more words."""
+    following = place + 1 < len(words)
+    return following and place not in inside
+
+
+def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
+    """Whether a mark ends a sentence: it is no part of a number or an abbreviation."""
+    word = words[place]
+    if word.text != ".":
+        return True
+    after = text[word.end : word.end + 1]
+    if after and not after.isspace():
+        return False
+    before = words[place - 1] if place else None
+    # "Dr. Green", "a.m.": one capital follows, or a single letter stands before.
+    return before is None or not (len(before.text) <= 2 and before.is_letters)
+
+
+def _between(
+    text: str, words: Sequence[Word], cuts: Sequence[tuple[int, int, str]], addresses: frozenset[str]
+) -> Iterator[Segment]:
+    start, connective, said = 0, "", (0, 0)
+    for first, end, name in (*cuts, (len(words), len(words), "")):
+        begin = start
+        # "Hey robot, please": who is spoken to is no part of what is to be done.
+        while begin < first - 1 and (
+            words[begin].text in addresses or (begin > start and words[begin].text == ",")
+        ):
+            begin += 1
+        segment = _segment(text, words, begin, first, connective, said)
+        if segment is not None:
+            yield segment
+            connective, said = "", (0, 0)
+        start = end
+        if name:
+            connective, said = name, (words[first].start, words[end - 1].end)
+
+
+def _segment(
+    text: str, words: Sequence[Word], start: int, end: int, connective: str, said: Span
+) -> Segment | None:
+    while start < end and words[start].text in {",", "and", ":", "-"}:
+        start += 1
+    while end > start and words[end - 1].text in {",", "and", ":"}:
+        end -= 1
+    if start >= end:
+        return None
+    span = (words[start].start, words[end - 1].end)
+    if not any(character.isalnum() for character in text[span[0] : span[1]]):
+        return None
+    return Segment(span, connective, said)
+
+
+def further_verbs(tree: Tree, root: int) -> list[int]:
+    """Give the words at which further instructions of one sentence begin: imperatives beside the first.
+
+    "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
+    else; what counts is a bare verb without a subject behind "and" or a comma.
+    """
+    found = [_first_of(tree, root)] if _follows_order(tree, root) else []
+    for place, node in enumerate(tree.nodes):
+        if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
+            continue
+        if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
+            continue
+        start = _first_of(tree, place)
+        if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+            continue
+        if place > root or _leads(tree, place, root):
+            found.append(start)
+    return found
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
+    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
+
+
+def _follows_order(tree: Tree, root: int) -> bool:
+    """Whether the root is a second order: "weld it, wait two minutes" has its first below it."""
+    start = _first_of(tree, root)
+    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
+        return False
+    orders = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start and tree.nodes[p].tag == "VB")
+    return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+
+
+def _leads(tree: Tree, place: int, root: int) -> bool:
+    return root in tree.below(place)
+
+
+def _first_of(tree: Tree, place: int) -> int:
+    """Give where the instruction of a verb begins: adverbs right before it belong to it."""
+    start = place
+    while start and tree.nodes[start - 1].tag in {"RB", "UH"} and tree.nodes[start - 1].head == place:
+        start -= 1
+    return start
+
+
+def _is_embedded(tree: Tree, place: int, root: int) -> bool:
+    """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
+    for above in tree.above(place):
+        if above == root:
+            return False
+        node = tree.nodes[above]
+        if node.relation in EMBEDDED and node.tag not in FINITE:
+            return True
+    return False

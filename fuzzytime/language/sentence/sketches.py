@@ -1,0 +1,153 @@
+"""Instructions before they are grounded: operation, times and clauses of each part of a draft."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
+from fuzzytime.language.sentence.clauses import Clause, clauses_of
+from fuzzytime.language.sentence.drafts import Draft, Part
+from fuzzytime.language.sentence.operations import Action, Reader, action_of, reference_of
+from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.requirement import Constraint, Reference
+
+if TYPE_CHECKING:
+    from fuzzytime.skills import FuzzyParameter
+
+ADDED = frozenset({"and", "&", ","})
+OFFERED = frozenset({"or"})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """One instruction: its part of the draft, its times and clauses, what is to be done.
+
+    ``references`` gives, for each of its times, which moment of the execution it is about.
+    """
+
+    part: Part
+    phrases: tuple[Phrase, ...]
+    clauses: tuple[Clause, ...]
+    references: tuple[Reference, ...]
+    operation: Operation | None = None
+    parameters: tuple["FuzzyParameter", ...] = ()
+
+    @property
+    def reference(self) -> Reference:
+        """What its clauses are about: the start, unless its times say otherwise."""
+        return self.references[0] if self.references else Reference.START
+
+
+def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
+    """Sketch the instructions of a draft; two times joined by "and" make two of one."""
+    found: list[Sketch] = []
+    remarks: list[Remark] = []
+    for part in draft.parts:
+        whole = _sketch(draft, part, lexicon)
+        for phrases, dropped in _alternatives(draft, whole.phrases):
+            kept = [whole.phrases.index(phrase) for phrase in phrases]
+            found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
+            for phrase in dropped:
+                text = draft.text[slice(*phrase.span)]
+                message = f"{text!r} is not used: of times joined by 'or', the first is taken"
+                remarks.append(Remark(RemarkKind.POLICY, phrase.span, message))
+    return found, remarks
+
+
+def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
+    first, end = part.segment.span
+    phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+    clauses: list[Clause] = []
+    if part.front is not None:
+        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
+    if part.tree.nodes:
+        clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
+    kept = tuple(phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses))
+    action = action_of(part.tree, lexicon)
+    if action is None:
+        references = (Reference.START,) * len(kept)
+        return Sketch(part=part, phrases=kept, clauses=tuple(clauses), references=references)
+    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses))
+    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    operation = reader.operation(action)
+    a, b = operation.span
+    return Sketch(
+        part=part,
+        phrases=kept,
+        clauses=tuple(clauses),
+        references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
+        operation=replace(operation, span=(a + part.offset, b + part.offset)),
+        parameters=reader.parameters(action),
+    )
+
+
+def _overlap(one: Span, other: Span) -> bool:
+    return one[0] < other[1] and other[0] < one[1]
+
+
+def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference:
+    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    first, end = (place - part.offset for place in phrase.span)
+    for place in part.tree.at(first, end):
+        for above in part.tree.above(place):
+            if above == action.place:
+                return action.reference
+            if part.tree.nodes[above].is_verb:
+                found = reference_of(part.tree, above, lexicon)
+                return found if found is not Reference.START else action.reference
+    return action.reference
+
+
+def _clauses(
+    draft: Draft, tree: Tree, span: Span, phrases: Sequence[Phrase], lexicon: Lexicon
+) -> list[Clause]:
+    """Give the clauses in a tree's stretch of text, with places in the whole text."""
+    offset, end = span
+    places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
+    start = places[0] if places else 0
+    words = [draft.scanned.words[place] for place in places]
+    local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
+    local = [
+        replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
+        for p in phrases
+        if offset <= p.span[0] < end
+    ]
+    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon)]
+
+
+# -- several times --------------------------------------------------------------------------------------
+
+
+def _alternatives(
+    draft: Draft, phrases: tuple[Phrase, ...]
+) -> list[tuple[tuple[Phrase, ...], tuple[Phrase, ...]]]:
+    """Give the times of each instruction that is meant, with those that are left out.
+
+    "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
+    """
+    for place in range(len(phrases) - 1):
+        group = [phrases[place]]
+        joints: set[str] = set()
+        for following in phrases[place + 1 :]:
+            between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
+            if not between or between - ADDED - OFFERED or not (_is_when(group[-1]) and _is_when(following)):
+                break
+            group.append(following)
+            joints |= between
+        if len(group) > 1 and joints & (ADDED | OFFERED) - {","}:
+            rest = tuple(phrase for phrase in phrases if phrase not in group)
+            if joints & OFFERED:
+                return [((*rest, group[0]), tuple(group[1:]))]
+            return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in group]
+    return [(phrases, ())]
+
+
+def _is_when(phrase: Phrase) -> bool:
+    """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
+    said = phrase.said
+    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(
+        said.time, (Duration, Repeat, TimeWord)
+    )

@@ -1,0 +1,112 @@
+"""A dependency tree as a value: words with tags, relations and heads, from whatever parser made it."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+NOMINAL = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD", "DT", "JJ"})
+
+
+@dataclass(frozen=True, slots=True)
+class Node:
+    """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says."""
+
+    text: str
+    start: int
+    end: int
+    tag: str
+    lemma: str
+    relation: str
+    head: int
+
+    @property
+    def lower(self) -> str:
+        """The word in lower case."""
+        return self.text.lower()
+
+    @property
+    def is_verb(self) -> bool:
+        """Whether it is tagged as a verb."""
+        return self.tag.startswith("VB")
+
+
+@dataclass(frozen=True, slots=True)
+class Tree:
+    """A text's words; the head of a root is itself."""
+
+    text: str
+    nodes: tuple[Node, ...]
+    _children: dict[int, tuple[int, ...]] = field(default_factory=dict, compare=False, repr=False)
+
+    def __post_init__(self) -> None:
+        below: dict[int, list[int]] = {}
+        for place, node in enumerate(self.nodes):
+            if node.head != place:
+                below.setdefault(node.head, []).append(place)
+        self._children.update({head: tuple(places) for head, places in below.items()})
+
+    @property
+    def root(self) -> int | None:
+        """The first root, None for an empty text."""
+        return next((place for place, node in enumerate(self.nodes) if node.head == place), None)
+
+    def children(self, place: int, *relations: str) -> tuple[int, ...]:
+        """Give the words below a word, of some relations if any are named."""
+        found = self._children.get(place, ())
+        return tuple(p for p in found if self.nodes[p].relation in relations) if relations else found
+
+    def below(self, place: int) -> Iterator[int]:
+        """Give a word and all words under it."""
+        stack, seen = [place], set()
+        while stack:
+            here = stack.pop()
+            if here not in seen:
+                seen.add(here)
+                yield here
+                stack += self.children(here)
+
+    def reach(self, place: int) -> tuple[int, int]:
+        """Give the first word and one past the last word of all under a word."""
+        under = list(self.below(place))
+        return min(under), max(under) + 1
+
+    def above(self, place: int) -> Iterator[int]:
+        """Give the words over a word, up to its root."""
+        here, seen = place, {place}
+        while (head := self.nodes[here].head) != here and head not in seen:
+            seen.add(head)
+            yield head
+            here = head
+
+    def at(self, start: int, end: int) -> Iterator[int]:
+        """Give the words that lie in a stretch of characters."""
+        return (p for p, node in enumerate(self.nodes) if node.start < end and start < node.end)
+
+    def without_carrier(self, carrier: str, text: str, skipped: int) -> "Tree":
+        """Give the tree of a text that was parsed behind some words, and without its first characters.
+
+        Parameters
+        ----------
+        carrier, text
+            What was put in front ("please "), and the text.
+        skipped
+            How many characters of the text were left out.
+        """
+        dropped = sum(node.start < len(carrier) for node in self.nodes)
+        shift = skipped - len(carrier)
+        kept = self.nodes[dropped:]
+        root = next((p for p, node in enumerate(kept) if node.head < dropped or node.head == p + dropped), 0)
+        nodes = tuple(
+            replace(
+                node,
+                text=text[node.start + shift : node.end + shift],
+                start=node.start + shift,
+                end=node.end + shift,
+                head=node.head - dropped if node.head >= dropped else root,
+            )
+            for node in kept
+        )
+        return Tree(text, nodes)
+
+    def moved(self, characters: int) -> tuple[Node, ...]:
+        """Give the words with their places that many characters further on."""
+        return tuple(replace(n, start=n.start + characters, end=n.end + characters) for n in self.nodes)

@@ -1,0 +1,120 @@
+"""How long operations take, where nobody says it: a table by verb and object."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from fuzzytime.errors import FuzzytimeError
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperationDuration:
+    """Seconds that an operation keeps the agent busy, and until it is done.
+
+    ``assumed`` says that nobody said it: it comes from a table. ``known`` says that the table has a row for
+    the verb; otherwise it is the default for anything.
+    """
+
+    hands_on: float
+    elapsed: float
+    source: str
+    assumed: bool = True
+    known: bool = True
+
+    def __post_init__(self) -> None:
+        if not 0 <= self.hands_on <= self.elapsed < float("inf"):
+            raise FuzzytimeError(
+                f"hands-on time must lie between 0 and the elapsed time, got {self.hands_on:g} s "
+                f"of {self.elapsed:g} s"
+            )
+
+
+Key = tuple[str, str | None]
+"""A verb's lemma, and a word of its object or None for any object."""
+
+
+@dataclass(frozen=True, slots=True)
+class Durations:
+    """Rows by verb and object word, and the default."""
+
+    rows: Mapping[Key, OperationDuration] = field(default_factory=lambda: MappingProxyType({}))
+    default: OperationDuration | None = None
+
+    def overridden(self, by: "Durations") -> "Durations":
+        """Give these rows with another's laid over them."""
+        return Durations(MappingProxyType({**self.rows, **by.rows}), by.default or self.default)
+
+    def of(self, lemma: str | None, thing: str | None) -> OperationDuration:
+        """Give the row for a verb and its object: the object's own, the verb's, the default.
+
+        The last word of an object counts most: a "tomato soup" is a soup. A phrasal verb is looked up whole
+        ("turn on"), then by its first word.
+
+        Raises
+        ------
+        FuzzytimeError
+            If no table gives a default.
+        """
+        verbs = dict.fromkeys(
+            (lemma.lower().replace("_", " "), re.split(r"[ _]", lemma.lower())[0]) if lemma else ()
+        )
+        for verb in verbs:
+            for word in (*_words(thing), None):
+                row = self.rows.get((verb, word))
+                if row is not None:
+                    return row
+        if self.default is None:
+            raise FuzzytimeError("durations must have a default")
+        return self.default
+
+
+def _words(thing: str | None) -> tuple[str, ...]:
+    """Give an object's words in the order in which they count, each as it stands and in the singular.
+
+    Whole phrases come first, then the words from the last on; what follows "of" comes after what stands
+    before it ("the lid of the pot", "a cup of coffee"), and what follows another preposition is a place.
+    """
+    said = re.findall(r"[^\W\d_]+(?:['\u2019-][^\W\d_]+)*", (thing or "").lower())
+    place = next((i for i, word in enumerate(said) if i and word in _PREPOSITIONS), len(said))
+    found: list[str] = []
+    for part in _parts(said[:place]):
+        for start in range(len(part)):
+            found += [" ".join([*part[start:-1], form]) for form in singular_forms(part[-1])]
+        for word in reversed(part[:-1]):
+            found += singular_forms(word)
+    return tuple(dict.fromkeys(found))
+
+
+def _parts(words: list[str]) -> list[list[str]]:
+    """Split a phrase at "of"; no part is empty."""
+    parts: list[list[str]] = [[]]
+    for word in words:
+        if word == "of":
+            parts.append([])
+        else:
+            parts[-1].append(word)
+    return [part for part in parts if part]
+
+
+_PREPOSITIONS = frozenset(
+    ("in", "on", "for", "with", "from", "to", "at", "into", "onto", "by", "under", "over")
+)
+
+
+def singular_forms(word: str) -> list[str]:
+    """Give a noun and what it may be the plural of.
+
+    >>> singular_forms("eggs"), singular_forms("dishes"), singular_forms("berries"), singular_forms("glass")
+    (['eggs', 'egg'], ['dishes', 'dishe', 'dish'], ['berries', 'berrie', 'berry'], ['glass'])
+    """
+    forms = [word]
+    if word.endswith("s") and not word.endswith("ss") and len(word) > 3:
+        forms.append(word[:-1])
+        if word.endswith("ies"):
+            forms.append(word[:-3] + "y")
+        elif word.endswith("es"):
+            forms.append(word[:-2])
+        if word.endswith("ves"):
+            forms += [word[:-3] + "f", word[:-3] + "fe"]
+    return forms

@@ -1,0 +1,59 @@
+"""Which requirements a row or a rule speaks about: the ``on:`` of rule files."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from fuzzytime.requirement import TimeRequirement
+
+KEYS = (
+    "cue",
+    "word",
+    "subject",
+    "verb",
+    "preposition",
+    "hedge",
+    "constraint",
+    "reference",
+    "grain",
+    "unit",
+    "number",
+)
+"""What ``on:`` may name."""
+
+
+@dataclass(frozen=True, slots=True)
+class Match:
+    """Accepted texts by key; a requirement matches where for each key one of its texts is accepted."""
+
+    accepted: tuple[tuple[str, frozenset[str]], ...] = ()
+
+    def __call__(self, requirement: TimeRequirement, verb: str | None) -> bool:
+        """Tell whether a requirement, of an operation with a verb, matches."""
+        texts = described(requirement, verb)
+        return all(accepted & texts[key] for key, accepted in self.accepted)
+
+    @property
+    def keys(self) -> frozenset[str]:
+        """The keys that it names."""
+        return frozenset(key for key, _ in self.accepted)
+
+
+def described(requirement: TimeRequirement, verb: str | None) -> Mapping[str, frozenset[str]]:
+    """Give the texts of a requirement by the keys of ``on:``, all in lower case."""
+    condition = requirement.condition
+    said: dict[str, tuple[object, ...]] = {
+        "cue": (requirement.word, requirement.preposition, requirement.constraint.value),
+        "word": (requirement.word, condition.word if condition else None),
+        "subject": (condition.subject if condition else None,),
+        "verb": (verb,),
+        "preposition": (requirement.preposition,),
+        "hedge": (*requirement.fuzziness, " ".join(requirement.fuzziness) or None),
+        "constraint": (requirement.constraint.value,),
+        "reference": (requirement.reference.value,),
+        "grain": (requirement.grain,),
+        "unit": (requirement.unit,),
+        "number": (None if requirement.number is None else f"{requirement.number:g}",),
+    }
+    return {
+        key: frozenset(str(text).lower() for text in texts if text is not None) for key, texts in said.items()
+    }

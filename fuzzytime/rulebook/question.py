@@ -1,0 +1,71 @@
+"""What is asked of the tables, and what they say about one moment of an execution."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from types import MappingProxyType
+
+from fuzzytime.context import Context
+from fuzzytime.requirement import TimeRequirement
+from fuzzytime.rulebook.adapt import said_width
+from fuzzytime.rulebook.formula import Formula
+from fuzzytime.rulebook.inference import Heard, hear, signals_of
+from fuzzytime.rulebook.profile import Actor
+from fuzzytime.rulebook.resolution import HedgeEffect, Share, Trace
+from fuzzytime.rulebook.rules import Rule
+from fuzzytime.rulebook.tables import Row, Tables
+from fuzzytime.rulebook.world import World
+from fuzzytime.satisfaction import SatisfactionFunction
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """A requirement with what it is asked under; the context's readings are admitted ones."""
+
+    requirement: TimeRequirement
+    verb: str | None
+    context: Context
+    horizon: float
+    tables: Tables
+    actor: Actor | None
+
+    def width(self, row: Row, t: float) -> float:
+        """Give the half-base w for a time named, where the row does not fix it."""
+        return row.w if row.w is not None else said_width(self.requirement, self.tables, t, self.actor)
+
+    def world(self, formulas: Sequence[Formula]) -> World:
+        """Gather what is known of everything that some formulas speak of."""
+        names = [name for formula in formulas for name in signals_of(formula, self.tables)]
+        return World.of(self.context, self.tables, dict.fromkeys(names))
+
+    def heard(self, rules: Sequence[Rule]) -> tuple[Heard, ...]:
+        """Ask rules what they say now."""
+        return hear(rules, self.world([rule.condition for rule in rules if rule.condition is not None]))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Said:
+    """ψ over the moment that a requirement speaks of, with everything that explains it.
+
+    The fields are those of `Resolution`, before the moment becomes a start time.
+    """
+
+    satisfaction: SatisfactionFunction
+    model: str
+    parameters: Mapping[str, float] = field(default_factory=lambda: MappingProxyType({}))
+    shares: tuple[Share, ...] = ()
+    hedges: tuple[HedgeEffect, ...] = ()
+    reason: str | None = None
+    notes: tuple[str, ...] = ()
+    trace: Trace | None = None
+
+
+def notes_on(row: str, heard: Sequence[Heard]) -> tuple[str, ...]:
+    """Say which rules miss readings, and that the table's row stands where no rule speaks."""
+    notes = [
+        f"the rule {part.rule.name!r} misses readings of {' and '.join(part.missing)}"
+        for part in heard
+        if part.missing
+    ]
+    if heard and all(part.weight == 0 for part in heard):
+        notes.append(f"no rule over context speaks: the table's row {row!r} stands")
+    return tuple(notes)

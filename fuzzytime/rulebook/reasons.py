@@ -1,0 +1,97 @@
+"""Why a condition never comes true, in words a person can act on."""
+
+import math
+
+import numpy as np
+
+from fuzzytime.context.series import Series
+from fuzzytime.context.signals import Approach, Hold
+from fuzzytime.rulebook.formula import Formula, Is, Not, nodes
+from fuzzytime.rulebook.inference import signals_of
+from fuzzytime.rulebook.truth import Traced
+from fuzzytime.rulebook.variables import Source, Variable
+from fuzzytime.rulebook.world import World
+from fuzzytime.times import format_duration
+
+_LITTLE = 0.02
+"""The share of its way that may be left where a signal counts as settled."""
+
+
+def why_never(formula: Formula, world: World, traced: Traced, horizon: float, never_below: float) -> str:
+    """Say which readings are missing, or where the signals end up instead.
+
+    ``traced`` is the condition's trace, which stays below ``never_below``.
+    """
+    missing = [name for name in signals_of(formula, world.tables) if _unknown_now(name, world)]
+    ahead = traced.grid.times >= 0
+    if missing and float(traced.truth.high[ahead].max()) >= never_below:
+        return _missing(missing, world)
+    described = [
+        _end_of(world.tables.variables[node.variable], world, horizon)
+        for node in nodes(formula)
+        if isinstance(node, Is) and _stays_apart(node, formula, traced, never_below)
+    ]
+    if not described:
+        return "never: its parts do not hold at the same time"
+    return "never: " + ", ".join(dict.fromkeys(described))
+
+
+def _stays_apart(atom: Is, formula: Formula, traced: Traced, never_below: float) -> bool:
+    """Tell whether an atom never does what the formula wants of it."""
+    ahead = traced.grid.times >= 0
+    truth = traced.parts[str(atom)]
+    if any(isinstance(node, Not) and node.part == atom for node in nodes(formula)):
+        return bool(truth.high[ahead].min() > 1 - never_below)
+    return bool(truth.low[ahead].max() < never_below)
+
+
+def _unknown_now(name: str, world: World) -> bool:
+    if not world.known(name):
+        return True
+    return name in world.series and world.series[name].known_until <= 0
+
+
+def _missing(names: list[str], world: World) -> str:
+    events = [name for name in names if name in world.happened]
+    signals = [name for name in names if name not in world.happened]
+    parts: list[str] = []
+    if signals:
+        ages = [_age(world.series[name]) for name in signals if world.known(name)]
+        parts.append(f"not enough readings of {' and '.join(signals)}{''.join(ages)}")
+    parts += [f"not yet: {event} has not happened" for event in events]
+    return "; ".join(parts)
+
+
+def _age(series: Series) -> str:
+    age = format_duration(-float(series.times[-1]))
+    return f" (the last is {age} old, more than {format_duration(series.signal.max_age)})"
+
+
+def _end_of(variable: Variable, world: World, horizon: float) -> str:
+    """Say where what a variable looks at ends up."""
+    if variable.source is Source.SINCE:
+        since = float(world.since(variable.signal, np.zeros(1))[0])
+        return f"it is {format_duration(since)} since {variable.signal}"
+    series = world.series[variable.signal]
+    if series.forecast is None:
+        return f"nothing is known of {variable.signal}"
+    until = min(horizon, series.known_until)
+    if not math.isfinite(until):
+        until = max(series.forecast.settled(), 0.0)
+    start, end = series.forecast.quantiles(np.array([series.forecast.start, until]), (0.5,))[0]
+    shown = with_unit(float(end), series.signal.unit)
+    course = series.signal.course
+    if isinstance(course, Hold) or start == end:
+        return f"{variable.signal} stays at {shown}"
+    if isinstance(course, Approach):
+        level = series.forecast.level
+        if abs(end - level) <= _LITTLE * abs(start - level):
+            return f"{variable.signal} settles at {with_unit(level, series.signal.unit)}"
+    return f"{variable.signal} is at {shown} after {format_duration(until)}, as far as it is forecast"
+
+
+def with_unit(value: float, unit: str | None) -> str:
+    """Print a value to three digits, with its unit as people write it."""
+    sign = {"degC": "\u00b0C", "degF": "\u00b0F"}.get(unit or "", unit or "")
+    rounded = 0.0 if value == 0 else round(value, 2 - math.floor(math.log10(abs(value))))
+    return f"{rounded:g} {sign}".strip()

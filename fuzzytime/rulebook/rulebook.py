@@ -1,0 +1,145 @@
+"""The rulebook: from a time requirement and a context to ψ over start times, with its explanation."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+from fuzzytime.context import Context, Signal
+from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
+from fuzzytime.requirement import Reference, TimeRequirement
+from fuzzytime.rulebook.dependence import signals_for
+from fuzzytime.rulebook.documents import Document, load, shipped_tables
+from fuzzytime.rulebook.durations import OperationDuration
+from fuzzytime.rulebook.execution import over_starts, reason_for_never
+from fuzzytime.rulebook.profile import Actor, Profile
+from fuzzytime.rulebook.question import Question
+from fuzzytime.rulebook.resolution import Resolution
+from fuzzytime.rulebook.resolving import answer
+from fuzzytime.rulebook.tables import Tables
+from fuzzytime.satisfaction import ALWAYS
+from fuzzytime.times import HOUR
+
+HORIZON = 48 * HOUR
+"""Seconds from now within which conditions are looked for, where nothing else is asked."""
+
+
+@dataclass(frozen=True, slots=True)
+class Rulebook:
+    """Tables, chosen for a profile and an actor, that give every requirement its ψ.
+
+    >>> from fuzzytime.requirement import Constraint, TimeRequirement
+    >>> rulebook = Rulebook.shipped()
+    >>> said = TimeRequirement(text="in about ten minutes", span=(0, 20), constraint=Constraint.AT,
+    ...                        preposition="in", fuzziness=("about",), t_spec=600.0)
+    >>> rulebook.resolve(said).satisfaction([300, 900, 1200]).round(2).tolist()
+    [1.0, 1.0, 0.5]
+    """
+
+    tables: Tables
+    profile: Profile = Profile.EVERYDAY
+    actor: Actor | None = None
+
+    @classmethod
+    def shipped(
+        cls,
+        profile: Profile = Profile.EVERYDAY,
+        actor: Actor | None = None,
+        files: Sequence[Path] = (),
+    ) -> "Rulebook":
+        """Load the shipped tables and, over them, files in rising precedence (user, project, ``--rules``).
+
+        Raises
+        ------
+        DocumentError
+            With every mistake of every file.
+        """
+        tables = load([Document(path, str(path)) for path in files], profile, shipped_tables(profile))
+        return cls(tables, profile, actor)
+
+    @property
+    def signals(self) -> Mapping[str, Signal]:
+        """The signals that the tables declare: what a context may hold readings of."""
+        return self.tables.signals
+
+    def resolve(
+        self,
+        requirement: TimeRequirement,
+        context: Context = Context.empty,
+        *,
+        verb: str | None = None,
+        duration: float = 0.0,
+        elapsed: float | None = None,
+        horizon: float = HORIZON,
+    ) -> Resolution:
+        """Give ψ over start times on the requirement's own timeline, whose 0 is the context's as well.
+
+        Parameters
+        ----------
+        requirement
+            What was said. ``for`` and ``every`` bind no start by themselves and give ψ = 1: an occurrence of
+            a series comes here as a requirement of its own, at its time or between two.
+        context
+            Readings up to now.
+        verb
+            The operation's lemma, which rules may ask for.
+        duration, elapsed
+            Seconds that the agent is busy, and until the result is there (None: the same). A requirement
+            about the finish is shifted by ``elapsed``; one about the whole execution is averaged over
+            ``duration``.
+        horizon
+            Seconds within which a condition must come true.
+
+        Raises
+        ------
+        FuzzytimeError
+            If the context has a signal that no table declares, or a value that the signal cannot have, or a
+            duration is negative or not finite.
+        """
+        for name, value in (("duration", duration), ("elapsed time", elapsed or 0.0), ("horizon", horizon)):
+            if not 0 <= value < float("inf"):
+                raise FuzzytimeError(f"a {name} must be finite and at least 0, got {value}")
+        admitted = context.admitted(self.signals)
+        said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
+        until_done = duration if elapsed is None else elapsed
+        # What goes on until a condition comes true ends when it does, and only has to start before.
+        reference = Reference.START if said.model == "until" else requirement.reference
+        function = over_starts(said.satisfaction, reference, duration, until_done, horizon)
+        reason = said.reason or reason_for_never(said.satisfaction, function, reference, until_done)
+        return Resolution(
+            satisfaction=function,
+            model=said.model,
+            parameters=said.parameters,
+            shares=said.shares,
+            hedges=said.hedges,
+            reason=reason,
+            notes=said.notes,
+            trace=said.trace,
+        )
+
+    def signals_for(self, requirement: TimeRequirement, verb: str | None = None) -> frozenset[str]:
+        """Give the signals whose readings may change what a requirement resolves to, read or not."""
+        return signals_for(requirement, verb, self.tables)
+
+    def untimed(self) -> Resolution:
+        """Give ψ of an instruction without time words: satisfied at any time from now on."""
+        return Resolution(
+            satisfaction=ALWAYS,
+            model="always",
+            parameters=MappingProxyType({}),
+            shares=(),
+            notes=("no time was said: any time from now on satisfies",),
+        )
+
+    def duration_of(self, lemma: str | None, thing: str | None = None) -> OperationDuration:
+        """Give how long an operation takes where nobody said it, by its verb's lemma and its object."""
+        return self.tables.durations.of(lemma, thing)
+
+
+def check(paths: Sequence[Path] = ()) -> tuple[Mistake, ...]:
+    """Give every mistake of rule files, read over the shipped ones as `Rulebook.shipped` reads them."""
+    try:
+        Rulebook.shipped(files=paths)
+    except DocumentError as error:
+        return error.mistakes
+    return ()

@@ -1,0 +1,65 @@
+"""Reading how long operations take: the section ``durations`` of a rule file."""
+
+from types import MappingProxyType
+
+from fuzzytime.rulebook.durations import Durations, Key, OperationDuration
+from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.times import DAY
+from fuzzytime.yaml_nodes import Mapping, Node, Reader
+
+_TIMES = ("hands_on", "elapsed", "source")
+
+
+def read_durations(scope: Scope, node: Node, key: str) -> Durations:
+    """Read a default and operations by verb, each with rows for single objects."""
+    reader = scope.reader
+    found = reader.mapping(node, key, ("default", "operations"))
+    default = None
+    if "default" in found:
+        times = reader.mapping(found["default"], f"{key}.default", _TIMES)
+        default = _times(reader, found["default"], f"{key}.default", times, known=False)
+    rows: dict[Key, OperationDuration] = {}
+    if "operations" in found:
+        path = f"{key}.operations"
+        for verb, value in reader.mapping(found["operations"], path).items():
+            rows |= _operation(reader, value, f"{path}.{verb}", verb.lower())
+    return Durations(MappingProxyType(rows), default)
+
+
+def _operation(reader: Reader, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
+    found = reader.mapping(node, key, (*_TIMES, "objects"))
+    rows: dict[Key, OperationDuration] = {}
+    if "hands_on" in found or "elapsed" in found or "objects" not in found:
+        own = _times(reader, node, key, found)
+        if own is not None:
+            rows[verb, None] = own
+    if "objects" in found:
+        path = f"{key}.objects"
+        for thing, value in reader.mapping(found["objects"], path).items():
+            times = reader.mapping(value, f"{path}.{thing}", _TIMES)
+            row = _times(reader, value, f"{path}.{thing}", times)
+            if row is not None:
+                rows[verb, thing.lower()] = row
+    return rows
+
+
+def _times(
+    reader: Reader, node: Node, key: str, found: dict[str, Node], *, known: bool = True
+) -> OperationDuration | None:
+    """Read ``hands_on`` and ``elapsed``; one alone stands for both."""
+    if "hands_on" not in found and "elapsed" not in found:
+        if isinstance(node, Mapping):
+            reader.mistake(node, key, "missing key 'hands_on'")
+        return None
+    given = {
+        name: reader.duration(found[name], f"{key}.{name}", 0.0, 365 * DAY)
+        for name in ("hands_on", "elapsed")
+        if name in found
+    }
+    elapsed = given.get("elapsed", given.get("hands_on", 0.0))
+    hands_on = given.get("hands_on", elapsed)
+    if hands_on > elapsed:
+        message = "the elapsed time must not be shorter than the hands-on time"
+        reader.mistake(found["elapsed"], f"{key}.elapsed", message)
+        return None
+    return OperationDuration(hands_on=hands_on, elapsed=elapsed, source=reader.place(node), known=known)

@@ -1,0 +1,158 @@
+"""Reading rows of the lookup: by word, preposition, clause, grain and constraint, and direct entries."""
+
+from collections.abc import Collection, Mapping
+from enum import StrEnum
+from types import MappingProxyType
+
+from fuzzytime.requirement import Constraint, Reference, Unit
+from fuzzytime.rulebook.matching import KEYS, Match
+from fuzzytime.rulebook.sections.models import FORMS, read_form
+from fuzzytime.rulebook.sections.scope import Scope
+from fuzzytime.rulebook.sections.widths import LONGEST, MAX_FACTOR, read_factor
+from fuzzytime.rulebook.tables import Entry, Hedge, Model, Row
+from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
+from fuzzytime.yaml_nodes import Node, Scalar
+
+_ROW = ("model", *FORMS, "begun", "t", "w", "hedge", "core", "fade", "source")
+_TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
+"""Times that a row may fix, with the least value of each."""
+
+_CLOSED: Mapping[str, type[StrEnum]] = {
+    "constraint": Constraint,
+    "reference": Reference,
+    "grain": Unit,
+    "unit": Unit,
+}
+"""Keys of ``on:`` whose texts form a closed set."""
+
+
+def read_rows(scope: Scope, node: Node, key: str) -> Mapping[str, Row]:
+    """Read rows by their words, in lower case."""
+    return MappingProxyType(_rows(scope, node, key))
+
+
+def read_grains(scope: Scope, node: Node, key: str) -> Mapping[Unit, Row]:
+    """Read rows by the grain of a calendar time."""
+    rows = _rows(scope, node, key, tuple(Unit))
+    return MappingProxyType({Unit(text): row for text, row in rows.items()})
+
+
+def read_constraints(scope: Scope, node: Node, key: str) -> Mapping[Constraint, Row]:
+    """Read rows by constraint."""
+    rows = _rows(scope, node, key, tuple(Constraint))
+    return MappingProxyType({Constraint(text): row for text, row in rows.items()})
+
+
+def _rows(scope: Scope, node: Node, key: str, allowed: Collection[str] | None = None) -> dict[str, Row]:
+    keys = scope.reader.keys(node)
+    rows: dict[str, Row] = {}
+    for text, value in scope.reader.mapping(node, key, allowed).items():
+        path = f"{key}.{text}"
+        found = scope.reader.mapping(value, path, _ROW)
+        row = _row(scope, found, value, path, (text, scope.reader.place(keys[text])))
+        if row is not None:
+            rows[text.lower()] = row
+    return rows
+
+
+def _row(
+    scope: Scope, found: Mapping[str, Node], node: Node, key: str, called: tuple[str, str]
+) -> Row | None:
+    """Make a row of the keys found in a mapping; ``called`` is its name and place in explanations."""
+    name, source = called
+    own: Model | None = None
+    model = name
+    if "model" in found:
+        models = (*scope.names.models, *CLAUSE_MODELS)
+        model = scope.reader.choice(found["model"], f"{key}.model", models)
+        scope.reader.refuse_keys(node, key, FORMS, "must not stand beside 'model'")
+    else:
+        form = read_form(scope, found, node, key)
+        own = Model(name, form, source) if form is not None else None
+    begun = (
+        scope.reader.choice(found["begun"], f"{key}.begun", scope.names.models) if "begun" in found else ""
+    )
+    times = {
+        part: scope.reader.duration(found[part], f"{key}.{part}", low, LONGEST)
+        for part, low in _TIMES
+        if part in found
+    }
+    hedges = _hedge_names(scope, found["hedge"], f"{key}.hedge") if "hedge" in found else ()
+    if not model or (own is None and "model" not in found):
+        return None
+    return Row(name=name, source=source, model=model, own=own, begun=begun or None, hedges=hedges, **times)
+
+
+def _hedge_names(scope: Scope, node: Node, key: str) -> tuple[str, ...]:
+    known = scope.names.time_hedges
+    if isinstance(node, Scalar):
+        return (scope.reader.choice(node, key, known),)
+    items = scope.reader.sequence(node, key)
+    return tuple(scope.reader.choice(item, f"{key}[{i}]", known) for i, item in enumerate(items))
+
+
+def read_entries(scope: Scope, node: Node, key: str) -> tuple[Entry, ...]:
+    """Read direct entries: ``on`` and a row."""
+    read: list[Entry] = []
+    for i, item in enumerate(scope.reader.sequence(node, key)):
+        path = f"{key}[{i}]"
+        found = scope.reader.mapping(item, path, ("name", "on", *_ROW), ("on",))
+        name = scope.reader.string(found["name"], f"{path}.name") if "name" in found else f"entry {i + 1}"
+        row = _row(scope, found, item, path, (name, scope.reader.place(item)))
+        match = read_match(scope, found["on"], f"{path}.on") if "on" in found else Match()
+        if row is not None:
+            read.append(Entry(match, row))
+    return tuple(read)
+
+
+def read_match(scope: Scope, node: Node, key: str) -> Match:
+    """Read what requirements an entry or a rule speaks about."""
+    accepted: list[tuple[str, frozenset[str]]] = []
+    for name, value in scope.reader.mapping(node, key, KEYS).items():
+        path = f"{key}.{name}"
+        if name == "number":
+            texts: tuple[str, ...] = (f"{scope.reader.number(value, path):g}",)
+        elif name in _CLOSED:
+            texts = _closed_texts(scope, value, path, tuple(_CLOSED[name]))
+        else:
+            texts = scope.reader.strings(value, path)
+        accepted.append((name, frozenset(text.lower() for text in texts)))
+    return Match(tuple(accepted))
+
+
+def _closed_texts(scope: Scope, node: Node, key: str, members: tuple[str, ...]) -> tuple[str, ...]:
+    if isinstance(node, Scalar):
+        return (scope.reader.choice(node, key, members),)
+    items = scope.reader.sequence(node, key)
+    return tuple(scope.reader.choice(item, f"{key}[{i}]", members) for i, item in enumerate(items))
+
+
+def read_time_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Hedge]:
+    """Read what hedges do to models."""
+    keys = scope.reader.keys(node)
+    read: dict[str, Hedge] = {}
+    for text, value in scope.reader.mapping(node, key).items():
+        path = f"{key}.{text}"
+        found = scope.reader.mapping(value, path, ("widen", "shift", "spread", "model", "source"))
+        model = ""
+        if "model" in found:
+            model = scope.reader.choice(found["model"], f"{path}.model", scope.names.models)
+        read[text.lower()] = Hedge(
+            name=text,
+            source=scope.reader.place(keys[text]),
+            widen=read_factor(scope, found["widen"], f"{path}.widen") if "widen" in found else 1.0,
+            shift=scope.reader.number(found["shift"], f"{path}.shift", -10, 10) if "shift" in found else 0.0,
+            spread=_spread(scope, found["spread"], f"{path}.spread") if "spread" in found else (1.0, 1.0),
+            model=model or None,
+        )
+    return MappingProxyType(read)
+
+
+def _spread(scope: Scope, node: Node, key: str) -> tuple[float, float]:
+    items = scope.reader.sequence(node, key, 2)
+    factors = [scope.reader.number(item, f"{key}[{i}]", 0.0, MAX_FACTOR) for i, item in enumerate(items)]
+    if len(factors) != 2:
+        return 1.0, 1.0
+    if factors[0] > factors[1]:
+        scope.reader.mistake(items[1], f"{key}[1]", "factors of a spread must not decrease")
+    return factors[0], factors[1]

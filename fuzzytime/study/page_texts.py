@@ -1,0 +1,28 @@
+"""What the study's page says: the words of ``rules/study/page.yaml``, under those of a design."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from fuzzytime.resources import rules_directory
+from fuzzytime.yaml_nodes import Node, Reader
+
+PageTexts = Mapping[str, str | tuple[str, ...]]
+"""Texts by their keys; ``tutorial_steps`` is a list of them."""
+
+
+def read_texts(reader: Reader, node: Node | None) -> PageTexts:
+    """Read a design's own texts over the shipped ones; unknown keys are mistakes."""
+    shipped = Reader.of_file(rules_directory() / "study" / "page.yaml")
+    texts = _texts(shipped, shipped.root(), None)
+    shipped.finish()
+    return MappingProxyType(texts if node is None else {**texts, **_texts(reader, node, texts)})
+
+
+def _texts(reader: Reader, node: Node, known: PageTexts | None) -> dict[str, str | tuple[str, ...]]:
+    found: dict[str, str | tuple[str, ...]] = {}
+    for key, entry in reader.mapping(node, "texts", known).items():
+        is_list = key == "tutorial_steps"
+        found[key] = (
+            reader.strings(entry, f"texts.{key}") if is_list else reader.string(entry, f"texts.{key}")
+        )
+    return found

@@ -1,0 +1,181 @@
+"""A YAML document as a tree of texts with their places, built from the events of PyYAML's C parser.
+
+Nothing is converted and nothing is followed: ``on`` stays ``on``, ``1:30`` stays ``1:30``, an alias is a
+mistake and not a bomb.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import yaml
+
+MAX_DEPTH = 32
+MAX_NODES = 20_000
+
+_LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A text, and where it starts: line and column from 0, index in characters.
+
+    ``refused`` marks what was no text, and was reported: nothing more need be said about it.
+    """
+
+    text: str
+    line: int
+    column: int
+    index: int
+    quoted: bool = False
+    refused: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Sequence:
+    """A list of nodes."""
+
+    items: tuple["Node", ...]
+    line: int
+    column: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """Keys, as scalars with their places, and their values; duplicates are still there."""
+
+    entries: tuple[tuple[Scalar, "Node"], ...]
+    line: int
+    column: int
+    index: int
+
+
+Node = Scalar | Sequence | Mapping
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Line and column from 0, index in characters."""
+
+    line: int
+    column: int
+    index: int
+
+
+class TreeError(Exception):
+    """What stops reading, and where."""
+
+    def __init__(self, message: str, line: int, column: int) -> None:
+        super().__init__(message)
+        self.message = message
+        self.line = line
+        self.column = column
+
+
+Note = Callable[[Place, str], None]
+"""Takes a mistake that does not stop reading."""
+
+
+def parse_tree(text: str, note: Note) -> Node:
+    """Give the tree of one plain document; aliases, anchors, tags and merge keys are noted and read over.
+
+    Raises
+    ------
+    TreeError
+        If it is not well-formed, empty, several documents, or beyond `MAX_DEPTH` or `MAX_NODES`.
+    """
+    builder = _Builder(note)
+    try:
+        for event in yaml.parse(text, Loader=_LOADER):
+            builder.take(event)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        problem = " ".join(part for part in (error.problem, error.context) if part)
+        line, column = (mark.line, mark.column) if mark else (0, 0)
+        raise TreeError(f"not valid YAML: {problem}", line, column) from error
+    except yaml.reader.ReaderError as error:
+        at = min(error.position, len(text))
+        start = text.rfind("\n", 0, at) + 1
+        raise TreeError(f"not valid YAML: {error.reason}", text.count("\n", 0, at), at - start) from error
+    if builder.document is None:
+        raise TreeError("the file must not be empty", 0, 0)
+    return builder.document
+
+
+@dataclass(slots=True)
+class _Open:
+    """A collection whose end has not come yet."""
+
+    event: yaml.CollectionStartEvent
+    children: list[Node] = field(default_factory=list)
+
+
+class _Builder:
+    """Puts events together to a tree, without recursion."""
+
+    def __init__(self, note: Note) -> None:
+        self.document: Node | None = None
+        self._note = note
+        self._stack: list[_Open] = []
+        self._nodes = 0
+
+    def take(self, event: yaml.Event) -> None:
+        """Take the next event."""
+        place = _place(event)
+        if isinstance(event, yaml.DocumentStartEvent) and self.document is not None:
+            raise TreeError("a file must hold one document", place.line, place.column)
+        if isinstance(event, yaml.CollectionEndEvent):
+            self._add(self._closed(self._stack.pop()))
+        elif isinstance(event, yaml.NodeEvent):
+            self._nodes += 1
+            if self._nodes > MAX_NODES:
+                raise TreeError(
+                    f"a file must not hold more than {MAX_NODES:,} values", place.line, place.column
+                )
+            self._node(event, place)
+
+    def _node(self, event: yaml.NodeEvent, place: Place) -> None:
+        if isinstance(event, yaml.AliasEvent):
+            self._note(place, f"aliases are not allowed, got '*{event.anchor}'")
+            self._add(Scalar("", place.line, place.column, place.index, refused=True))
+            return
+        if event.anchor is not None:
+            self._note(place, f"anchors are not allowed, got '&{event.anchor}'")
+        if isinstance(event, yaml.ScalarEvent | yaml.CollectionStartEvent) and event.tag is not None:
+            tag = event.tag.replace("tag:yaml.org,2002:", "!!")
+            self._note(place, f"tags are not allowed, got '{tag}'")
+        if isinstance(event, yaml.ScalarEvent):
+            quoted = event.style not in (None, "")
+            self._add(Scalar(event.value, place.line, place.column, place.index, quoted))
+        elif isinstance(event, yaml.CollectionStartEvent):
+            if len(self._stack) >= MAX_DEPTH:
+                message = f"nesting must not be deeper than {MAX_DEPTH}"
+                raise TreeError(message, place.line, place.column)
+            self._stack.append(_Open(event))
+
+    def _add(self, node: Node) -> None:
+        if self._stack:
+            self._stack[-1].children.append(node)
+        else:
+            self.document = node
+
+    def _closed(self, opened: _Open) -> Node:
+        place = _place(opened.event)
+        if isinstance(opened.event, yaml.SequenceStartEvent):
+            return Sequence(tuple(opened.children), place.line, place.column, place.index)
+        entries = []
+        for key, value in zip(opened.children[::2], opened.children[1::2], strict=True):
+            if isinstance(key, Scalar) and key.text == "<<" and not key.quoted:
+                self._note(Place(key.line, key.column, key.index), "merge keys are not allowed, got '<<'")
+            elif isinstance(key, Scalar):
+                entries.append((key, value))
+            else:
+                at = Place(key.line, key.column, key.index)
+                self._note(at, "a key must be a text, got a list or a mapping")
+        return Mapping(tuple(entries), place.line, place.column, place.index)
+
+
+def _place(event: yaml.Event) -> Place:
+    """Give the place of an event; only events made by hand have none."""
+    mark = event.start_mark
+    return Place(mark.line, mark.column, mark.index) if mark is not None else Place(0, 0, 0)

@@ -1,0 +1,117 @@
+"""Console blocks of Markdown files, run: so that what the documents show is what the program does.
+
+A block starts with ```console; a line ``$ command`` is run from the repository's root, and the lines that
+follow are what it must write, standard output and error together. A line ``…`` stands for any lines.
+Figures of time spent are not compared.
+"""
+
+import contextlib
+import io
+import os
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from unittest import mock
+
+ROOT = Path(__file__).parent.parent
+_BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_SPENT = re.compile(r"\d+\.\d+ s\)|(?<=\"seconds\": )[\d.e-]+")
+
+
+@dataclass(frozen=True)
+class Example:
+    """One command of a document, with what it is said to write."""
+
+    path: Path
+    line: int
+    command: str
+    expected: str
+
+    def __str__(self) -> str:
+        return f"{self.path.relative_to(ROOT)}:{self.line}: {self.command}"
+
+
+def examples_of(path: Path) -> Iterator[Example]:
+    """Give the commands of all console blocks of a file."""
+    text = path.read_text(encoding="utf-8")
+    for block in _BLOCK.finditer(text):
+        line = text.count("\n", 0, block.start(1)) + 1
+        for part in re.split(r"^(?=\$ )", block[1], flags=re.MULTILINE):
+            if part.startswith("$ "):
+                command, _, expected = part[2:].partition("\n")
+                yield Example(path, line, command, expected)
+            line += part.count("\n")
+
+
+def environment(folder: Path) -> dict[str, str]:
+    """Give an environment in which nothing of this machine shows."""
+    kept = {name: os.environ[name] for name in ("PATH", "HOME", "LANG", "TMPDIR") if name in os.environ}
+    return {
+        **kept,
+        "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "cli"))),
+        "PYTHONUTF8": "1",
+        "COLUMNS": "80",
+        "TZ": "UTC",
+        "FUZZYTIME_CACHE": str(folder / "cache"),
+        "FUZZYTIME_CONFIG": str(folder / "config.yaml"),
+        "FUZZYTIME_DATA": str(folder / "data"),
+    }
+
+
+def written_by(command: str, folder: Path) -> str:
+    """Run a command and give what it writes; simple ones in this process, as loading the model takes long."""
+    if re.search(r"[|<>&;]", command):
+        return _in_shell(command, folder)
+    words = shlex.split(command)
+    if words[0] != "fuzzytime":
+        return _in_shell(command, folder)
+    from fuzzytime_cli.app import run
+
+    stream = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True)
+    here = Path.cwd()
+    with mock.patch.dict(os.environ, environment(folder), clear=True):
+        os.chdir(ROOT)
+        try:
+            with contextlib.redirect_stdout(stream), contextlib.redirect_stderr(stream):
+                run(words[1:])
+        finally:
+            os.chdir(here)
+    raw = stream.buffer
+    assert isinstance(raw, io.BytesIO)
+    return raw.getvalue().decode("utf-8")
+
+
+def _in_shell(command: str, folder: Path) -> str:
+    shim = folder / "bin" / "fuzzytime"
+    shim.parent.mkdir(exist_ok=True)
+    shim.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m fuzzytime_cli "$@"\n')
+    shim.chmod(0o755)
+    variables = environment(folder)
+    variables["PATH"] = f"{shim.parent}{os.pathsep}{variables['PATH']}"
+    done = subprocess.run(
+        ["bash", "-c", command],  # noqa: S607 - the shell that the document's reader uses
+        cwd=ROOT,
+        env=variables,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        stdin=subprocess.DEVNULL,
+        check=False,
+    )
+    return done.stdout.decode("utf-8")
+
+
+def compared(text: str) -> str:
+    """Give what is compared of a text: no figures of time spent, no spaces at the ends of lines."""
+    lines = (line.rstrip() for line in _SPENT.sub("· s)", text).strip("\n").split("\n"))
+    return "\n".join(lines)
+
+
+def fits(expected: str, written: str) -> bool:
+    """Say whether what was written is what was expected; ``…`` alone on a line stands for any lines."""
+    pattern = re.escape(compared(expected)).replace(re.escape("\n…\n"), "\n(?:.*\n)*?")
+    pattern = re.sub(rf"\n{re.escape('…')}$", r"(?:\n.*)*", pattern)
+    return re.fullmatch(pattern, compared(written)) is not None

@@ -1,0 +1,62 @@
+"""Each phrase of the corpora means what its row says, and texts without time hold none."""
+
+from collections import Counter
+from dataclasses import replace
+
+import pytest
+
+from fuzzytime.language import find_times
+from fuzzytime.language.english import grammar
+from fuzzytime.language.finding import shipped_lexicon
+from fuzzytime.language.grammar.chart import Action, Grammar, Rule
+from fuzzytime.language.grammar.spans import Scanned
+from language.corpus_rows import Row, meant, rows, texts_without_time
+
+ROWS = rows()
+
+
+@pytest.mark.parametrize("row", ROWS, ids=str)
+def test_a_phrase_means_what_its_row_says(row: Row) -> None:
+    assert meant(row, find_times(row.phrase, row.now)) == []
+
+
+@pytest.mark.parametrize("row", ROWS, ids=str)
+def test_a_time_covers_its_whole_phrase(row: Row) -> None:
+    said = find_times(row.phrase, row.now).requirements[0].text
+    assert said.rstrip(".!") == row.phrase.rstrip(".!")
+
+
+@pytest.mark.parametrize("row", ROWS[::7], ids=str)
+def test_a_time_is_the_same_inside_a_sentence(row: Row) -> None:
+    alone = find_times(row.phrase, row.now)
+    text = f"call the plumber {row.phrase}, please"
+    inside = find_times(text, row.now)
+    if not inside.found:
+        pytest.skip("a number or a month alone is a time only by itself")
+    assert inside.requirements[0].text == alone.requirements[0].text
+    assert inside.requirements[0].t_spec == alone.requirements[0].t_spec
+
+
+@pytest.mark.parametrize("text", texts_without_time())
+def test_a_text_without_time_holds_none(text: str) -> None:
+    assert find_times(text, ROWS[0].now).requirements == ()
+
+
+def test_every_rule_has_a_row() -> None:
+    made: Counter[str] = Counter()
+
+    def counting(rule: Rule) -> Action:
+        def action(*values: object) -> object:
+            found = rule.action(*values)
+            made[rule.name] += found is not None
+            return found
+
+        return action
+
+    counted = Grammar()
+    for rule in grammar().rules:
+        counted.add(replace(rule, action=counting(rule)))
+    for row in ROWS:
+        Scanned.of(row.phrase, counted, shipped_lexicon())
+    idle = sorted({rule.name for rule in grammar().rules} - {name for name, count in made.items() if count})
+    assert not idle

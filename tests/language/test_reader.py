@@ -1,0 +1,179 @@
+"""Sentences are read as the corpus says; texts refer to those before them; what is not understood is said."""
+
+from datetime import datetime
+from functools import cache
+from typing import Any
+
+import pytest
+import yaml
+
+from fuzzytime.errors import InstructionError
+from fuzzytime.language import Instruction, Language, Operation, RemarkKind
+from fuzzytime.requirement import Edge, TimeRequirement
+from language.corpus_rows import FOLDER, instant
+
+pytestmark = pytest.mark.model
+
+CORPUS = yaml.safe_load((FOLDER / "sentences.yaml").read_text("utf-8"))
+NOW = instant(CORPUS["now"])
+
+
+@cache
+def language() -> Language:
+    return Language.shipped()
+
+
+def _time(requirement: TimeRequirement, key: str) -> object:
+    condition, anchor = requirement.condition, requirement.anchor
+    match key:
+        case "subject" | "word" if condition is not None:
+            return getattr(condition, key)
+        case "hedges" if condition is not None:
+            return list(condition.hedges)
+        case "target" | "lag" | "exact":
+            return getattr(anchor, key) if anchor is not None else None
+        case _:
+            return getattr(requirement, key)
+
+
+def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
+    operation = instruction.operation
+    found: dict[str, Any] = {}
+    for key in wanted:
+        match key:
+            case "do":
+                found[key] = operation.name if operation is not None else None
+            case "lemma" | "negated":
+                found[key] = getattr(operation, key)
+            case "duration":
+                found[key] = instruction.duration
+            case "times":
+                pairs = zip(instruction.requirements, wanted["times"], strict=False)
+                found[key] = [
+                    {name: _time(requirement, name) for name in time} for requirement, time in pairs
+                ]
+                found[key] += [{"text": r.text} for r in instruction.requirements[len(wanted["times"]) :]]
+    return found
+
+
+@pytest.mark.parametrize("row", CORPUS["sentences"], ids=lambda row: row["text"])
+def test_a_sentence_is_read_as_its_row_says(row: dict[str, Any]) -> None:
+    reading = language().read(row["text"], now=NOW)
+    wanted = row["instructions"]
+    assert len(reading.instructions) == len(wanted)
+    assert [_said(i, w) for i, w in zip(reading.instructions, wanted, strict=True)] == wanted
+
+
+def test_texts_read_together_are_read_as_alone() -> None:
+    texts = [row["text"] for row in CORPUS["sentences"]]
+    together = language().read_independent([(text, NOW) for text in texts])
+    assert together == [language().read(text, now=NOW) for text in texts]
+
+
+def test_a_later_text_refers_to_an_earlier_one() -> None:
+    texts = [
+        "Boil the pasta",
+        "Five minutes before you serve the pasta, warm the plates",
+        "After boiling the pasta, serve it",
+    ]
+    first, second, third = language().read_all([(text, NOW) for text in texts])
+    assert [r.kind for r in second.remarks] == [RemarkKind.UNRESOLVED]
+    anchor = third.instructions[0].requirements[0].anchor
+    assert anchor is not None
+    assert (anchor.target, anchor.edge) == (0, Edge.END)
+    assert first.remarks == ()
+
+
+def test_a_text_refers_to_what_was_given_before() -> None:
+    given = [Operation(verb="boil", lemma="boil", span=(0, 4), object="the pasta")]
+    reading = language().read("then drain it", now=NOW, given=given)
+    operation, (requirement,) = reading.instructions[0].operation, reading.instructions[0].requirements
+    assert operation is not None
+    assert operation.object == "the pasta"
+    assert requirement.anchor is not None
+    assert requirement.anchor.target == 0
+
+
+def test_an_unresolved_reference_is_said() -> None:
+    reading = language().read("After setting the table, call everyone", now=NOW)
+    (remark,) = reading.remarks
+    assert remark.kind is RemarkKind.UNRESOLVED
+    assert reading.text[slice(*remark.span)] == "After setting the table"
+
+
+def test_each_text_has_a_moment_of_its_own() -> None:
+    noon = datetime(2026, 3, 4, 12)  # noqa: DTZ001
+    first, second = language().read_independent(
+        [("feed the cat at one pm", NOW), ("feed the cat at one pm", noon)]
+    )
+    assert first.instructions[0].requirements[0].t_spec == 4 * 3600
+    assert second.instructions[0].requirements[0].t_spec == 3600
+
+
+def test_without_a_clock_offsets_and_vague_words_are_understood() -> None:
+    reading = language().read("set the table in ten minutes, feed the cat soon", now=None)
+    assert [r.constraint.value for i in reading.instructions for r in i.requirements] == ["at", "vague"]
+    assert reading.remarks == ()
+
+
+def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
+    reading = language().read("set the table at noon", now=None)
+    assert reading.instructions[0].requirements == ()
+    assert [(r.kind, reading.text[slice(*r.span)]) for r in reading.remarks] == [
+        (RemarkKind.NOT_UNDERSTOOD, "at noon")
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("paint the fence for months", "months"),
+        ("paint the fence every day except sundays", "sundays"),
+        ("paint the fence on the 31st of april", "on the 31st of april"),
+        ("take a ten minute walk", "ten minute"),
+    ],
+)
+def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words: str) -> None:
+    reading = language().read(text, now=NOW)
+    pointed = [text[slice(*r.span)] for r in reading.remarks if r.kind is RemarkKind.NOT_UNDERSTOOD]
+    assert pointed == [words]
+
+
+def test_of_times_joined_by_or_the_first_is_taken_and_said() -> None:
+    reading = language().read("call me at noon or at 3 pm", now=NOW)
+    (instruction,) = reading.instructions
+    assert [r.text for r in instruction.requirements] == ["at noon"]
+    assert [(r.kind, reading.text[slice(*r.span)]) for r in reading.remarks] == [
+        (RemarkKind.POLICY, "at 3 pm")
+    ]
+
+
+def test_an_ambiguous_time_is_a_question_with_the_choice_of_the_policy() -> None:
+    (question,) = language().read("call me at six", now=NOW).questions
+    assert [choice.hour for choice in question.choices] == [18, 6]
+    assert question.chosen == 0
+
+
+def test_vague_amounts_are_kept() -> None:
+    (instruction,) = language().read("bring some food and a few screws in a bit", now=NOW).instructions
+    assert [(p.text, p.noun) for p in instruction.fuzzy_parameters] == [
+        ("some food", "food"),
+        ("a few screws", "screws"),
+    ]
+    assert instruction.fuzzy_parameters[1].quantity == (2, 3, 4, 6)
+
+
+def test_a_text_beyond_the_limit_is_refused() -> None:
+    with pytest.raises(InstructionError, match="must not be longer than 4,000 characters, got 10,000,000"):
+        language().read("a" * 10_000_000, now=NOW)
+
+
+@pytest.mark.parametrize("text", ["", " ", "\n", ".", "!?", "\u202e", "\ud800", "\x00", "🍞"])
+def test_a_text_without_words_gives_no_time(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [r for i in reading.instructions for r in i.requirements] == []
+
+
+def test_full_width_digits_and_typographic_marks_are_read() -> None:
+    reading = language().read("Feed the cat at ８：３０ pm – please", now=NOW)
+    assert reading.instructions[0].requirements[0].t_spec == 11.5 * 3600

@@ -1,0 +1,62 @@
+"""How long operations take, where nobody says it."""
+
+import pytest
+
+from fuzzytime.rulebook import Rulebook
+from fuzzytime.rulebook.durations import singular_forms
+from fuzzytime.times import MINUTE
+
+RULEBOOK = Rulebook.shipped()
+
+
+def test_the_cook_is_free_while_eggs_boil() -> None:
+    row = RULEBOOK.duration_of("boil", "the eggs")
+    assert row.hands_on < row.elapsed
+    assert row.assumed
+    assert row.known
+
+
+@pytest.mark.parametrize(
+    ("verb", "thing", "like"),
+    [
+        ("boil", "two large eggs", "egg"),
+        ("boil", "Eggs", "egg"),
+        ("cook", "the tomato soup", "soup"),
+        ("wash", "the dirty dishes", "dish"),
+        ("empty", "the washing machine", "washing machine"),
+        ("make", "a cup of coffee", "coffee"),
+        ("clean", "the lid of the pan", "pan"),
+        ("clean", "the pan in the kitchen", "pan"),
+    ],
+)
+def test_an_object_s_last_words_choose_the_row(verb: str, thing: str, like: str | None) -> None:
+    assert RULEBOOK.duration_of(verb, thing) == RULEBOOK.tables.durations.rows[verb, like]
+
+
+def test_a_phrasal_verb_has_its_own_row() -> None:
+    assert RULEBOOK.duration_of("turn on", "the light").hands_on == 15
+    assert RULEBOOK.duration_of("turn_on", "the light").hands_on == 15
+    assert RULEBOOK.duration_of("boil over", None) == RULEBOOK.duration_of("boil", None)
+
+
+def test_an_unknown_operation_takes_five_minutes_and_says_that_it_is_unknown() -> None:
+    row = RULEBOOK.duration_of("defenestrate", "the printer")
+    assert (row.hands_on, row.elapsed) == (5 * MINUTE, 5 * MINUTE)
+    assert not row.known
+    assert row.source.startswith("rules/durations.yaml:")
+    assert RULEBOOK.duration_of(None, None) == row
+
+
+def test_all_rows_are_plausible() -> None:
+    rows = RULEBOOK.tables.durations.rows
+    assert len(rows) > 400
+    assert all(0 <= row.hands_on <= row.elapsed for row in rows.values())
+    assert all(row.elapsed > 0 for row in rows.values())
+
+
+@pytest.mark.parametrize(
+    ("plural", "singular"),
+    [("knives", "knife"), ("loaves", "loaf"), ("boxes", "box"), ("tomatoes", "tomato"), ("plates", "plate")],
+)
+def test_plurals_find_their_singular(plural: str, singular: str) -> None:
+    assert singular in singular_forms(plural)

@@ -1,0 +1,204 @@
+"""The study's commands, as a shell runs them."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner, Result
+
+from fuzzytime.errors import DocumentError, FuzzytimeError
+from fuzzytime.rulebook import check
+from fuzzytime.study import Design
+from fuzzytime_cli.faults import NoInputError, UsageError
+from fuzzytime_cli.study import app
+
+ROOT = Path(__file__).parents[2]
+
+
+def run(*arguments: object) -> Result:
+    return CliRunner().invoke(app, [str(argument) for argument in arguments])
+
+
+def fine(*arguments: object) -> Result:
+    found = run(*arguments)
+    if found.exception is not None and not isinstance(found.exception, SystemExit):
+        raise found.exception
+    assert found.exit_code == 0, found.output
+    return found
+
+
+@pytest.fixture(scope="module")
+def small(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The paper's design with the four plain instructions with "in", which is quicker to analyse."""
+    lines = (ROOT / "rules/study/sucker2024.yaml").read_text(encoding="utf-8").splitlines()
+    kept = [line for line in lines if not line.startswith(("  after", "  before", "  soon", "  in-about"))]
+    path = tmp_path_factory.mktemp("design") / "small.yaml"
+    path.write_text("\n".join(kept), encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def simulated(tmp_path_factory: pytest.TempPathFactory, small: Path) -> Path:
+    path = tmp_path_factory.mktemp("study") / "answers.sqlite"
+    assert fine("simulate", "--participants", 8, "--seed", 1, "--db", path, "--design", small).stdout == ""
+    return path
+
+
+def test_participants_are_listed_with_what_became_of_them(simulated: Path) -> None:
+    lines = fine("list", simulated).stdout.splitlines()
+    assert lines[0].split() == ["participant", "group", "origin", "state", "curves"]
+    assert sum("counts" in line for line in lines[1:9]) == 8
+    assert lines[-1] == "sucker2024: 8 participants count (4 robot, 4 person), 0 set aside"
+    rows = [json.loads(line) for line in fine("list", simulated, "--json").stdout.splitlines()]
+    assert len(rows) == 8
+    assert rows[0]["curves"] == 4
+    assert rows[0]["set_aside"] is None
+
+
+def test_a_participant_is_excluded_and_taken_back(simulated: Path) -> None:
+    fine("exclude", simulated, "s1-002", "--reason", "joked \x1b[31m")
+    line = fine("list", simulated).stdout.splitlines()[2]
+    assert "excluded: joked \\x1b[31m" in line
+    assert "7 participants" in fine("analyse", simulated, "--permutations", 9).stdout
+    fine("exclude", simulated, "s1-002", "--undo")
+    assert "0 set aside" in fine("list", simulated).stdout
+    assert isinstance(run("exclude", simulated, "nobody", "--reason", "x").exception, FuzzytimeError)
+    assert isinstance(run("exclude", simulated, "s1-002").exception, UsageError)
+
+
+def test_the_analysis_is_a_summary_or_json(simulated: Path) -> None:
+    text = fine("analyse", simulated, "--permutations", 9).stdout
+    for word in ("F1", "F2", "F3", "person against robot", "caution"):
+        assert word in text
+    assert all(len(line) <= 110 for line in text.splitlines())
+    document = json.loads(fine("analyse", simulated, "--json", "--permutations", 9).stdout)
+    assert document["participants"]["counted"] == 8
+
+
+def test_the_report_is_a_folder_of_page_plots_and_numbers(simulated: Path, tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="matplotlib is not installed: no figure is drawn")
+    fine("analyse", simulated, "--out", tmp_path / "report", "--permutations", 9)
+    names = {path.name for path in (tmp_path / "report").iterdir()}
+    assert {"report.html", "numbers.json", "fits.svg", "fits.png", "in-30.svg", "in-30.png"} <= names
+    without = tmp_path / "without"
+    fine("analyse", simulated, "--out", without, "--no-plots", "--permutations", 9)
+    assert {path.name for path in without.iterdir()} == {"report.html", "numbers.json"}
+
+
+def test_a_calibrated_table_is_checked_and_written(simulated: Path, tmp_path: Path) -> None:
+    text = fine("calibrate", simulated).stdout
+    assert text.startswith("# Rules calibrated")
+    fine("calibrate", simulated, "-o", tmp_path / "mine.yaml")
+    assert (tmp_path / "mine.yaml").read_text(encoding="utf-8") == text
+    assert check([tmp_path / "mine.yaml"]) == ()
+
+
+def test_answers_go_out_and_come_back(simulated: Path, small: Path, tmp_path: Path) -> None:
+    for form in ("csv", "json"):
+        text = fine("export", simulated, f"--{form}").stdout
+        (tmp_path / f"answers.{form}").write_text(text, encoding="utf-8", newline="")
+        fine("import", tmp_path / f"answers.{form}", "--db", tmp_path / f"{form}.sqlite", "--design", small)
+        assert fine("export", tmp_path / f"{form}.sqlite", f"--{form}").stdout == text
+    fine("export", simulated, "-o", tmp_path / "again.csv")
+    assert (tmp_path / "again.csv").read_bytes() == (tmp_path / "answers.csv").read_bytes()
+    assert isinstance(run("export", simulated, "--csv", "--json").exception, UsageError)
+    twice = run("import", tmp_path / "answers.csv", "--db", tmp_path / "csv.sqlite").exception
+    assert "must differ, got 's1-001' twice" in str(twice)
+
+
+def test_the_truth_may_be_a_rule_table_or_written_for_each_instruction(small: Path, tmp_path: Path) -> None:
+    (tmp_path / "wide.yaml").write_text("fuzzytime: 1\nwidth: {base: 300 s, growth: 0.1}\n")
+    keys = [entry.key for entry in Design.of_file(small).instructions]
+    plain = "".join(f"{key}: {{rectangle: [0 s, 40 min]}}\n" for key in keys)
+    (tmp_path / "plain.yaml").write_text(plain)
+    variances = {}
+    for name in ("wide", "plain"):
+        fine(
+            "simulate",
+            "--design",
+            small,
+            "--db",
+            tmp_path / f"{name}.sqlite",
+            "--participants",
+            6,
+            "--truth",
+            tmp_path / f"{name}.yaml",
+        )
+        numbers = json.loads(
+            fine("analyse", tmp_path / f"{name}.sqlite", "--json", "--permutations", 9).stdout
+        )
+        variances[name] = {key: entry["variance_min2"] for key, entry in numbers["instructions"].items()}
+    # A trapezoid with half-base w and half-plateau 0.4 w has the variance (1 + 0.16) w² / 6.
+    assert variances["wide"]["in-30"] == pytest.approx(1.16 * 8**2 / 6, rel=0.1)
+    assert variances["plain"]["in-30"] == pytest.approx(40**2 / 12, rel=0.05)
+    (tmp_path / "part.yaml").write_text("in-1: {rectangle: [0 s, 1 min]}\n")
+    missing = run(
+        "simulate", "--design", small, "--db", tmp_path / "x.sqlite", "--truth", tmp_path / "part.yaml"
+    ).exception
+    assert isinstance(missing, DocumentError)
+    assert "missing key 'in-now'" in str(missing)
+
+
+def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(small: Path, tmp_path: Path) -> None:
+    def ratio(*more: object) -> float:
+        path = tmp_path / f"{len(list(tmp_path.iterdir()))}.sqlite"
+        fine("simulate", "--design", small, "--db", path, "--participants", 16, *more)
+        groups = json.loads(fine("analyse", path, "--json", "--permutations", 9).stdout)["instructions"][
+            "in-30"
+        ]["groups"]
+        return float(groups["person"]["variance_min2"] / groups["robot"]["variance_min2"])
+
+    assert ratio("--group-effect", 2) == pytest.approx(4, rel=0.35)
+    # The study's 1.805 and 1.171 min².
+    assert ratio("--by-actor", "--individual", 0) == pytest.approx(1.805 / 1.171, rel=0.1)
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("list", "none.sqlite"),
+        ("analyse", "none.sqlite"),
+        ("calibrate", "none.sqlite"),
+        ("export", "none.sqlite"),
+        ("exclude", "none.sqlite", "x", "--reason", "y"),
+        ("import", "none.csv", "--db", "new.sqlite"),
+        ("simulate", "--db", "new.sqlite", "--truth", "none.yaml"),
+        ("simulate", "--db", "new.sqlite", "--design", "none.yaml"),
+        ("serve", "none.yaml", "--db", "new.sqlite"),
+    ],
+)
+def test_what_is_not_there_is_no_input(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: tuple[str, ...]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert isinstance(run(*arguments).exception, NoInputError)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_page_is_served_until_it_is_stopped_and_keeps_its_token(tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": f"{ROOT}:{ROOT / 'cli'}"}
+    command = [sys.executable, "-c", "from fuzzytime_cli.study import app; app()"]
+    addresses = []
+    for _ in range(2):
+        with subprocess.Popen(
+            [*command, "serve", "--db", str(tmp_path / "a.sqlite"), "--port", "0"],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        ) as process:
+            assert process.stdout is not None
+            assert process.stderr is not None
+            addresses.append(process.stdout.readline().strip())
+            process.send_signal(signal.SIGTERM)
+            said = process.stderr.read()
+            assert process.wait(timeout=20) == 0
+        assert "stopped, with 0 participants" in said
+    tokens = {address.partition("?token=")[2] for address in addresses}
+    assert len(tokens) == 1
+    assert len(tokens.pop()) >= 20
+    assert all(address.startswith("http://127.0.0.1:") for address in addresses)

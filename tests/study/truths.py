@@ -1,0 +1,20 @@
+"""What synthetic participants mean: the shapes that the paper found."""
+
+from fuzzytime.satisfaction import SatisfactionFunction, Trapezoid
+from fuzzytime.study import StudyInstruction
+
+
+def half_base(t_spec: float) -> float:
+    """Give the paper's law of widths, in seconds."""
+    return 112.9 + 0.03406 * t_spec
+
+
+def truth(instruction: StudyInstruction, _group: str = "") -> SatisfactionFunction:
+    """Give the shapes that the paper found: around, until, and from the specified time."""
+    t = instruction.t_spec
+    w = half_base(t) * (1.5 if instruction.fuzziness else 1.0)
+    if instruction.preposition == "in":
+        return Trapezoid(t - w, t - 0.4 * w, t + 0.4 * w, t + w)
+    if instruction.preposition == "before":
+        return Trapezoid(0.0, 0.0, t, t + 0.1 * w)
+    return Trapezoid(t - 10.09, t, t + 0.2 * w, t + 0.2 * w + 192.3)

@@ -1,0 +1,251 @@
+"""A conversation, turn by turn, with a clock that the test sets."""
+
+from collections.abc import Callable
+from datetime import datetime, timedelta
+from functools import cache
+from pathlib import Path
+
+import pytest
+from rich.text import Text
+
+from fuzzytime.interpreter import Interpreter
+from fuzzytime.scheduling import THRESHOLD, Auto, Limits
+from fuzzytime.times import parse_zone
+from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.repl.turn import Turns
+from fuzzytime_cli.session import SessionStore
+
+NINE = datetime(2026, 3, 4, 9, tzinfo=parse_zone("Europe/Berlin"))
+
+
+@cache
+def shipped() -> Interpreter:
+    return Interpreter.shipped()
+
+
+class Talk:
+    """Turns with a clock: `say` takes a turn and gives what is answered."""
+
+    def __init__(self, path: Path | None = None) -> None:
+        conversation = Conversation(
+            SessionStore(path), "test", shipped(), lambda _: Auto(), Limits(), THRESHOLD
+        )
+        self.turns = Turns(conversation, 80)
+        self.now = NINE
+        self.edit = ""
+        self.turns.opened(self.now)
+
+    def say(self, line: str, ask: Callable[[str], str] | None = None) -> str:
+        reply = self.turns.take(line, self.now, ask)
+        self.edit = reply.edit
+        return _text(reply.lines)
+
+    def wait(self, **by: float) -> str:
+        self.now += timedelta(**by)
+        return _text(self.turns.tick(self.now))
+
+    @property
+    def entries(self) -> list[str]:
+        return [entry.text for entry in self.turns.conversation.state.entries]
+
+    def start(self, identifier: str) -> datetime:
+        plan = self.turns.plan
+        assert plan is not None
+        for position, interpreted in enumerate(plan.skills):
+            if interpreted.identifier == identifier:
+                return plan.instant(plan.schedule.start_times[position])
+        raise KeyError(identifier)
+
+
+def _text(lines: object) -> str:
+    assert isinstance(lines, (list, tuple))
+    return "\n".join(line.plain if isinstance(line, Text) else str(line) for line in lines)
+
+
+def test_an_instruction_is_kept_and_the_schedule_drawn() -> None:
+    talk = Talk()
+    answer = talk.say("Stir the soup in about ten minutes")
+    assert "stir the soup" in answer
+    assert "proved" in answer
+    assert talk.entries == ["Stir the soup in about ten minutes"]
+
+
+def test_words_that_are_not_understood_are_pointed_at_and_not_kept() -> None:
+    talk = Talk()
+    answer = talk.say("call mum at 25:61 pm")
+    assert "^" in answer
+    assert talk.entries == []
+
+
+def test_times_count_from_when_the_words_were_said() -> None:
+    talk = Talk()
+    talk.say("Stir the soup in exactly ten minutes")
+    talk.now += timedelta(minutes=4)
+    talk.say("Set the table in exactly ten minutes")
+    assert abs(talk.start("s1") - NINE - timedelta(minutes=10)) < timedelta(minutes=4)
+    assert abs(talk.start("s2") - NINE - timedelta(minutes=14)) < timedelta(minutes=4)
+
+
+def test_a_start_that_comes_is_said_once_and_the_skill_stays() -> None:
+    talk = Talk()
+    talk.say("Stir the soup now")
+    began = talk.start("s1")
+    assert "start now: stir the soup" in talk.wait(seconds=1)
+    assert talk.wait(seconds=1) == ""
+    answer = talk.say("Set the table now")
+    assert "running: s1" in answer
+    assert talk.start("s2") >= began + timedelta(seconds=30)
+    with pytest.raises(KeyError):
+        talk.start("s1")
+
+
+def test_what_waits_for_a_started_skill_waits_until_it_is_done() -> None:
+    talk = Talk()
+    talk.say("Boil the eggs now")
+    talk.wait(seconds=5)
+    talk.say("Peel the eggs after boiling the eggs")
+    assert talk.start("s2") >= NINE + timedelta(minutes=5)
+
+
+def test_steps_are_undone_and_done_again() -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon")
+    talk.say("Set the table soon")
+    assert "undone" in talk.say(":undo")
+    assert talk.entries == ["Stir the soup soon"]
+    assert "done again" in talk.say(":redo")
+    assert len(talk.entries) == 2
+    talk.say(":drop 1")
+    assert talk.entries == ["Set the table soon"]
+    assert "nothing to redo" in talk.say(":redo")
+
+
+def test_moves_are_said() -> None:
+    talk = Talk()
+    talk.say("Stir the soup in exactly ten minutes")
+    talk.say(":duration 1 10min")
+    answer = talk.say("Set the table in exactly ten minutes")
+    assert "moved: s1" in answer
+
+
+def test_what_if_changes_nothing() -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon")
+    answer = talk.say(":what-if set the table now")
+    assert "set the table" in answer
+    assert "nothing is changed" in answer
+    assert talk.entries == ["Stir the soup soon"]
+
+
+def test_a_reading_moves_what_waits_for_it() -> None:
+    talk = Talk()
+    assert "not enough readings" in talk.say("Flip the pancakes when the pan is hot")
+    answer = talk.say(":ctx pan_temp=200")
+    assert "found a place: s1" in answer
+    assert talk.start("s1") - talk.now < timedelta(minutes=1)
+    assert "pan_temp" in talk.say(":ctx")
+
+
+def test_why_explains_from_the_words_to_the_start() -> None:
+    talk = Talk()
+    talk.say("Place the pan on the stove in about four minutes")
+    answer = talk.say(":why 1")
+    assert "place ← minutes (oblique temporal) ← four (number), about (hedge), in (preposition)" in answer
+    assert "rules/lookup.yaml" in answer
+
+
+def test_an_ambiguous_time_is_asked_once() -> None:
+    talk = Talk()
+    talk.now = NINE.replace(hour=19)
+    asked: list[str] = []
+
+    def ask(question: str) -> str:
+        asked.append(question)
+        return "1"
+
+    talk.say("Call mum at six", ask)
+    assert len(asked) == 1
+    assert "06:00" in asked[0]
+    assert talk.start("s1").hour in {5, 6}
+
+
+@pytest.mark.parametrize(
+    ("line", "rule"),
+    [
+        (":nonsense", "there is no command 'nonsense'"),
+        (":why", "a skill of the plan must follow"),
+        (":why 9", "a skill of the plan must follow"),
+        (":drop nine", "a number from the list must follow"),
+        (":drop 9", "a number must be one of the list"),
+        (":duration 1", "a number and a duration"),
+        (":duration 1 soon", "a duration must be a number and a unit"),
+        (":ctx pan_tmp=3", "did you mean 'pan_temp'?"),
+        (":agents many", "agents must be a number"),
+        (":solver magic", "a solver must be one of"),
+        (":busy 12:00", "two times must follow"),
+        (":load no_such_file", "there is no such file"),
+        (":save", "a file must follow"),
+        (":save no/such/folder/x.ics", "No such file"),
+        (":priority 1 much", "a priority must be a number"),
+    ],
+)
+def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon")
+    assert rule in talk.say(line)
+    assert talk.entries == ["Stir the soup soon"]
+
+
+def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
+    talk = Talk()
+    talk.say("Stir the soup in exactly an hour")
+    talk.say(":busy 12:00 13:00 lunch")
+    talk.say(f":save {tmp_path / 'dinner.json'}")
+    talk.say(f":save {tmp_path / 'dinner.ics'}")
+    other = Talk()
+    other.say(f":load {tmp_path / 'dinner.json'}")
+    assert other.entries == ["Stir the soup in exactly an hour"]
+    assert other.turns.conversation.state.busy[0].what == "lunch"
+    third = Talk()
+    assert "1 busy times read" in third.say(f":load {tmp_path / 'dinner.ics'}")
+
+
+def test_the_beginning_of_a_command_will_do() -> None:
+    assert ":list" in Talk().say(":he")
+
+
+def test_an_instruction_is_said_anew() -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon")
+    talk.say(":edit 1")
+    assert talk.edit == ":edit 1 Stir the soup soon"
+    talk.say(":edit 1 Stir the soup in ten minutes")
+    assert talk.entries == ["Stir the soup in ten minutes"]
+
+
+def test_what_is_done_no_longer_holds_its_agent() -> None:
+    talk = Talk()
+    talk.say("Paint the wall now")
+    talk.wait(seconds=2)
+    talk.say("Set the table now")
+    before = talk.start("s2")
+    talk.now += timedelta(seconds=30)
+    assert "done: paint the wall" in talk.say(":done 1")
+    assert talk.start("s2") < before
+
+
+def test_another_terminal_is_noticed(tmp_path: Path) -> None:
+    first, second = Talk(tmp_path / "s.sqlite"), Talk(tmp_path / "s.sqlite")
+    first.say("Stir the soup soon")
+    assert "stir the soup" in second.wait(seconds=1)
+
+
+def test_typed_control_characters_reach_no_answer_raw() -> None:
+    talk = Talk()
+    answer = (
+        talk.say("Stir \x1b[31mthe soup\x07 soon")
+        + talk.say(":why 1")
+        + talk.say(":list")
+        + talk.say(":\x1b[2J")
+    )
+    assert not set(answer) & {"\x1b", "\x07"}

@@ -1,0 +1,79 @@
+"""Each way to end has its exit code, one clear message, and no traceback."""
+
+from pathlib import Path
+
+import pytest
+
+from fuzzytime_cli.exits import Exit
+from terminal.running import ran
+
+NOW = ("--now", "2026-03-04T09:00")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (("plan", "-i", "stir the soup soon", *NOW), Exit.FINE),
+        (("plan", "no_such_file.txt"), Exit.NO_INPUT),
+        (("plan", "tests"), Exit.NO_INPUT),
+        (("plan", "tests/data/empty.txt"), Exit.NO_INPUT),
+        (("plan", "tests/data/comments.txt"), Exit.NO_INPUT),
+        (("plan", "tests/data/binary.bin"), Exit.BAD_DATA),
+        (("plan", "tests/data/latin1.txt"), Exit.BAD_DATA),
+        (("plan", "tests/data/broken.yaml"), Exit.BAD_DATA),
+        (("plan", "tests/data/mistakes.yaml"), Exit.BAD_DATA),
+        (("plan",), Exit.USAGE),
+        (("plan", "--nonsense"), Exit.USAGE),
+        (("plan", "-i", "x", "--now", "yesterday"), Exit.USAGE),
+        (("plan", "-i", "x", "--ctx", "nothing=1"), Exit.USAGE),
+        (("plan", "-i", "x", "--context", "no_such_file"), Exit.NO_INPUT),
+        (("plan", "-i", "x", "--rules", "no_such_file"), Exit.NO_INPUT),
+        (("plan", "-i", "x", "--rules", "tests/data/mistakes.yaml"), Exit.BAD_CONFIG),
+        (("rules", "check", "tests/data/mistakes.yaml"), Exit.BAD_CONFIG),
+        (("plan", "-i", "stir the soup soon", "-o", "no/such/folder/plan.json", *NOW), Exit.IO_ERROR),
+        (("nonsense",), Exit.USAGE),
+    ],
+)
+def test_an_end_has_its_code(arguments: tuple[str, ...], code: Exit, tmp_path: Path) -> None:
+    done = ran(*arguments, folder=tmp_path)
+    assert done.code == code, done.err
+    assert "Traceback" not in done.err
+    assert bool(done.err) == (code != Exit.FINE)
+
+
+def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Path) -> None:
+    text = b"stir the soup soon\n\nset the table at 25:61 pm\n"
+    done = ran("plan", "-", *NOW, folder=tmp_path, stdin=text)
+    assert done.code == Exit.FINE
+    assert "stir the soup" in done.out
+    assert "-:3: " in done.err
+    assert "^" in done.err
+    assert ran("plan", "-", "--strict", *NOW, folder=tmp_path, stdin=text).code == Exit.BAD_DATA
+
+
+def test_where_no_line_can_be_read_the_data_are_bad(tmp_path: Path) -> None:
+    assert ran("plan", "-i", "in ten minutes", *NOW, folder=tmp_path).code == Exit.BAD_DATA
+
+
+def test_the_strict_product_of_a_clash_is_infeasible_and_its_json_is_printed(tmp_path: Path) -> None:
+    task = tmp_path / "task.yaml"
+    task.write_text(
+        "skills:\n"
+        "  - {name: weld, duration: 5 min, satisfaction: {rectangle: [0 s, 60 s]}}\n"
+        "  - {name: paint, duration: 5 min, satisfaction: {rectangle: [0 s, 60 s]}}\n"
+    )
+    done = ran("plan", str(task), "--threshold", "0", "--format", "json", folder=tmp_path)
+    assert done.code == Exit.INFEASIBLE
+    assert '"status": "infeasible"' in done.out
+
+
+def test_a_defect_is_a_message_and_not_a_traceback(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from fuzzytime_cli.assembly import Assembly
+
+    def broken(_: Assembly) -> None:
+        raise ZeroDivisionError("on purpose")
+
+    monkeypatch.setattr(Assembly, "interpreter", broken)
+    done = ran("plan", "-i", "stir the soup", folder=tmp_path)
+    assert done.code == Exit.FAILURE
+    assert "this should not happen" in done.err

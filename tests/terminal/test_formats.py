@@ -1,0 +1,102 @@
+"""Every format is read back by a reader that is not ours."""
+
+import csv
+import io
+import json
+from pathlib import Path
+from xml.dom import minidom
+
+import icalendar
+import pytest
+
+from terminal.running import ran
+
+NOW = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
+HOSTILE = (
+    'Paint "=cmd|/C calc!A0" \x1b]52;c;aGk=\x07 \u202egnp\u202c <script>alert(1)</script> & [red]x[/red] now'
+)
+
+
+def written(tmp_path: Path, kind: str, *arguments: str) -> str:
+    done = ran("plan", *arguments, "--format", kind, *NOW, folder=tmp_path)
+    assert done.code == 0, done.err
+    return done.out
+
+
+def test_json_lines_are_one_skill_a_line_and_then_the_plan(tmp_path: Path) -> None:
+    lines = [json.loads(line) for line in written(tmp_path, "jsonl", "examples/breakfast.txt").splitlines()]
+    whole = json.loads(written(tmp_path, "json", "examples/breakfast.txt"))
+    assert [line.pop("type") for line in lines] == ["skill"] * 10 + ["plan"]
+    assert [line["start_s"] for line in lines[:-1]] == [skill["start_s"] for skill in whole["skills"]]
+    assert lines[-1]["satisfaction"] == whole["satisfaction"]
+
+
+def test_csv_has_one_row_a_skill_in_the_order_of_time(tmp_path: Path) -> None:
+    rows = list(csv.DictReader(io.StringIO(written(tmp_path, "csv", "examples/breakfast.txt"))))
+    assert len(rows) == 10
+    assert [row["start"] for row in rows] == sorted(row["start"] for row in rows)
+    assert {row["id"] for row in rows} == {f"s{number}" for number in range(1, 11)}
+
+
+def test_a_calendar_has_one_event_a_skill_in_utc(tmp_path: Path) -> None:
+    whole = json.loads(written(tmp_path, "json", "examples/breakfast.txt"))
+    calendar = icalendar.Calendar.from_ical(written(tmp_path, "ics", "examples/breakfast.txt"))
+    events = calendar.walk("VEVENT")
+    assert sorted(str(event["SUMMARY"]) for event in events) == sorted(s["name"] for s in whole["skills"])
+    first = min(event.decoded("DTSTART") for event in events)
+    assert first.isoformat() == "2026-03-04T08:00:00+00:00"
+
+
+@pytest.mark.parametrize("kind", ["svg", "html"])
+def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path: Path) -> None:
+    text = written(tmp_path, kind, "examples/workshop.yaml")
+    body = text[text.index("<svg") : text.index("</svg>") + 6]
+    document = minidom.parseString(body)  # noqa: S318 - our own output
+    assert len(document.getElementsByTagName("rect")) >= 11
+    assert "http" not in text.replace("http://www.w3.org/2000/svg", "").replace("http-equiv", "")
+    assert "<script" not in text
+
+
+def test_typed_text_reaches_no_output_raw(tmp_path: Path) -> None:
+    for kind in ("table", "json", "jsonl", "csv", "ics", "html", "svg"):
+        text = written(tmp_path, kind, "-i", HOSTILE)
+        assert not set(text) & {"\x1b", "\x07", "\u202e", "\u202c", "\x9b"}, kind
+        assert "<script>" not in text or kind in {"table", "csv", "ics", "json", "jsonl"}
+    assert json.loads(written(tmp_path, "json", "-i", HOSTILE))["skills"][0]["instruction"] == HOSTILE
+
+
+def test_no_cell_starts_a_formula(tmp_path: Path) -> None:
+    rows = csv.reader(
+        io.StringIO(written(tmp_path, "csv", "-i", "=1+1 stir the soup now", "-i", "@sum the bill now"))
+    )
+    for row in rows:
+        assert not any(cell.lstrip().startswith(("=", "@", "+", "-")) for cell in row)
+
+
+def test_a_file_is_written_whole_or_not_at_all(tmp_path: Path) -> None:
+    target = tmp_path / "plan.json"
+    target.write_text("as it was")
+    failed = ran("plan", "no_such_file", "-o", str(target), folder=tmp_path)
+    assert failed.code != 0
+    assert target.read_text() == "as it was"
+    ran("plan", "-i", "stir the soup now", "--format", "json", "-o", str(target), *NOW, folder=tmp_path)
+    assert json.loads(target.read_text())["skills"]
+    assert [path.name for path in tmp_path.iterdir() if path.name.startswith(".plan")] == []
+
+
+@pytest.mark.parametrize("columns", ["20", "40", "60", "80", "100", "160"])
+def test_the_table_fits_the_screen(columns: str, tmp_path: Path) -> None:
+    done = ran("plan", "examples/breakfast.txt", *NOW, folder=tmp_path, COLUMNS=columns)
+    widest = max(len(line) for line in done.out.splitlines())
+    assert widest <= max(int(columns), 36)
+
+
+@pytest.mark.parametrize("variables", [{"NO_COLOR": "1"}, {"TERM": "dumb"}, {}])
+def test_a_pipe_gets_no_colour(variables: dict[str, str], tmp_path: Path) -> None:
+    done = ran("plan", "examples/breakfast.txt", *NOW, folder=tmp_path, **variables)
+    assert "\x1b" not in done.out
+
+
+def test_colour_comes_where_it_is_forced(tmp_path: Path) -> None:
+    done = ran("plan", "examples/breakfast.txt", *NOW, folder=tmp_path, FORCE_COLOR="1")
+    assert "\x1b[" in done.out

@@ -1,0 +1,53 @@
+"""Starting costs little: help and version import nothing heavy."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from console import ROOT, environment
+
+HEAVY = {
+    "numpy",
+    "scipy",
+    "spacy",
+    "matplotlib",
+    "rich",
+    "prompt_toolkit",
+    "icalendar",
+    "yaml",
+    "asyncio",
+    "sqlite3",
+}
+
+
+@pytest.mark.parametrize("arguments", [["--version"], ["--help"], ["plan", "--help"], ["repl", "--help"]])
+def test_help_and_version_import_nothing_heavy(arguments: list[str], tmp_path: Path) -> None:
+    code = (
+        "import sys\nfrom fuzzytime_cli.app import run\n"
+        f"run({arguments!r})\n"
+        "print('\\n'.join(sorted({name.partition('.')[0] for name in sys.modules})), file=sys.stderr)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env=environment(tmp_path),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert not HEAVY & set(done.stderr.split())
+
+
+def test_importing_the_library_imports_no_library(tmp_path: Path) -> None:
+    code = "import sys, fuzzytime\nprint('\\n'.join(sys.modules))"
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env=environment(tmp_path),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert not HEAVY & {name.partition(".")[0] for name in done.stdout.split()}
