@@ -1,7 +1,9 @@
 """FuzzyTask to Schedule: provably best start times."""
 
-from fuzzytime.scheduling.auto import Auto, LocalSearch
+from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Limits
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
@@ -12,6 +14,7 @@ __all__ = [
     "Auto",
     "Certificate",
     "HeldKarp",
+    "Labels",
     "Limits",
     "LocalSearch",
     "Schedule",
