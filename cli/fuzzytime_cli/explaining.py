@@ -4,7 +4,7 @@ import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
 from fuzzytime.language import Reading, Token
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook import Resolution, Share, Trace
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import format_duration
@@ -110,7 +110,8 @@ def resolution_lines(resolution: Resolution) -> list[str]:
     numbers = ", ".join(
         f"{plain(name)} = {_quantity(value)}" for name, value in resolution.parameters.items()
     )
-    lines.append(f"model {plain(resolution.model)}" + (f" with {numbers}" if numbers else ""))
+    of = "" if resolution.reference is Reference.START else f" of the {resolution.reference.value}"
+    lines.append(f"model {plain(resolution.model)}{of}" + (f" with {numbers}" if numbers else ""))
     if resolution.reason:
         lines.append(f"never: {plain(resolution.reason)}")
     lines += [f"note: {plain(note)}" for note in resolution.notes]

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from fuzzytime.requirement import Reference
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
 
 
@@ -106,6 +107,8 @@ class Resolution:
         The model's name in the tables.
     parameters
         What its formula was filled with, in seconds: t, w and the like.
+    reference
+        The moment of the execution that the words, or else the tables' row, are about.
     shares
         The row and the rules that took part, in the order of the tables.
     hedges
@@ -126,3 +129,4 @@ class Resolution:
     reason: str | None = None
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
+    reference: Reference = Reference.START
