@@ -7,7 +7,7 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -75,6 +75,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
+                preferred=self._preferred(wish, own, duration),
             ),
             duration=duration,
             reading=reading,
@@ -116,6 +117,16 @@ class Maker:
                 else both(joined, part)
             )
         return joined
+
+    def _preferred(
+        self, wish: Wish, requirements: list[TimeRequirement], duration: OperationDuration
+    ) -> float | None:
+        """Give the start that was named, on the request's timeline; None where no moment was."""
+        for requirement in requirements:
+            if requirement.constraint is Constraint.AT and requirement.t_spec is not None:
+                before = duration.elapsed if requirement.reference is Reference.FINISH else 0.0
+                return seconds_between(self.request.now, wish.given) + requirement.t_spec - before
+        return None
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration

@@ -77,3 +77,9 @@ def test_a_defect_is_a_message_and_not_a_traceback(tmp_path: Path, monkeypatch: 
     done = ran("plan", "-i", "stir the soup", folder=tmp_path)
     assert done.code == Exit.FAILURE
     assert "this should not happen" in done.err
+
+
+def test_a_pipe_into_the_bare_command_is_planned(tmp_path: Path) -> None:
+    done = ran(folder=tmp_path, stdin=b"stir the soup soon\n")
+    assert (done.code, done.err) == (Exit.FINE, "")
+    assert "stir the soup" in done.out
