@@ -66,7 +66,8 @@ class HedgeEffect:
 class SignalTrace:
     """One signal over time: its readings, and the forecast's median and 90 % band.
 
-    ``forecast_*`` have one length; values of events are empty.
+    ``forecast_*`` have one length; values of events are empty. ``outlook`` says where it ends up, as expected:
+    "settles at 150 °C"; it is empty where nothing is forecast.
     """
 
     name: str
@@ -77,6 +78,7 @@ class SignalTrace:
     forecast_low: Floats
     forecast_median: Floats
     forecast_high: Floats
+    outlook: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
