@@ -1,6 +1,5 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
-from collections.abc import Callable
 from datetime import datetime, timedelta
 from functools import cache
 from pathlib import Path
@@ -30,13 +29,13 @@ class Talk:
         conversation = Conversation(
             SessionStore(path), "test", shipped(), lambda _: Auto(), Limits(), THRESHOLD
         )
-        self.turns = Turns(conversation, 80)
+        self.turns = Turns(conversation, 80, asks=True)
         self.now = NINE
         self.edit = ""
         self.turns.opened(self.now)
 
-    def say(self, line: str, ask: Callable[[str], str] | None = None) -> str:
-        reply = self.turns.take(line, self.now, ask)
+    def say(self, line: str) -> str:
+        reply = self.turns.take(line, self.now)
         self.edit = reply.edit
         return _text(reply.lines)
 
@@ -154,19 +153,23 @@ def test_why_explains_from_the_words_to_the_start() -> None:
     assert "rules/lookup.yaml" in answer
 
 
-def test_an_ambiguous_time_is_asked_once() -> None:
+def test_an_ambiguous_time_is_asked_about_once_and_a_number_answers() -> None:
     talk = Talk()
-    talk.now = NINE.replace(hour=19)
-    asked: list[str] = []
+    asked = talk.say("Call mum at six")
+    assert "Type 1 for Wednesday 18:00 (taken), 2 for Thursday 06:00." in asked
+    answered = talk.say("2")
+    assert "Which time" not in answered
+    assert talk.start("s1") == NINE.replace(hour=6) + timedelta(days=1)
+    assert talk.entries == ["Call mum at 06:00 on 2026-03-05"]
 
-    def ask(question: str) -> str:
-        asked.append(question)
-        return "1"
 
-    talk.say("Call mum at six", ask)
-    assert len(asked) == 1
-    assert "06:00" in asked[0]
-    assert talk.start("s1").hour in {5, 6}
+def test_a_question_that_is_not_answered_leaves_the_choice_and_loses_no_line() -> None:
+    talk = Talk()
+    talk.say("Call mum at six")
+    talk.say("Stir the soup soon")
+    assert talk.entries == ["Call mum at six", "Stir the soup soon"]
+    assert talk.start("s1").hour in {17, 18}
+    assert "cannot" not in talk.say(":list")
 
 
 @pytest.mark.parametrize(

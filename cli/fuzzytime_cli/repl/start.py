@@ -98,10 +98,10 @@ class _Talk:
         with self.lock:
             self.screen.write(*self.turns.opened(self.clock()))
 
-    def take(self, line: str, ask: Callable[[str], str] | None) -> tuple[bool, str]:
+    def take(self, line: str) -> tuple[bool, str]:
         """Answer a line; say whether to go on, and with which words on the prompt."""
         with self.lock:
-            reply = self.turns.take(line, self.clock(), ask)
+            reply = self.turns.take(line, self.clock())
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
 
@@ -169,6 +169,7 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
         talk.screen = Screen(
             sys.stdout, talk.screen.width, talk.screen.colour, talk.screen.unicode, interactive=True
         )
+        talk.turns.asks = True
         talk.open()
         going, words = True, ""
         with _beating(talk):
@@ -177,7 +178,7 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
                     typed = prompt.prompt(PROMPT, default=words)
                     words = ""
                     for line in typed.splitlines():
-                        going, words = talk.take(line, prompt.prompt)
+                        going, words = talk.take(line)
                         if not going:
                             break
                 except KeyboardInterrupt:
@@ -191,7 +192,7 @@ def _piped(talk: _Talk, stream: TextIO | None) -> None:
     talk.open()
     for line in stream if stream is not None else ():
         talk.beat()
-        going, _ = talk.take(line, None)
+        going, _ = talk.take(line)
         talk.screen.stream.flush()
         if not going:
             return
