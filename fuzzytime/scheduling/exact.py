@@ -34,6 +34,12 @@ REFINEMENT = 4
 MOST_SLOTS = 200
 """The shortest job takes no more slots than this."""
 
+STEPS = 40
+"""Evaluations of the bound between two deletions of starts."""
+
+ENOUGH = 0.005
+"""The gap, as a share of a rejection, that is left to labels."""
+
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
 
@@ -59,15 +65,15 @@ class Labels:
         if fault:
             raise RefusedError(f"the label program {fault}")
         best = warm or LocalSearch().search(problem, watch.share(0.3))
-        step = step_for(problem, FIRST_SLOTS)
+        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.rejection for job in problem.jobs)
         relaxation = Relaxation(problem, grid_of(problem, step), best.cost)
-        relaxation.improve(best.cost, watch)
+        relaxation.improve(best.cost, STEPS, enough, watch)
         lower, left = relaxation.lower, relaxation.narrowed(problem)
         while best.cost - lower > OPTIMAL_GAP * problem.weight and not watch.is_over():
             step = fine_enough(problem, best, step, OPTIMAL_GAP * problem.weight / 2)
             if step < relaxation.grid.step:
                 relaxation = Relaxation(left, grid_of(left, step), best.cost, relaxation.prices)
-                relaxation.improve(best.cost, watch, 10)
+                relaxation.improve(best.cost, STEPS // 4, enough, watch)
             attempt = _Attempt(problem, relaxation, best, watch)
             attempt.close()
             best, lower = attempt.best, max(lower, attempt.lower)

@@ -68,10 +68,24 @@ class Relaxation:
             gradient += agents * paths.visits()
         return value, gradient
 
-    def improve(self, upper: float, watch: Stopwatch, steps: int | None = None) -> None:
-        """Search better prices, and delete the arcs that no schedule below a known cost uses."""
-        for _ in range(2):
-            self._multipliers.improve(upper, steps or 20 + self.ceiling.size // 2, watch)
+    def improve(self, upper: float, steps: int, enough: float, watch: Stopwatch) -> None:
+        """Search better prices, and delete the arcs that no schedule below a known cost uses.
+
+        Parameters
+        ----------
+        upper
+            That cost.
+        steps
+            Evaluations between two deletions.
+        enough
+            The gap at which to end.
+        watch
+            Asked before each evaluation.
+        """
+        left = np.inf
+        while enough < upper - self.lower < 0.9 * left and not watch.is_over():
+            left = upper - self.lower
+            self._multipliers.improve(upper, steps, watch)
             self.fix(upper)
 
     def reduced_costs(self) -> list[Floats]:
