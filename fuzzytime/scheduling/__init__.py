@@ -4,6 +4,7 @@ from fuzzytime.scheduling.alone import Best, best_alone
 from fuzzytime.scheduling.auto import Auto, LocalSearch
 from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.limits import Limits
+from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
@@ -17,10 +18,13 @@ __all__ = [
     "Best",
     "Bond",
     "Certificate",
+    "EarliestStart",
     "HeldKarp",
     "Limits",
     "LocalSearch",
+    "Nearness",
     "Neighbour",
+    "Objective",
     "Schedule",
     "Solver",
     "Status",
