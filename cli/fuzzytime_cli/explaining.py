@@ -1,12 +1,13 @@
 """An instruction explained: tree, requirement, rows and rules, ψ, and why it is planned when it is."""
 
+import math
 import textwrap
 
 import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
 from fuzzytime.language import Reading, Token
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook import Resolution, Share, Trace
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import format_duration
@@ -112,7 +113,8 @@ def resolution_lines(resolution: Resolution) -> list[str]:
     numbers = ", ".join(
         f"{plain(name)} = {_quantity(value)}" for name, value in resolution.parameters.items()
     )
-    lines.append(f"model {plain(resolution.model)}" + (f" with {numbers}" if numbers else ""))
+    of = "" if resolution.reference is Reference.START else f" of the {resolution.reference.value}"
+    lines.append(f"model {plain(resolution.model)}{of}" + (f" with {numbers}" if numbers else ""))
     if resolution.reason:
         lines.append(f"never: {plain(resolution.reason)}")
     lines += [f"note: {plain(note)}" for note in resolution.notes]
@@ -160,10 +162,11 @@ def chart_of(interpreted: Interpreted, plan: Plan, position: int | None = None) 
             )
             panels += _trace_panels(trace, start, end)
     panels.append(satisfaction_panel(function, start, end, "ψ: satisfaction with a start at that time"))
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[Mark, ...] = (Mark(0.0, "now"),) if start < 0 else ()
     if position is not None:
         when = plan.schedule.start_times[position]
-        marks = (Mark(when, f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"),)
+        planned = f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"
+        marks = (*marks, Mark(when, planned))
         end = max(end, when * 1.05)
     return Chart(tuple(panels), start, end, plan.request.now, marks)
 
@@ -183,14 +186,19 @@ def _trace_panels(trace: Trace, start: float, end: float) -> list[Panel]:
         seen = seen[np.isfinite(seen)]
         low, high = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
         margin = 0.05 * (high - low) or 1.0
-        unit = f" {signal.unit}" if signal.unit else ""
-        panels.append(
-            Panel(f"{signal.name}{unit}", (readings, forecast), round(low - margin), round(high + margin))
-        )
+        unit = f" in {signal.unit}" if signal.unit else ""
+        title = f"{signal.name}{unit}" + (f": {signal.outlook}" if signal.outlook else "")
+        panels.append(Panel(title, (readings, forecast), *_rounded(low - margin, high + margin)))
     if trace.atoms:
         curves = tuple(Curve(text, trace.times, values) for text, values in trace.atoms)
         panels.append(Panel("μ: " + ", ".join(text for text, _ in trace.atoms), curves))
     return panels
+
+
+def _rounded(low: float, high: float) -> tuple[float, float]:
+    """Give limits of an axis with as few digits as tell them apart."""
+    unit = 10.0 ** math.floor(math.log10(high - low) - 1)
+    return math.floor(low / unit) * unit, math.ceil(high / unit) * unit
 
 
 def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = True) -> list[str]:

@@ -1,9 +1,11 @@
 """FuzzyTask to Schedule: provably best start times."""
 
 from fuzzytime.scheduling.alone import Best, best_alone
-from fuzzytime.scheduling.auto import Auto, LocalSearch
+from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
+from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Limits
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
@@ -20,6 +22,7 @@ __all__ = [
     "Certificate",
     "EarliestStart",
     "HeldKarp",
+    "Labels",
     "Limits",
     "LocalSearch",
     "Nearness",

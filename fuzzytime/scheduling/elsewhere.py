@@ -9,8 +9,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from fuzzytime.satisfaction import Interval, Rectangle
-from fuzzytime.scheduling.auto import LocalSearch
 from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Job, problem_of
 from fuzzytime.scheduling.schedule import Schedule
 from fuzzytime.scheduling.solve import solve

@@ -121,6 +121,11 @@ class Problem:
         ]
         return Problem(tuple(self.jobs[member] for member in members), self.lanes, tuple(lags))
 
+    def kept_by_order(self, lag: Lag) -> bool:
+        """Tell whether on one agent a lag only says which of two jobs comes first."""
+        behind = -self.jobs[lag.second].duration
+        return behind < lag.low <= self.jobs[lag.first].duration and lag.high == math.inf
+
     def groups(self) -> Iterator[list[int]]:
         """Give sets of jobs that cannot meet: their windows do not touch, and no lag joins them."""
         spans = [(job.earliest, job.latest + job.duration) for job in self.jobs]

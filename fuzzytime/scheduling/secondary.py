@@ -10,9 +10,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
-from fuzzytime.scheduling.auto import LocalSearch
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import Objective
 from fuzzytime.scheduling.problem import Job, Problem, above
 from fuzzytime.scheduling.settle import lanes_of_agents, nearest, sequences, settled

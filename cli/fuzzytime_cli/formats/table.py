@@ -160,7 +160,10 @@ class PlanView:
             cells = lane(function, specific.start, specific.end, specific.done, window)
             style = style_of(self.schedule.satisfactions[position], rejected=self.schedule.rejected[position])
             yield self._lane(self.labels[position], cells, style)
-        spans = [(busy.start, busy.end) for busy in self.plan.request.busy]
+        shown = (
+            busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
+        )
+        spans = [(busy.start, busy.end) for busy in shown]
         if spans:
             yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
         waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
