@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TextIO
 
-from fuzzytime_cli.assembly import Assembly
+from fuzzytime_cli.assembly import Assembly, data_folder
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import report
 from fuzzytime_cli.options import Moment, Solving, Understanding
@@ -42,10 +42,11 @@ def converse(
     conversation = Conversation(
         store,
         session,
-        assembly.interpreter(),
+        assembly.interpreter(personal=False),
         lambda name: assembly.solver(SolverChoice(name) if name else None),
         assembly.limits(),
         assembly.settings.number("threshold"),
+        personal=assembly.settings.flag("personal"),
     )
     screen = Screen.of(sys.stdout, dict(os.environ))
     turns = Turns(conversation, screen.width, unicode=screen.unicode)
@@ -71,19 +72,6 @@ def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
         return instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
 
     return shifted
-
-
-def data_folder() -> Path | None:
-    """Give the folder of sessions and history, by FUZZYTIME_DATA or custom; None for nowhere."""
-    where = os.environ.get("FUZZYTIME_DATA")
-    if where is not None:
-        return Path(where) if where else None
-    from platformdirs import user_data_path
-
-    try:
-        return user_data_path("fuzzytime")
-    except (OSError, RuntimeError):
-        return None  # no home
 
 
 class _Talk:

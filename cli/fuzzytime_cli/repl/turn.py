@@ -11,8 +11,9 @@ from fuzzytime.language import Question
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands import BARE, Reply, Scene, command_of, move_lines
+from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
 from fuzzytime_cli.repl.conversation import Conversation, answered
+from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import Started
 
 Line = Text | str
