@@ -172,14 +172,16 @@ class Maker:
 
 
 def _occurrence(repeated: TimeRequirement, time: float) -> TimeRequirement:
-    """Give one occurrence of a repetition as a requirement of its own, at its time."""
+    """Give one occurrence of a repetition as a requirement of its own, at its time.
+
+    It keeps the series, and the grain that its words have: both say how finely the time is meant.
+    """
     return replace(
         repeated,
         constraint=Constraint.AT,
         t_spec=time,
         earliest=time,
         latest=time,
-        recurrence=None,
         number=None,
     )
 

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.requirement import Reference, TimeRequirement
+from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
@@ -102,8 +102,7 @@ class Rulebook:
         admitted = context.admitted(self.signals)
         said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
         until_done = duration if elapsed is None else elapsed
-        # What goes on until a condition comes true ends when it does, and only has to start before.
-        reference = Reference.START if said.model == "until" else requirement.reference
+        reference = said.reference or requirement.reference
         function = over_starts(said.satisfaction, reference, duration, until_done, horizon)
         reason = said.reason or reason_for_never(said.satisfaction, function, reference, until_done)
         return Resolution(
@@ -115,6 +114,7 @@ class Rulebook:
             reason=reason,
             notes=said.notes,
             trace=said.trace,
+            reference=reference,
         )
 
     def signals_for(self, requirement: TimeRequirement, verb: str | None = None) -> frozenset[str]:
