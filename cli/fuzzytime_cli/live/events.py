@@ -71,7 +71,7 @@ class Planned(Event):
         return {
             "because": list(self.because),
             "status": self.status,
-            "skills": [{name: rounded(value) for name, value in asdict(one).items()} for one in self.skills],
+            "skills": [{name: _rounded(value) for name, value in asdict(one).items()} for one in self.skills],
         }
 
 
@@ -266,11 +266,12 @@ class Finished(Event):
 
 def document_of(event: Event, origin: datetime) -> Json:
     """Give an event as a JSON object; ``origin`` is the run's now."""
-    fields = {name: rounded(value) for name, value in event.fields().items()}
-    instant = instant_after(origin, event.at).isoformat(timespec="milliseconds")
-    return {"type": event.type, "at": instant, "at_s": rounded(event.at), **fields}
+    fields = {name: _rounded(value) for name, value in event.fields().items()}
+    at = round(event.at, 3)
+    instant = instant_after(origin, at).isoformat(timespec="milliseconds")
+    return {"type": event.type, "at": instant, "at_s": at, **fields}
 
 
-def rounded(value: object) -> object:
-    """Give a number to the millisecond, and anything else as it is: less is no more than noise of a clock."""
+def _rounded(value: object) -> object:
+    """Give a number to the millisecond, and anything else as it is."""
     return round(value, 3) if isinstance(value, float) else value
