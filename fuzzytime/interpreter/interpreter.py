@@ -122,17 +122,6 @@ class Interpreter:
         readings = iter(self.language.read_all(kept))
         return [next(readings) if fine else None for fine in good]
 
-
-def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
-    """Say whether a wish's text is read at all; where it is not, say why."""
-    try:
-        check_length(wish.text)
-    except InstructionError as error:
-        refused = replace(wish, text=error.text)
-        problems.append(problem_of(refused, ProblemKind.UNREADABLE, error.message, error.span))
-        return False
-    return True
-
     def _readable(
         self, reading: Reading | None, wish: SpokenWish, problems: list[Problem]
     ) -> Sequence[tuple[Instruction, Reading]]:
@@ -160,6 +149,17 @@ def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
             and requirement.anchor.target is None
             and self.rulebook.tells(requirement.anchor.text)
         }
+
+
+def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
+    """Say whether a wish's text is read at all; where it is not, say why."""
+    try:
+        check_length(wish.text)
+    except InstructionError as error:
+        refused = replace(wish, text=error.text)
+        problems.append(problem_of(refused, ProblemKind.UNREADABLE, error.message, error.span))
+        return False
+    return True
 
 
 def _made(

@@ -112,7 +112,7 @@ def test_a_person_who_wants_the_populations_plans_gets_them(tmp_path: Path) -> N
     assert ran("repl", *moment, folder=tmp_path, stdin=lines.encode()).code == Exit.FINE
 
     def corners(**variables: str) -> dict[str, float]:
-        done = ran("plan", "-i", STEAK, *moment, "--format", "json", folder=tmp_path, **variables)
+        done = ran("plan", "-i", STEAK, *moment, "--format", "json", folder=tmp_path, stdin=b"", **variables)
         found = json.loads(done.out)["skills"][0]["satisfaction_function"]["parameters"]
         assert isinstance(found, dict)
         return found
