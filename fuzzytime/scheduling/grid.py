@@ -101,7 +101,8 @@ def step_for(problem: Problem, slots: int) -> float:
 
 def grid_of(problem: Problem, step: float) -> Grid:
     """Lay a grid over a problem."""
-    origin = min((_cell(job.earliest, step) for job in problem.jobs), default=0)
+    first = min((job.earliest for job in problem.jobs), default=math.inf)
+    origin = _cell(first, step) if first < math.inf else 0
     durations = np.array([math.floor(job.duration / step + ROUNDING) for job in problem.jobs], np.int64)
     leading = {lag.first for lag in problem.lags}
     curves = tuple(
@@ -114,7 +115,7 @@ def grid_of(problem: Problem, step: float) -> Grid:
         for curve in lanes
     ]
     rejections = np.array([job.rejection for job in problem.jobs])
-    return Grid(step, origin, durations, rejections, curves, max(ends, default=0))
+    return Grid(step, origin, durations, rejections, curves, max([0, *ends]))
 
 
 def _curve(job: Job, windows: tuple[Interval, ...], step: float, begin: int, *, needed: bool) -> Curve:

@@ -32,7 +32,7 @@ SLACK = 1e-12
 ROUND = np.array([60.0, 30.0, 15.0, 10.0, 5.0, 1.0, 0.5, 0.1, 0.01, 0.001])
 """Units that people would round a start time to, in seconds."""
 
-NEXT_TO_NOTHING = 1e-9
+NEXT_TO_NOTHING = 1e-11
 """What a rounder time may cost."""
 
 NEAR = 0.5
@@ -74,7 +74,7 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
             front.offsets += [offset + length for offset in last.offsets]
             front.low, front.high = max(front.low, last.low - length), min(front.high, last.high - length)
             front.start = best_start(jobs, front)
-    _round(jobs, blocks)
+    round_blocks(jobs, blocks)
     starts = np.empty(len(jobs))
     for block in blocks:
         for member, offset in zip(block.members, block.offsets, strict=True):
@@ -83,7 +83,7 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
     return starts
 
 
-def _round(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
+def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
     """Move each block to the roundest start that costs next to nothing more."""
     free = -math.inf
     for index, block in enumerate(blocks):

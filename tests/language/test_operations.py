@@ -27,21 +27,21 @@ GO = tree("have VBP aux go", "the DT det robot", "robot NN nsubj go", "go VB ROO
 @pytest.mark.parametrize(
     ("parsed", "verb", "reference", "negated"),
     [
-        (PLACE_THE_PAN, "Place", Reference.START, False),
-        (WANT, "wash", Reference.START, False),
-        (FORGET, "eat", Reference.START, False),
+        (PLACE_THE_PAN, "Place", None, False),
+        (WANT, "wash", None, False),
+        (FORGET, "eat", None, False),
         (START, "cooking", Reference.START, False),
         (READY, "have", Reference.FINISH, False),
-        (LET_US, "eat", Reference.START, False),
-        (LET_ME, "let", Reference.START, False),
-        (STATEMENT, "boil", Reference.START, False),
-        (GO, "have", Reference.START, False),
+        (LET_US, "eat", None, False),
+        (LET_ME, "let", None, False),
+        (STATEMENT, "boil", None, False),
+        (GO, "have", None, False),
     ],
 )
 def test_the_verb_is_the_one_that_is_meant(
     parsed: Tree,
     verb: str,
-    reference: Reference,
+    reference: Reference | None,
     negated: bool,  # noqa: FBT001
 ) -> None:
     action = action_of(parsed, shipped_lexicon())

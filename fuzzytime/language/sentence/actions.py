@@ -16,7 +16,7 @@ class Action:
     """The verb of an instruction in its tree, and what the words around it say."""
 
     place: int
-    reference: Reference
+    reference: Reference | None
     negated: bool
 
 
@@ -39,7 +39,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             return None
     root = _order_before(tree, root)
     negated = _is_negated(tree, root)
-    reference = Reference.START
+    reference: Reference | None = None
     for _ in range(4):
         lemma = tree.nodes[root].lemma
         below = _complement(tree, root, lemma)
@@ -59,7 +59,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             break
         root = below
         negated = negated or _is_negated(tree, root)
-    if reference is Reference.START:
+    if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
 
@@ -112,8 +112,8 @@ def _is_negated(tree: Tree, place: int) -> bool:
     )
 
 
-def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
-    """Give which moment of an operation its times are about, by its verb and what it results in."""
+def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
     lemma = tree.nodes[place].lemma
     named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
     if named is not None:
@@ -124,7 +124,7 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference:
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
     ):
         return Reference.FINISH
-    return Reference.START
+    return None
 
 
 def _results(tree: Tree, place: int) -> Iterator[int]:

@@ -172,9 +172,9 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
     )
 
 
-def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequirement:
+def _referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if reference is Reference.START or requirement.constraint in {
+    if reference is None or requirement.constraint in {
         Constraint.FOR,
         Constraint.EVERY,
         Constraint.WHEN,
@@ -183,7 +183,7 @@ def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequire
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:
         return requirement
-    return replace(requirement, reference=reference)
+    return replace(requirement, reference=reference, reference_said=True)
 
 
 def _named(condition: Condition, operation: Operation | None) -> Condition:
