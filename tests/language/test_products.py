@@ -1,4 +1,4 @@
-"""All products of hedges, prepositions and anchors, counted: made of the word tables, with no phrase by hand."""
+"""All products of hedges, prepositions and anchors, counted: made of the word tables, none by hand."""
 
 from collections.abc import Iterator
 from itertools import product
@@ -6,6 +6,10 @@ from itertools import product
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+
+from fuzzytime.language import find_times
+from fuzzytime.language.grammar.lexicon import Entry
+from fuzzytime.requirement import Constraint
 from language.test_hedges import (
     AFTERTHOUGHTS,
     ANCHORS,
@@ -18,10 +22,6 @@ from language.test_hedges import (
     UNITS,
     entries,
 )
-
-from fuzzytime.language import find_times
-from fuzzytime.language.grammar.lexicon import Entry
-from fuzzytime.requirement import Constraint
 
 SENTENCES = (
     "{}",
@@ -59,8 +59,8 @@ def deadlines() -> Iterator[tuple[str, float]]:
     """Give deadlines, bare and hedged, and their seconds."""
     for preposition, anchor in product(DEADLINES, ANCHORS):
         yield f"{said(preposition)} {anchor}", ANCHORS[anchor]
-    for preposition, hedge, anchor in product(("by", "before", "until", "no later than"), HEDGES, ANCHORS):
-        yield f"{preposition} {said(hedge)} {anchor}", ANCHORS[anchor]
+    for word, hedge, anchor in product(("by", "before", "until", "no later than"), HEDGES, ANCHORS):
+        yield f"{word} {said(hedge)} {anchor}", ANCHORS[anchor]
 
 
 def releases() -> Iterator[tuple[str, float]]:
