@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from fuzzytime_cli import study
 from fuzzytime_cli.commands import config, doctor, explain, parse, plan, repl, rules
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
@@ -25,6 +26,7 @@ app.command("explain")(explain.explain)
 app.command("repl")(repl.repl)
 app.add_typer(rules.app, name="rules")
 app.add_typer(config.app, name="config")
+app.add_typer(study.app, name="study")
 app.command("doctor")(doctor.doctor)
 
 

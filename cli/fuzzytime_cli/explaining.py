@@ -1,6 +1,7 @@
 """An instruction explained: tree, requirement, rows and rules, ψ, and why it is planned when it is."""
 
 import math
+import textwrap
 from itertools import groupby
 
 import numpy as np
@@ -14,7 +15,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import Chart, Curve, Mark, Panel, satisfaction_panel, window_of
 from fuzzytime_cli.drawing.terminal import chart_lines
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import explain, reason_of
+from fuzzytime_cli.formats.reasons import why_sentences
 from fuzzytime_cli.render import fitted, plain, width_of
 
 INDENT = "  "
@@ -221,7 +222,7 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
     lines += _section("duration", [_duration_line(interpreted)])
     chart = chart_of(interpreted, plan, position)
     lines += _section("satisfaction", chart_lines(chart, width - len(INDENT), unicode=unicode))
-    lines += _section("why then", [_why_line(plan, position)])
+    lines += _section("why then", _why_lines(plan, position, width - len(INDENT)))
     return lines
 
 
@@ -233,14 +234,9 @@ def _duration_line(interpreted: Interpreted) -> str:
     return f"busy {busy}{until} ({origin})"
 
 
-def _why_line(plan: Plan, position: int) -> str:
-    specific = plan.schedule.skills[position]
-    clock = Clock.for_times(plan.request.now, [specific.start, specific.end])
-    satisfaction = plan.schedule.satisfactions[position]
-    sentence = reason_of(explain(plan.schedule)[position], plan, clock)
-    return f"planned at {clock.of(specific.start)}, satisfaction {satisfaction:.2f}: " + (
-        sentence or "nothing stands in its way"
-    )
+def _why_lines(plan: Plan, position: int, width: int) -> list[str]:
+    text = why_sentences(plan, position)
+    return [line for sentence in text for line in textwrap.wrap(sentence, width, subsequent_indent=INDENT)]
 
 
 def _section(title: str, lines: list[str]) -> list[str]:

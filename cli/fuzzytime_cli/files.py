@@ -17,7 +17,10 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
     if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
         target.write_text(text, encoding="utf-8")
         return
-    descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
     try:
         with open(descriptor, "w", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - a descriptor
             stream.write(text)

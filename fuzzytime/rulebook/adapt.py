@@ -8,7 +8,7 @@ moves the peak as well: here a hedge scales about the anchor, by m_p = 1 / widen
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate
 from types import MappingProxyType
 
 from fuzzytime.errors import FuzzytimeError
@@ -123,8 +123,6 @@ def _filled(model: Model, parameters: Mapping[str, float], early: float, late: f
 
 def _ordered(corners: Sequence[float]) -> tuple[float, float, float, float]:
     """Let later corners win over earlier ones, where a deadline has passed or an interval is short."""
-    ordered = list(corners)
-    for i, (_, following) in reversed(list(enumerate(pairwise(ordered)))):
-        ordered[i] = min(ordered[i], following)
+    ordered = list(accumulate(reversed(corners), min))[::-1]
     first, second, third, fourth = ordered
     return first, second, third, fourth

@@ -1,21 +1,35 @@
 """FuzzyTask to Schedule: provably best start times."""
 
-from fuzzytime.scheduling.auto import Auto, LocalSearch
+from fuzzytime.scheduling.alone import Best, best_alone
+from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
+from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Limits
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
 from fuzzytime.scheduling.solver import Solver
+from fuzzytime.scheduling.why import Bond, Neighbour, Why, explain
 
 __all__ = [
     "THRESHOLD",
+    "Alternative",
     "Auto",
+    "Best",
+    "Bond",
     "Certificate",
     "HeldKarp",
+    "Labels",
     "Limits",
     "LocalSearch",
+    "Neighbour",
     "Schedule",
     "Solver",
     "Status",
+    "Why",
+    "best_alone",
+    "elsewhere",
+    "explain",
     "solve",
 ]

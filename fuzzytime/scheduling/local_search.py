@@ -8,21 +8,51 @@ other job is at the time.
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 
-from fuzzytime.scheduling.grid import ROUNDING, Curve, Grid
+from fuzzytime.scheduling.grid import ROUNDING, Curve, Grid, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.orders import Order
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.settle import lanes_of_agents
-from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.settle import lanes_of_agents, settled
+from fuzzytime.scheduling.solver import Draft, nothing
 
 STRETCH = 40
 """Jobs that are improved together."""
 
 IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
+
+
+@dataclass(frozen=True, slots=True)
+class LocalSearch:
+    """Reinsertion local search on a grid, timed in continuous time; no bound.
+
+    Parameters
+    ----------
+    seed
+        Of the order in which jobs are tried.
+    slots
+        Slots of the grid, at least.
+    """
+
+    name: ClassVar[str] = "local-search"
+
+    seed: int = 0
+    slots: int = 1500
+
+    def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
+        """Improve until no job is better elsewhere."""
+        begin = warm or nothing(problem)
+        grid = grid_of(problem, step_for(problem, self.slots))
+        plan = Rough(problem, grid, begin)
+        plan.improve(watch, np.random.default_rng(self.seed))
+        hints = np.where(plan.placed, grid.times(np.array(plan.slots, np.int64)), np.nan)
+        draft = settled(problem, hints, np.array(plan.agents, np.int64), 4 * grid.step)
+        return draft if draft.cost < begin.cost else begin
 
 
 class Rough:

@@ -77,10 +77,7 @@ def why_not(problem: Problem, memory: int) -> str:
         return f"schedules one agent, got {sum(len(lane.agents) for lane in problem.lanes)}"
     if count > MOST_JOBS or 8 * FIRST_SLOTS << count > memory:
         return f"needs a table of 2^skills rows, got {count} skills"
-    for lag in problem.lags:
-        if lag.low > problem.jobs[lag.first].duration or lag.high < math.inf:
-            return "knows no lags"
-    return ""
+    return "" if all(problem.kept_by_order(lag) for lag in problem.lags) else "knows no lags"
 
 
 def table_bytes(grid: Grid) -> int:

@@ -32,7 +32,7 @@ SLACK = 1e-12
 ROUND = np.array([60.0, 30.0, 15.0, 10.0, 5.0, 1.0, 0.5, 0.1, 0.01, 0.001])
 """Units that people would round a start time to, in seconds."""
 
-NEXT_TO_NOTHING = 1e-9
+NEXT_TO_NOTHING = 1e-11
 """What a rounder time may cost."""
 
 NEAR = 0.5

@@ -12,6 +12,9 @@ from fuzzytime_cli.study.shared import Database, DesignFile, NewDatabase, now, o
 if TYPE_CHECKING:
     from fuzzytime.study import Design
 
+MAX_BYTES = 1 << 30
+"""Bytes of answers that are read: a thousand participants take about 750 MB as CSV."""
+
 
 def list_(
     database: Database,
@@ -69,19 +72,16 @@ def import_(
 
     from fuzzytime.study import AnswerStore
     from fuzzytime.study.exchange import read_csv, read_json
+    from fuzzytime_cli.inputs.source import read_exactly
 
-    if str(file) != "-" and not file.is_file():
-        raise NoInputError(f"{file}: there is no such file")
-    raw = sys.stdin.buffer.read() if str(file) == "-" else file.read_bytes()
-    try:
-        text = raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise NoInputError(f"{file}:{line}: answers must be UTF-8") from error
-    if text.lstrip()[:1] in ("{", "["):
-        answers = read_json(text, str(file))
+    source = read_exactly(str(file), MAX_BYTES)
+    if not source.text.strip():
+        raise NoInputError(f"{source.name}: must hold answers, and it is empty")
+    if source.text.lstrip()[:1] in ("{", "["):
+        answers = read_json(source.text, source.name)
     else:
-        answers = read_csv(io.StringIO(text, newline=""), _import_design(database, design), str(file))
+        rows = io.StringIO(source.text, newline="")
+        answers = read_csv(rows, _import_design(database, design), source.name)
     with AnswerStore.create(database, answers.design) as store:
         count = store.add(answers.participants, now())
     report(f"{count} participants added to {database}")

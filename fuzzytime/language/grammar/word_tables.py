@@ -5,7 +5,7 @@ from datetime import time
 from pathlib import Path
 from typing import Any
 
-from fuzzytime.errors import FuzzytimeError
+from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, Preposition, form_of
 from fuzzytime.language.meaning.calendar import Feast, Reckoning, Season
 from fuzzytime.language.meaning.expressions import Edge, Ending, Half, Part, Quantity, TimeWord, UnitWord
@@ -141,8 +141,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     connectives = _by_form(speech, "connectives")
     indicators = {" ".join(form): name for form, name in _by_form(speech, "indicators").items()}
     policy = _policy(days)
-    speech.reader.finish()
-    days.reader.finish()
+    mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
+    if mistakes:
+        raise DocumentError(mistakes)
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)

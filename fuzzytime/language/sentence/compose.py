@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
@@ -21,7 +22,6 @@ from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.leftovers import leftovers
 from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
 from fuzzytime.language.sentence.sketches import Sketch, sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement

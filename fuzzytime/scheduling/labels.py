@@ -1,0 +1,327 @@
+"""Labels: a dynamic program over time and the set of jobs done, pruned by a bound on what is to come.
+
+A label (t, S, cost) is a partial schedule that ends by slot t with the jobs S done. S knows a job only
+while its window is open: a job holds one of 64 bits from its first start to its last, or to that of the last
+job that must come after it. When it closes, its price λ is paid if it was not done, the bit is cleared, and labels that
+have become equal are one. With
+
+    cost(label) = base + Σ over done jobs of (c + λ) + Σ over closed jobs not done of λ
+
+and B the cheapest path to the end at the same prices (`fuzzytime.scheduling.paths`), every schedule that
+continues a label costs at least cost + B[t]: labels for which that reaches the threshold are dropped. So a
+schedule that is found is optimal, and where none is found every schedule costs at least the threshold, unless
+something else was cut off: by the width of a beam, or for want of room.
+
+Labels come in blocks of slots no longer than the shortest job that starts in them: a matrix (set × slot), and
+a job is added to all sets and slots of a block at once. Tanaka, Fujikuma and Araki, An exact algorithm for
+single-machine scheduling without machine idle time, J. Sched. 12 (2009) 575-593, prune in the same way.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from fuzzytime.satisfaction import Floats
+from fuzzytime.scheduling.grid import Ints
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.paths import Arcs, block_bounds, values_to_end
+
+Masks = NDArray[np.uint64]
+
+BITS = 64
+
+LONGEST_BLOCK = 64
+
+ROUNDING = 1e-9
+
+
+class Bits(NamedTuple):
+    """Which bit each job holds (0 for none), and which jobs give theirs back before each block."""
+
+    of_job: Masks
+    closing: list[list[int]]
+    complete: bool
+
+
+def shared_bits(opens: Ints, closes: Ints, blocks: int) -> Bits:
+    """Give bits to jobs so that those open in the same block differ; jobs for which none is left get none.
+
+    Parameters
+    ----------
+    opens, closes : arrays of shape (jobs,)
+        First and last block in which each is open; the last is negative where it never is.
+    blocks
+        How many there are.
+    """
+    bit = np.zeros(opens.size, np.uint64)
+    closing: list[list[int]] = [[] for _ in range(blocks + 1)]
+    last_use, complete = np.full(BITS, -1), True
+    for job in np.argsort(opens, kind="stable").tolist():
+        if closes[job] < 0:
+            continue
+        free = np.flatnonzero(last_use < opens[job])
+        if free.size:
+            bit[job] = np.uint64(1 << int(free[0]))
+            closing[closes[job] + 1].append(job)
+            last_use[free[0]] = closes[job]
+        else:
+            complete = False
+    return Bits(bit, closing, complete)
+
+
+class _Move(NamedTuple):
+    """A job's starts in one block, from a column on: cost with its price, and the same with B behind it."""
+
+    job: int
+    column: int
+    cost: Floats
+    total: Floats
+
+
+class _Piece(NamedTuple):
+    """Labels that arrive in a block, from a column on; ``origin`` is the block they come from."""
+
+    masks: Masks
+    cost: Floats
+    column: int
+    origin: int
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """What a run found: the cost and start slots of the best schedule below its threshold, −1 if rejected.
+
+    ``exact`` says that no schedule below the threshold was cut off: the one found, if any, is the best.
+    """
+
+    exact: bool
+    cost: float = np.inf
+    starts: Ints | None = None
+
+
+class Labels:
+    """The program over one lane's arcs.
+
+    Parameters
+    ----------
+    arcs
+        Starts that are left, every duration at least one slot.
+    durations : array of shape (jobs,)
+        In slots.
+    slots
+        The last slot.
+    prices : array of shape (jobs,)
+        λ.
+    base
+        The cost of rejecting everything, less all prices.
+    before
+        For each job those that must be done before it.
+    """
+
+    def __init__(
+        self,
+        arcs: Arcs,
+        durations: Ints,
+        slots: int,
+        prices: Floats,
+        base: float,
+        before: Sequence[Sequence[int]],
+    ) -> None:
+        self.durations, self.prices = durations, prices
+        count, duration = durations.size, durations[arcs.job]
+        longest = min(LONGEST_BLOCK, int(durations.max(initial=1)))
+        self.bounds = block_bounds(0, slots, arcs.start, duration, longest)
+        self.blocks = self.bounds.size - 1
+        self.beyond = np.zeros(int(self.bounds[-1]))
+        self.beyond[: slots + 1] = values_to_end(arcs, durations, slots, prices)
+        block = np.searchsorted(self.bounds, arcs.start, "right") - 1
+        opens, closes = np.full(count, self.blocks), np.full(count, -1)
+        np.minimum.at(opens, arcs.job, block)
+        np.maximum.at(closes, arcs.job, block)
+        _keep_open(closes, before)
+        self.bits = shared_bits(opens, closes, self.blocks)
+        bit = self.bits.of_job
+        # What has no bit is rejected: for want of starts, or, incomplete, for want of bits.
+        self.base = base + float(prices[bit == 0].sum())
+        self.needed = [np.bitwise_or.reduce(bit[list(firsts)], initial=np.uint64(0)) for firsts in before]
+        possible = [bool(bit[job]) and all(bit[first] for first in before[job]) for job in range(count)]
+        self.moves: list[list[_Move]] = [[] for _ in range(self.blocks)]
+        order = np.lexsort((arcs.start, arcs.job, block))
+        key = (block * count + arcs.job)[order]
+        cuts = np.flatnonzero(np.concatenate([[True], key[1:] != key[:-1], [True]]))
+        for low, high in pairwise(cuts.tolist() if key.size else ()):
+            number, job = divmod(int(key[low]), count)
+            if possible[job]:
+                self.moves[number].append(self._move(arcs.select(order[low:high]), job, number))
+
+    def _move(self, arcs: Arcs, job: int, number: int) -> _Move:
+        first, end = int(arcs.start[0]), int(arcs.end[0])
+        cost = np.full(int(arcs.start[-1]) - first + 1, np.inf)
+        cost[arcs.start - first] = arcs.gain + self.prices[job]
+        return _Move(job, first - int(self.bounds[number]), cost, cost + self.beyond[end : end + cost.size])
+
+    def _closed(self, after: int, block: int, masks: Masks) -> tuple[Masks, Floats]:
+        """Carry sets from one block into a later one: clear bits that close, and give what that costs."""
+        extra = np.zeros(masks.size)
+        for number in range(after + 1, block + 1):
+            for job in self.bits.closing[number]:
+                bit = self.bits.of_job[job]
+                extra += np.where(masks & bit, 0.0, self.prices[job])
+                masks = masks & ~bit
+        return masks, extra
+
+    def run(self, threshold: float, watch: Stopwatch, cells: int, width: int | None = None) -> Found:
+        """Search the best schedule that costs less than a threshold.
+
+        Parameters
+        ----------
+        threshold
+            For the cost.
+        watch
+            Asked before each job that is added to a block.
+        cells
+            Numbers to be written at most, the measure of time and memory.
+        width
+            Sets that are kept in each block at most; None for all.
+        """
+        limit = threshold - self.base
+        exact, used = self.bits.complete, 0
+        history: list[tuple[Masks, Floats] | None] = [None] * self.blocks
+        arriving: list[list[_Piece]] = [[] for _ in range(self.blocks)]
+        arriving[0].append(_Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
+        for number in range(self.blocks):
+            if not arriving[number]:
+                continue
+            begin, stop = int(self.bounds[number]), int(self.bounds[number + 1])
+            masks, cost = self._merged(arriving[number], number, stop - begin)
+            arriving[number] = []
+            total = cost + self.beyond[begin:stop]
+            promising = total < limit
+            alive = np.flatnonzero(promising.any(axis=1))
+            if width is not None and alive.size > width:
+                alive = np.argpartition(total.min(axis=1), width - 1)[:width]
+                exact = False
+            if not alive.size:
+                continue
+            masks, cost, promising = masks[alive], cost[alive], promising[alive]
+            used += cost.size
+            history[number] = masks, cost
+            waiting = promising[:, -1]
+            if number + 1 < self.blocks and waiting.any():
+                arriving[number + 1].append(_Piece(masks[waiting], cost[waiting, -1:], 0, number))
+            for move in self.moves[number]:
+                if used > cells or watch.is_over():
+                    return Found(exact=False)
+                used += self._add(move, masks, cost, limit, number, arriving)
+        return self._best(history, limit, exact=exact)
+
+    def _add(
+        self, move: _Move, masks: Masks, cost: Floats, limit: float, number: int, arriving: list[list[_Piece]]
+    ) -> int:
+        """Add a job to all labels of a block that may do it; give how many numbers that took."""
+        bit, needed = self.bits.of_job[move.job], self.needed[move.job]
+        rows = np.flatnonzero((masks & (bit | needed)) == needed)
+        before = cost[rows, move.column : move.column + move.cost.size]
+        below = before + move.total < limit
+        some = below.any(axis=1)
+        if not some.any():
+            return 0
+        columns = np.flatnonzero(below.any(axis=0))
+        low, high = int(columns[0]), int(columns[-1]) + 1
+        after = np.where(below[some, low:high], before[some, low:high] + move.cost[low:high], np.inf)
+        masks = masks[rows[some]] | bit
+        begin = int(self.bounds[number]) + move.column + low + int(self.durations[move.job])
+        size = int(after.size)
+        block = int(np.searchsorted(self.bounds, begin, "right")) - 1
+        while after.shape[1]:
+            taken = min(after.shape[1], int(self.bounds[block + 1]) - begin)
+            piece = after[:, :taken]
+            some = np.isfinite(piece).any(axis=1)
+            if some.any():
+                column = begin - int(self.bounds[block])
+                arriving[block].append(_Piece(masks[some], piece[some], column, number))
+            after, begin, block = after[:, taken:], begin + taken, block + 1
+        return size
+
+    def _merged(self, pieces: list[_Piece], block: int, width: int) -> tuple[Masks, Floats]:
+        """Make one matrix of all pieces that arrive in a block, each set once, then let time pass."""
+        closed = [(self._closed(piece.origin, block, piece.masks), piece) for piece in pieces]
+        every = np.concatenate([masks for (masks, _), _ in closed])
+        masks, row = np.unique(every, return_inverse=True)
+        merged, position = np.full((masks.size, width), np.inf), 0
+        for (mine, extra), piece in closed:
+            rows = row[position : position + mine.size]
+            position += mine.size
+            cost = piece.cost + extra[:, None]
+            columns = slice(piece.column, piece.column + cost.shape[1])
+            while rows.size:  # closing may have made sets of one piece equal
+                distinct, index = np.unique(rows, return_index=True)
+                merged[distinct, columns] = np.minimum(merged[distinct, columns], cost[index])
+                rows, cost = np.delete(rows, index), np.delete(cost, index, axis=0)
+        return masks, np.minimum.accumulate(merged, axis=1, out=merged)
+
+    def _best(self, history: list[tuple[Masks, Floats] | None], limit: float, *, exact: bool) -> Found:
+        """Give the best label of the last block."""
+        last = history[-1]
+        if last is None:
+            return Found(exact)
+        final = last[1][:, -1] + self._closed(self.blocks - 1, self.blocks, last[0])[1]
+        row = int(final.argmin())
+        if final[row] >= limit:
+            return Found(exact)
+        return Found(exact, float(final[row] + self.base), self._traced(history, row))
+
+    def _traced(self, history: list[tuple[Masks, Floats] | None], row: int) -> Ints:
+        """Walk back along equal costs from a label of the last block."""
+        starts = np.full(self.durations.size, -1, np.int64)
+        slack = ROUNDING * max(1.0, float(self.prices.max(initial=0.0)))
+        block, column = self.blocks - 1, -1
+        while True:
+            masks, cost = history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
+            value = cost[row, column] + slack
+            column = int((cost[row] <= value).argmax())  # at the first slot with this cost something arrived
+            slot = int(self.bounds[block]) + column
+            if slot == 0:
+                return starts
+            for job, origin, past_column, added in self._arrivals(history, block, column, slot):
+                bit = self.bits.of_job[job] if job is not None else np.uint64(0)
+                needed = self.needed[job] if job is not None else np.uint64(0)
+                past, past_cost = history[origin] or (masks, cost)
+                after, extra = self._closed(origin, block, past | bit)
+                same = (after == masks[row]) & ((past & (bit | needed)) == needed)
+                same &= past_cost[:, past_column] + added + extra <= value
+                if same.any():
+                    block, row, column = origin, int(same.argmax()), past_column
+                    if job is not None:
+                        starts[job] = slot - self.durations[job]
+                    break
+            else:  # pragma: no cover - every label has a predecessor
+                raise RuntimeError("a label without a predecessor")
+
+    def _arrivals(
+        self, history: list[tuple[Masks, Floats] | None], block: int, column: int, slot: int
+    ) -> Iterator[tuple[int | None, int, int, float]]:
+        """Give what may arrive at a slot: idling over a block's edge (no job), or a job that ends there."""
+        if column == 0 and history[block - 1] is not None:
+            yield None, block - 1, -1, 0.0
+        origins = np.searchsorted(self.bounds, slot - self.durations, "right") - 1
+        for origin in np.unique(origins[origins >= 0]).tolist():
+            for move in self.moves[origin] if history[origin] is not None else ():
+                place = slot - int(self.durations[move.job] + self.bounds[origin])
+                if origins[move.job] == origin and move.column <= place < move.column + move.cost.size:
+                    yield move.job, origin, place, float(move.cost[place - move.column])
+
+
+def _keep_open(closes: Ints, before: Sequence[Sequence[int]]) -> None:
+    """Let what must come first keep its bit as long as what waits for it, in place."""
+    changed = True
+    while changed:
+        changed = False
+        for job, firsts in enumerate(before):
+            for first in firsts:
+                if 0 <= closes[first] < closes[job]:
+                    closes[first], changed = closes[job], True

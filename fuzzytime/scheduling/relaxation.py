@@ -1,0 +1,97 @@
+"""A bound by relaxing "each job at most once": every agent takes the cheapest path, and visits have prices.
+
+For prices 0 ≤ λ_i ≤ L_i every schedule costs at least
+
+    D(λ) = Σ_i (L_i − λ_i) + Σ over lanes of agents · V(last slot),
+
+with V the cheapest path over time on that lane (`fuzzytime.scheduling.paths`). The best D equals the bound of
+the linear program over start slots. With V the path from the beginning and B that to the end, a schedule
+with an arc of job i from slot t costs at least D − V(last slot) + V[t] + c_i(t) + λ_i + B[t + d_i]: an arc for which
+that is no less than a known schedule's cost can be deleted.
+"""
+
+import math
+
+import numpy as np
+
+from fuzzytime.satisfaction import Floats
+from fuzzytime.scheduling.grid import Grid
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.multipliers import Multipliers
+from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, values_to_end
+from fuzzytime.scheduling.problem import Problem
+
+
+class Relaxation:
+    """The bound for one grid, its prices, and the arcs that are left.
+
+    Parameters
+    ----------
+    problem, grid
+        What is bounded.
+    prices : array of shape (jobs,), optional
+        Where to begin, as from another grid.
+    """
+
+    def __init__(self, problem: Problem, grid: Grid, prices: Floats | None = None) -> None:
+        self.grid = grid
+        self.agents = [len(lane.agents) for lane in problem.lanes]
+        self.ceiling = np.where(grid.durations > 0, grid.rejections, 0.0)
+        # What takes no slot is done at its best moment whatever else is done.
+        instant = np.flatnonzero(grid.durations == 0).tolist()
+        self._instant = math.fsum(_best_gain(grid, job) for job in instant)
+        self.base = float(grid.rejections.sum()) + self._instant
+        lanes = [[curves[lane] for curves in grid.curves] for lane in range(len(self.agents))]
+        self.arcs = [arcs_of(curves, grid.durations) for curves in lanes]
+        self._paths = [Paths(arcs, grid.durations, grid.slots) for arcs in self.arcs]
+        start = self.ceiling if prices is None else np.minimum(prices, self.ceiling)
+        self._multipliers = Multipliers(self, start)
+
+    @property
+    def lower(self) -> float:
+        """What is proved."""
+        return max(self._multipliers.lower, 0.0)
+
+    @property
+    def prices(self) -> Floats:
+        """λ of the best bound."""
+        return self._multipliers.prices
+
+    def evaluate(self, prices: Floats) -> tuple[float, Floats]:
+        """Give D and a gradient."""
+        value, gradient = self.base - float(prices.sum()), np.full(prices.size, -1.0)
+        for agents, paths in zip(self.agents, self._paths, strict=True):
+            value += agents * float(paths.run(prices)[-1])
+            gradient += agents * paths.visits()
+        return value, gradient
+
+    def improve(self, upper: float, watch: Stopwatch) -> None:
+        """Search better prices."""
+        steps = 40 + self.ceiling.size
+        self._multipliers.volume(upper, steps, watch)
+        self._multipliers.cutting_planes(upper, steps, watch)
+
+    def reduced_costs(self) -> list[Floats]:
+        """Give for each lane, for each arc, what a schedule with it costs at least."""
+        found, prices = [], self.prices
+        value, _ = self.evaluate(prices)
+        for arcs, paths in zip(self.arcs, self._paths, strict=True):
+            forward = paths.run(prices)
+            backward = values_to_end(arcs, self.grid.durations, self.grid.slots, prices)
+            through = forward[arcs.start] + arcs.gain + prices[arcs.job] + backward[arcs.end]
+            found.append(value - forward[-1] + through)
+        return found
+
+    def arcs_below(self, limit: float) -> list[Arcs]:
+        """Give for each lane the arcs that a schedule which costs less than a limit may use."""
+        pairs = zip(self.arcs, self.reduced_costs(), strict=True)
+        return [arcs.select(reduced < limit) for arcs, reduced in pairs]
+
+    def fix(self, upper: float) -> None:
+        """Delete the arcs that no schedule better than a known one uses."""
+        self.arcs = self.arcs_below(upper)
+        self._paths = [Paths(arcs, self.grid.durations, self.grid.slots) for arcs in self.arcs]
+
+
+def _best_gain(grid: Grid, job: int) -> float:
+    return min(0.0, *(float(curve.gains.min(initial=0.0)) for curve in grid.curves[job]))
