@@ -1,7 +1,7 @@
 """The rulebook: from a time requirement and a context to ψ over start times, with its explanation."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
@@ -9,7 +9,7 @@ from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Condition, Reference, TimeRequirement
 from fuzzytime.rulebook.dependence import signals_for
-from fuzzytime.rulebook.documents import Document, load, shipped_tables
+from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
 from fuzzytime.rulebook.profile import Actor, Profile
@@ -20,6 +20,7 @@ from fuzzytime.rulebook.sentences import understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
+from fuzzytime.yaml_nodes import Reader
 
 HORIZON = 48 * HOUR
 """Seconds from now within which conditions are looked for, where nothing else is asked."""
@@ -57,6 +58,19 @@ class Rulebook:
         """
         tables = load([Document(path, str(path)) for path in files], profile, shipped_tables(profile))
         return cls(tables, profile, actor)
+
+    def with_rules(self, text: str, shown: str) -> "Rulebook":
+        """Give the rulebook with a rule file's text laid over its tables; explanations call it ``shown``.
+
+        Raises
+        ------
+        DocumentError
+            With every mistake of the text.
+        """
+        tables, mistakes = read_over(self.tables, [Reader(shown, text)], self.profile)
+        if mistakes:
+            raise DocumentError(mistakes)
+        return replace(self, tables=tables)
 
     @property
     def signals(self) -> Mapping[str, Signal]:

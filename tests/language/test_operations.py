@@ -3,7 +3,8 @@
 import pytest
 
 from fuzzytime.language.finding import shipped_lexicon
-from fuzzytime.language.sentence.operations import Reader, action_of, is_doubtful
+from fuzzytime.language.sentence.actions import action_of, is_doubtful
+from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
 from language.trees import PLACE_THE_PAN, tree
@@ -57,7 +58,7 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
 @pytest.mark.parametrize(
     ("parsed", "times", "name"),
     [
-        (PLACE_THE_PAN, [(26, 47)], "place the pan on a stove"),
+        (PLACE_THE_PAN, [(25, 46)], "place the pan on a stove"),
         (PLACE_THE_PAN, [], "place the pan on a stove in about four minutes"),
         (WANT, [], "wash it"),
         (READY, [], "have the rice"),
