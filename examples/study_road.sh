@@ -17,12 +17,10 @@ for truth in strict lenient; do
   $fuzzytime study analyse "$folder/$truth.sqlite" --out "$folder/$truth-report" --no-plots > "$folder/$truth.txt"
   $fuzzytime study calibrate "$folder/$truth.sqlite" -o "$folder/$truth-table.yaml"
   $fuzzytime rules check "$folder/$truth-table.yaml"
-  # Two tasks for the same moment: how far must they give way, and how satisfied is anybody then?
-  $fuzzytime plan --now 2026-03-04T09:00 --rules "$folder/$truth-table.yaml" --format json \
-    -i 'Place the steak in the pan in ten minutes' \
-    -i 'Fry the potatoes in ten minutes' > "$folder/$truth-plan.json"
-  $fuzzytime plan --now 2026-03-04T09:00 --rules "$folder/$truth-table.yaml" \
-    -i 'Place the steak in the pan in ten minutes' \
-    -i 'Fry the potatoes in ten minutes'
+  # Two tasks of some minutes for the same moment: how satisfied is anybody then?
+  said=(-i 'In ten minutes, fry the steak for four minutes' -i 'In ten minutes, fry the onions for four minutes')
+  ask=(plan --now 2026-03-04T09:00 --rules "$folder/$truth-table.yaml" "${said[@]}")
+  $fuzzytime "${ask[@]}" --format json -o "$folder/$truth-plan.json"
+  $fuzzytime "${ask[@]}"
 done
 echo "everything is in $folder"

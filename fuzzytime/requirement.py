@@ -106,6 +106,8 @@ class TimeRequirement:
         The words as typed, and their first and one past last character in the instruction.
     constraint, reference
         How they bind which moment of the execution.
+    reference_said
+        Whether the words name that moment ("start cooking by six"); where they do not, tables may choose it.
     preposition
         The preposition in lower case, None where there is none ("now", "tomorrow").
     word
@@ -129,6 +131,7 @@ class TimeRequirement:
     span: tuple[int, int]
     constraint: Constraint
     reference: Reference = Reference.START
+    reference_said: bool = False
     preposition: str | None = None
     word: str | None = None
     fuzziness: tuple[str, ...] = ()

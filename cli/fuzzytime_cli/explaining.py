@@ -1,17 +1,21 @@
 """An instruction explained: tree, requirement, rows and rules, ψ, and why it is planned when it is."""
 
+import math
+import textwrap
+from itertools import groupby
+
 import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
 from fuzzytime.language import Reading, Token
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook import Resolution, Share, Trace
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import Chart, Curve, Mark, Panel, satisfaction_panel, window_of
 from fuzzytime_cli.drawing.terminal import chart_lines
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import explain, reason_of
+from fuzzytime_cli.formats.reasons import why_sentences
 from fuzzytime_cli.render import fitted, plain, width_of
 
 INDENT = "  "
@@ -110,9 +114,10 @@ def resolution_lines(resolution: Resolution) -> list[str]:
     numbers = ", ".join(
         f"{plain(name)} = {_quantity(value)}" for name, value in resolution.parameters.items()
     )
-    lines.append(f"model {plain(resolution.model)}" + (f" with {numbers}" if numbers else ""))
+    of = "" if resolution.reference is Reference.START else f" of the {resolution.reference.value}"
+    lines.append(f"model {plain(resolution.model)}{of}" + (f" with {numbers}" if numbers else ""))
     if resolution.reason:
-        lines.append(f"never: {plain(resolution.reason)}")
+        lines.append(f"no start satisfies: {plain(resolution.reason)}")
     lines += [f"note: {plain(note)}" for note in resolution.notes]
     return lines
 
@@ -158,10 +163,11 @@ def chart_of(interpreted: Interpreted, plan: Plan, position: int | None = None) 
             )
             panels += _trace_panels(trace, start, end)
     panels.append(satisfaction_panel(function, start, end, "ψ: satisfaction with a start at that time"))
-    marks: tuple[Mark, ...] = ()
+    marks: tuple[Mark, ...] = (Mark(0.0, "now"),) if start < 0 else ()
     if position is not None:
         when = plan.schedule.start_times[position]
-        marks = (Mark(when, f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"),)
+        planned = f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"
+        marks = (*marks, Mark(when, planned))
         end = max(end, when * 1.05)
     return Chart(tuple(panels), start, end, plan.request.now, marks)
 
@@ -181,14 +187,19 @@ def _trace_panels(trace: Trace, start: float, end: float) -> list[Panel]:
         seen = seen[np.isfinite(seen)]
         low, high = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
         margin = 0.05 * (high - low) or 1.0
-        unit = f" {signal.unit}" if signal.unit else ""
-        panels.append(
-            Panel(f"{signal.name}{unit}", (readings, forecast), round(low - margin), round(high + margin))
-        )
+        unit = f" in {signal.unit}" if signal.unit else ""
+        title = f"{signal.name}{unit}" + (f": {signal.outlook}" if signal.outlook else "")
+        panels.append(Panel(title, (readings, forecast), *_rounded(low - margin, high + margin)))
     if trace.atoms:
         curves = tuple(Curve(text, trace.times, values) for text, values in trace.atoms)
         panels.append(Panel("μ: " + ", ".join(text for text, _ in trace.atoms), curves))
     return panels
+
+
+def _rounded(low: float, high: float) -> tuple[float, float]:
+    """Give limits of an axis with as few digits as tell them apart."""
+    unit = 10.0 ** math.floor(math.log10(high - low) - 1)
+    return math.floor(low / unit) * unit, math.ceil(high / unit) * unit
 
 
 def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = True) -> list[str]:
@@ -211,7 +222,7 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
     lines += _section("duration", [_duration_line(interpreted)])
     chart = chart_of(interpreted, plan, position)
     lines += _section("satisfaction", chart_lines(chart, width - len(INDENT), unicode=unicode))
-    lines += _section("why then", [_why_line(plan, position)])
+    lines += _section("why then", _why_lines(plan, position, width - len(INDENT)))
     return lines
 
 
@@ -223,14 +234,9 @@ def _duration_line(interpreted: Interpreted) -> str:
     return f"busy {busy}{until} ({origin})"
 
 
-def _why_line(plan: Plan, position: int) -> str:
-    specific = plan.schedule.skills[position]
-    clock = Clock.for_times(plan.request.now, [specific.start, specific.end])
-    satisfaction = plan.schedule.satisfactions[position]
-    sentence = reason_of(explain(plan.schedule)[position], plan, clock)
-    return f"planned at {clock.of(specific.start)}, satisfaction {satisfaction:.2f}: " + (
-        sentence or "nothing stands in its way"
-    )
+def _why_lines(plan: Plan, position: int, width: int) -> list[str]:
+    text = why_sentences(plan, position)
+    return [line for sentence in text for line in textwrap.wrap(sentence, width, subsequent_indent=INDENT)]
 
 
 def _section(title: str, lines: list[str]) -> list[str]:
@@ -258,14 +264,16 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
 
 
 def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
-    """Give rows, rules and ψ of every skill of a plan."""
+    """Give rows, rules and ψ of the skills of a plan; of a repetition those of its first occurrence."""
     lines = []
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
-    for interpreted in plan.skills:
-        for requirement, resolution in zip(interpreted.requirements, interpreted.resolutions, strict=False):
+    for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
+        first, *others = occurrences
+        for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
             lines += requirement_lines(requirement, clock)
             lines += [INDENT + line for line in resolution_lines(resolution)]
-        lines += chart_lines(chart_of(interpreted, plan), width, unicode=unicode)
+        lines += chart_lines(chart_of(first, plan), width, unicode=unicode)
+        lines += [f"and {len(others)} more occurrences like it"] * bool(others)
     return lines
 
 

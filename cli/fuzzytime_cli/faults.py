@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from fuzzytime.errors import DocumentError, FuzzytimeError, InstructionError
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.render import plain
+from fuzzytime_cli.render import plain, width_of
 
 
 class NoInputError(FuzzytimeError):
@@ -42,11 +42,23 @@ def as_usage(flag: str) -> Iterator[None]:
         raise UsageError(f"{flag}: {error}") from error
 
 
+SHOWN_AROUND = 60
+"""How many characters of a text are shown on each side of the words that are pointed at."""
+
+
 def underlined(text: str, span: tuple[int, int]) -> str:
-    """Give a text, made harmless, with marks under the words of a span."""
+    """Give a text, made harmless, with marks under the words of a span; a long one is cut around them.
+
+    >>> print(underlined("stir it half past", (8, 17)))
+        stir it half past
+                ^^^^^^^^^
+    """
     start, end = span
-    before, words = plain(text[:start]), plain(text[start:end])
-    return f"    {before}{words}{plain(text[end:])}\n    {' ' * len(before)}{'^' * max(1, len(words))}"
+    before, words, after = plain(text[:start]), plain(text[start:end]), plain(text[end:])
+    before = before if len(before) <= SHOWN_AROUND else f"…{before[-SHOWN_AROUND:]}"
+    words = words if len(words) <= 2 * SHOWN_AROUND else f"{words[: 2 * SHOWN_AROUND]}…"
+    after = after if len(after) <= SHOWN_AROUND else f"{after[:SHOWN_AROUND]}…"
+    return f"    {before}{words}{after}\n    {' ' * width_of(before)}{'^' * max(1, width_of(words))}"
 
 
 def report(message: str) -> None:

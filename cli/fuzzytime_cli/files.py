@@ -1,6 +1,7 @@
 """Files written whole or not at all."""
 
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -17,7 +18,10 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
     if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
         target.write_text(text, encoding="utf-8")
         return
-    descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    try:
+        descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from error
     try:
         with open(descriptor, "w", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - a descriptor
             stream.write(text)
@@ -30,3 +34,17 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
     except BaseException:
         Path(beside).unlink(missing_ok=True)
         raise
+
+
+def write_out(path: Path | None, text: str) -> None:
+    """Write a text in a file's place, or to standard output where there is no file.
+
+    Raises
+    ------
+    OSError
+        If that is not possible; the file is then as it was.
+    """
+    if path is None:
+        sys.stdout.write(text)
+    else:
+        replace_file(path, text)

@@ -41,15 +41,19 @@ def flattened(command: Callable[..., None]) -> Callable[..., None]:
                 )
             )
 
+    signature = inspect.Signature(parameters)
+
     @functools.wraps(command)
-    def run(**values: Any) -> None:  # noqa: ANN401 - the values are those of the command's own signature
+    def run(**given: Any) -> None:  # noqa: ANN401 - the values are those of the command's own signature
+        bound = signature.bind(**given)
+        bound.apply_defaults()
+        values = bound.arguments
         collected = {
             name: kind(**{entry.name: values.pop(entry.name) for entry in fields(kind)})
             for name, kind in groups.items()
         }
         command(**values, **collected)
 
-    signature = inspect.Signature(parameters)
     run.__signature__ = signature  # type: ignore[attr-defined]
     run.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters}
     return run

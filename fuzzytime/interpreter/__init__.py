@@ -2,7 +2,7 @@
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
-from fuzzytime.interpreter.planner import Plan, plan, task_of
+from fuzzytime.interpreter.planner import Plan, plan, scheduled, task_of, understood
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Started, Wish
 
 __all__ = [
@@ -19,5 +19,7 @@ __all__ = [
     "Started",
     "Wish",
     "plan",
+    "scheduled",
     "task_of",
+    "understood",
 ]

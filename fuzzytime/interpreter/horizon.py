@@ -35,7 +35,7 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
 
 
 def within_horizon(interpreted: Interpreted, horizon: float) -> Interpreted:
-    """Close an open wish at the horizon; one beyond it, or behind now, can never be satisfied, and says so."""
+    """Close an open wish at the horizon; one beyond it, or before now, never satisfies, and says so."""
     function = interpreted.skill.satisfaction
     support = function.acceptable(THRESHOLD)
     reason = interpreted.reason

@@ -13,7 +13,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import is_spoiled, notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
-from fuzzytime.language import Instruction, Language, Reading
+from fuzzytime.language import Instruction, Language, Reading, check_length
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.skills import FuzzySkill
 
@@ -98,7 +98,7 @@ class Interpreter:
             if isinstance(wish, DirectWish):
                 skills.append(maker.direct(wish))
             elif isinstance(wish, SpokenWish):
-                for instruction, reading in _readable(next(readings), wish, problems):
+                for instruction, reading in self._readable(next(readings), wish, problems):
                     made = _made(maker, wish, reading, instruction, problems)
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
                     skills += made
@@ -117,32 +117,49 @@ class Interpreter:
     def _readings(self, request: Request, problems: list[Problem]) -> list[Reading | None]:
         """Read all spoken wishes together, because they refer to each other; None where one is refused."""
         spoken = [wish for wish in request.wishes if isinstance(wish, SpokenWish)]
-        refused: set[int] = set()
-        while True:
-            good = [wish for index, wish in enumerate(spoken) if index not in refused]
-            try:
-                readings = iter(self.language.read_all([(wish.text, wish.given) for wish in good]))
-            except InstructionError as error:
-                index = next(
-                    i for i, wish in enumerate(spoken) if i not in refused and wish.text == error.text
-                )
-                refused.add(index)
-                problems.append(problem_of(spoken[index], ProblemKind.UNREADABLE, error.message, error.span))
-                continue
-            return [None if index in refused else next(readings) for index in range(len(spoken))]
+        good = [_is_read(wish, problems) for wish in spoken]
+        kept = [(wish.text, wish.given) for wish, fine in zip(spoken, good, strict=True) if fine]
+        readings = iter(self.language.read_all(kept))
+        return [next(readings) if fine else None for fine in good]
+
+    def _readable(
+        self, reading: Reading | None, wish: SpokenWish, problems: list[Problem]
+    ) -> Sequence[tuple[Instruction, Reading]]:
+        """Give a reading's instructions after noting its remarks."""
+        if reading is None:
+            return ()
+        told = self._told_by_readings(reading)
+        remarks = [
+            remark
+            for remark in remarks_of(reading, wish)
+            if remark.kind is not ProblemKind.UNRESOLVED or remark.span not in told
+        ]
+        problems += remarks
+        if not reading.instructions and not remarks:
+            problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
+        return [(instruction, reading) for instruction in reading.instructions]
+
+    def _told_by_readings(self, reading: Reading) -> set[tuple[int, int]]:
+        """Give the words that refer to no instruction but to what readings tell: "after the timer rings"."""
+        return {
+            requirement.span
+            for instruction in reading.instructions
+            for requirement in instruction.requirements
+            if requirement.anchor is not None
+            and requirement.anchor.target is None
+            and self.rulebook.tells(requirement.anchor.text)
+        }
 
 
-def _readable(
-    reading: Reading | None, wish: SpokenWish, problems: list[Problem]
-) -> Sequence[tuple[Instruction, Reading]]:
-    """Give a reading's instructions after noting its remarks."""
-    if reading is None:
-        return ()
-    remarks = remarks_of(reading, wish)
-    problems += remarks
-    if not reading.instructions and not remarks:
-        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
-    return [(instruction, reading) for instruction in reading.instructions]
+def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
+    """Say whether a wish's text is read at all; where it is not, say why."""
+    try:
+        check_length(wish.text)
+    except InstructionError as error:
+        refused = replace(wish, text=error.text)
+        problems.append(problem_of(refused, ProblemKind.UNREADABLE, error.message, error.span))
+        return False
+    return True
 
 
 def _made(

@@ -75,6 +75,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
+                preferred=self._preferred(wish, own, resolutions),
             ),
             duration=duration,
             reading=reading,
@@ -103,19 +104,33 @@ class Maker:
 
         What the readings tell counts from their now; everything else from when it was said.
         """
-        given = seconds_between(self.request.now, wish.given)
         joined: SatisfactionFunction = (
-            Rectangle(-math.inf, math.inf) if requirements else ALWAYS.shifted(given)
+            Rectangle(-math.inf, math.inf)
+            if requirements
+            else ALWAYS.shifted(seconds_between(self.request.now, wish.given))
         )
         for requirement, resolution in zip(requirements, resolutions, strict=True):
-            from_readings = requirement.condition is not None or requirement.anchor is not None
-            part = resolution.satisfaction.shifted(0.0 if from_readings else given)
+            part = resolution.satisfaction.shifted(self._origin(wish, requirement))
             joined = (
                 part
                 if joined.model == "trapezoid" and joined.best.high == float("inf")
                 else both(joined, part)
             )
         return joined
+
+    def _preferred(
+        self, wish: Wish, requirements: list[TimeRequirement], resolutions: list[Resolution]
+    ) -> float | None:
+        """Give the start that was named, on the request's timeline; None where no moment was."""
+        for requirement, resolution in zip(requirements, resolutions, strict=True):
+            if resolution.named is not None:
+                return self._origin(wish, requirement) + resolution.named
+        return None
+
+    def _origin(self, wish: Wish, requirement: TimeRequirement) -> float:
+        """Give the time that a requirement counts from: the readings' now, or when it was said."""
+        from_readings = requirement.condition is not None or requirement.anchor is not None
+        return 0.0 if from_readings else seconds_between(self.request.now, wish.given)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration
@@ -161,14 +176,16 @@ class Maker:
 
 
 def _occurrence(repeated: TimeRequirement, time: float) -> TimeRequirement:
-    """Give one occurrence of a repetition as a requirement of its own, at its time."""
+    """Give one occurrence of a repetition as a requirement of its own, at its time.
+
+    It keeps the series, and the grain that its words have: both say how finely the time is meant.
+    """
     return replace(
         repeated,
         constraint=Constraint.AT,
         t_spec=time,
         earliest=time,
         latest=time,
-        recurrence=None,
         number=None,
     )
 

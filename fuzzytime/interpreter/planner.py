@@ -63,8 +63,30 @@ def plan(
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
+    return scheduled(*understood(request, interpreter), solver=solver, threshold=threshold, limits=limits)
+
+
+def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Interpretation]:
+    """Interpret a request and set apart what has started: it holds its agents, and is open no more.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the request contradicts itself: an unknown identifier, precedences in a circle.
+    """
     interpretation, held = without_started(interpreter.interpret(request), request.started)
-    request = replace(request, busy=(*request.busy, *held))
+    return replace(request, busy=(*request.busy, *held)), interpretation
+
+
+def scheduled(
+    request: Request,
+    interpretation: Interpretation,
+    *,
+    solver: Solver | None = None,
+    threshold: float = THRESHOLD,
+    limits: Limits | None = None,
+) -> Plan:
+    """Schedule what is understood of a request; parameters and errors are those of `plan`."""
     task = task_of(interpretation, request)
     schedule = solve(task, solver=solver, threshold=threshold, limits=limits)
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))

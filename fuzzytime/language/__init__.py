@@ -1,7 +1,7 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
 from fuzzytime.language.answer import answer
-from fuzzytime.language.finding import Times, find_times
+from fuzzytime.language.finding import Times, check_length, find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
@@ -34,6 +34,7 @@ __all__ = [
     "Times",
     "Token",
     "answer",
+    "check_length",
     "find_times",
     "installed_model",
     "model_files",

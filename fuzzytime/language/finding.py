@@ -1,11 +1,12 @@
 """Times in a text by the grammar alone: no tree, no model, no spaCy."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cache
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
@@ -82,7 +83,10 @@ def find_times(
     words = lexicon or shipped_lexicon()
     scanned = Scanned.of(text, shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)
-    return ground_all(phrases_of(scanned, words), text, moment)
+    phrases = phrases_of(scanned, words)
+    times = ground_all(phrases, text, moment)
+    left = leftovers(scanned, [phrase.span for phrase in phrases], words)
+    return replace(times, remarks=(*times.remarks, *left))
 
 
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:

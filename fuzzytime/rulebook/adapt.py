@@ -8,7 +8,7 @@ moves the peak as well: here a hedge scales about the anchor, by m_p = 1 / widen
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate
 from types import MappingProxyType
 
 from fuzzytime.errors import FuzzytimeError
@@ -17,6 +17,9 @@ from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.resolution import HedgeEffect
 from fuzzytime.rulebook.tables import BellForm, Hedge, Model, Tables
 from fuzzytime.satisfaction import Bell, SatisfactionFunction, Trapezoid
+
+_NARROWEST = 1e-3
+"""The least half-base, in seconds: a series may be as dense as its words like."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,11 +85,18 @@ def adapt(wanted: Wanted, requirement: TimeRequirement, tables: Tables) -> Adapt
 
 
 def said_width(requirement: TimeRequirement, tables: Tables, t: float, actor: Actor | None) -> float:
-    """Give the law's width, for a clock time at most what its grain allows ("at 6:28" is meant finely)."""
-    width = law(tables, t, actor)
+    """Give the law's width, limited by what was said.
+
+    A clock time has at most the width of its grain ("at 6:28" is meant finely), an occurrence of a series at
+    most a share of the interval ("every twenty minutes" is not thrice at once).
+    """
+    limits = [law(tables, t, actor)]
     if requirement.constraint is Constraint.AT and requirement.grain is not None:
-        return min(width, tables.clock.get(requirement.grain, math.inf))
-    return width
+        limits.append(tables.clock.get(requirement.grain, math.inf))
+    interval = requirement.recurrence.interval if requirement.recurrence is not None else None
+    if interval is not None and tables.repetition is not None:
+        limits.append(tables.repetition * interval)
+    return max(min(limits), _NARROWEST)
 
 
 def _effect(hedge: Hedge, requirement: TimeRequirement, tables: Tables) -> HedgeEffect:
@@ -113,8 +123,6 @@ def _filled(model: Model, parameters: Mapping[str, float], early: float, late: f
 
 def _ordered(corners: Sequence[float]) -> tuple[float, float, float, float]:
     """Let later corners win over earlier ones, where a deadline has passed or an interval is short."""
-    ordered = list(corners)
-    for i, (_, following) in reversed(list(enumerate(pairwise(ordered)))):
-        ordered[i] = min(ordered[i], following)
+    ordered = list(accumulate(reversed(corners), min))[::-1]
     first, second, third, fourth = ordered
     return first, second, third, fourth

@@ -23,6 +23,9 @@ NEVER_BELOW = 0.01
 """A trace that stays below this counts as one that never comes true."""
 
 _REACHED = 0.95
+_FULL = 0.99
+"""The share of full truth at which a wish for a prompt start counts as satisfied in full."""
+
 _SHOWN_PAST = 60.0
 """Seconds of the past that are drawn at least, where there are readings."""
 
@@ -54,14 +57,14 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
     comes_true = _first_reached(times, degrees)
     reason: str | None = None
     if model == "until":
-        degrees = 1.0 - _saturated(np.maximum.accumulate(degrees), 1.0)
+        degrees = 1.0 - np.minimum(np.maximum.accumulate(degrees) / _REACHED, 1.0)
         reason = None if degrees.max() >= NEVER_BELOW else f"too late: {formula} already holds"
     elif comes_true is None:
         reason = why_never(formula, world, traced, horizon, NEVER_BELOW)
     elif model == "when":
-        times, degrees = _prompt(times, degrees, comes_true, core, fade)
+        times, degrees = _prompt(times, _saturated(degrees, _FULL), comes_true, core, fade)
     else:
-        degrees = _saturated(degrees, float(degrees.max()))
+        degrees = _saturated(degrees, _REACHED)
     satisfaction = NEVER if reason is not None else Sampled(*thinned(times, degrees))
     return Awaited(satisfaction, comes_true, reason, drawn(formula, world, traced, ahead, satisfaction))
 
@@ -87,12 +90,12 @@ def _first_reached(times: Floats, degrees: Floats) -> float | None:
     return float(times[after - 1] + (level - low) / (high - low) * (times[after] - times[after - 1]))
 
 
-def _saturated(degrees: Floats, peak: float) -> Floats:
+def _saturated(degrees: Floats, share: float) -> Floats:
     """Count what has come true by all but a little as come true, or the best time would lie far away.
 
     An expected trace creeps up to its maximum, as the last of the curves that it is the mean of come true.
     """
-    return np.minimum(degrees / _REACHED, peak)
+    return np.minimum(degrees / share, float(degrees.max()))
 
 
 def _prompt(

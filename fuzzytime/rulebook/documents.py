@@ -26,6 +26,7 @@ from fuzzytime.rulebook.sections.widths import (
     read_actors,
     read_clock,
     read_plateau,
+    read_repetition,
     read_roundness,
     read_width,
 )
@@ -41,6 +42,7 @@ _SECTIONS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
     "width": read_width,
     "plateau": read_plateau,
     "clock": read_clock,
+    "repetition": read_repetition,
     "roundness": read_roundness,
     "actors": read_actors,
     "models": read_models,

@@ -4,6 +4,7 @@ import numpy as np
 
 from fuzzytime.rulebook.formula import Formula
 from fuzzytime.rulebook.inference import signals_of
+from fuzzytime.rulebook.reasons import outlook
 from fuzzytime.rulebook.resolution import SignalTrace, Trace
 from fuzzytime.rulebook.truth import Traced
 from fuzzytime.rulebook.world import World
@@ -53,4 +54,5 @@ def _signal_trace(name: str, world: World, times: Floats) -> SignalTrace:
         forecast_low=band[0],
         forecast_median=band[1],
         forecast_high=band[2],
+        outlook=outlook(series.signal, series.forecast) if series.forecast is not None and ahead.size else "",
     )

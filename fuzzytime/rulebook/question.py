@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from fuzzytime.context import Context
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook.adapt import said_width
 from fuzzytime.rulebook.formula import Formula
 from fuzzytime.rulebook.inference import Heard, hear, signals_of
@@ -46,7 +46,8 @@ class Question:
 class Said:
     """ψ over the moment that a requirement speaks of, with everything that explains it.
 
-    The fields are those of `Resolution`, before the moment becomes a start time.
+    The fields are those of `Resolution`, before the moment becomes a start time; ``reference`` is the moment
+    that the model or the row asks for, None where that is the requirement's own.
     """
 
     satisfaction: SatisfactionFunction
@@ -57,6 +58,8 @@ class Said:
     reason: str | None = None
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
+    reference: Reference | None = None
+    named: float | None = None
 
 
 def notes_on(row: str, heard: Sequence[Heard]) -> tuple[str, ...]:

@@ -4,8 +4,9 @@ import math
 
 import numpy as np
 
+from fuzzytime.context.forecast import Forecast
 from fuzzytime.context.series import Series
-from fuzzytime.context.signals import Approach, Hold
+from fuzzytime.context.signals import Approach, Hold, Signal
 from fuzzytime.rulebook.formula import Formula, Is, Not, nodes
 from fuzzytime.rulebook.inference import signals_of
 from fuzzytime.rulebook.truth import Traced
@@ -75,19 +76,23 @@ def _end_of(variable: Variable, world: World, horizon: float) -> str:
     series = world.series[variable.signal]
     if series.forecast is None:
         return f"nothing is known of {variable.signal}"
-    until = min(horizon, series.known_until)
-    if not math.isfinite(until):
-        until = max(series.forecast.settled(), 0.0)
-    start, end = series.forecast.quantiles(np.array([series.forecast.start, until]), (0.5,))[0]
-    shown = with_unit(float(end), series.signal.unit)
-    course = series.signal.course
-    if isinstance(course, Hold) or start == end:
-        return f"{variable.signal} stays at {shown}"
-    if isinstance(course, Approach):
-        level = series.forecast.level
+    return f"{variable.signal} {outlook(series.signal, series.forecast, min(horizon, series.known_until))}"
+
+
+def outlook(signal: Signal, forecast: Forecast, until: float = math.inf) -> str:
+    """Say where a signal ends up, as expected, within ``until`` seconds from now: "settles at 150 °C"."""
+    last = min(until, forecast.until)
+    if not math.isfinite(last):
+        last = max(forecast.settled(), 0.0)
+    start, end = forecast.quantiles(np.array([forecast.start, last]), (0.5,))[0]
+    shown = with_unit(float(end), signal.unit)
+    if isinstance(signal.course, Hold) or start == end:
+        return f"stays at {shown}"
+    if isinstance(signal.course, Approach):
+        level = forecast.level
         if abs(end - level) <= _LITTLE * abs(start - level):
-            return f"{variable.signal} settles at {with_unit(level, series.signal.unit)}"
-    return f"{variable.signal} is at {shown} after {format_duration(until)}, as far as it is forecast"
+            return f"settles at {with_unit(level, signal.unit)}"
+    return f"is at {shown} after {format_duration(last)}, as far as it is forecast"
 
 
 def with_unit(value: float, unit: str | None) -> str:

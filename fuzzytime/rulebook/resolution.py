@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from fuzzytime.requirement import Reference
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
 
 
@@ -65,7 +66,8 @@ class HedgeEffect:
 class SignalTrace:
     """One signal over time: its readings, and the forecast's median and 90 % band.
 
-    ``forecast_*`` have one length; values of events are empty.
+    ``forecast_*`` have one length; values of events are empty. ``outlook`` says where it ends up, as
+    expected: "settles at 150 °C"; it is empty where nothing is forecast.
     """
 
     name: str
@@ -76,6 +78,7 @@ class SignalTrace:
     forecast_low: Floats
     forecast_median: Floats
     forecast_high: Floats
+    outlook: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,6 +109,8 @@ class Resolution:
         The model's name in the tables.
     parameters
         What its formula was filled with, in seconds: t, w and the like.
+    reference
+        The moment of the execution that the words, or else the tables' row, are about.
     shares
         The row and the rules that took part, in the order of the tables.
     hedges
@@ -116,6 +121,8 @@ class Resolution:
         What a person should know: an unknown hedge, a rule whose readings are missing.
     trace
         For conditions, what there is to draw.
+    named
+        The start that the words name, where they name one: of equally good times the one that is meant.
     """
 
     satisfaction: SatisfactionFunction
@@ -126,3 +133,5 @@ class Resolution:
     reason: str | None = None
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
+    reference: Reference = Reference.START
+    named: float | None = None

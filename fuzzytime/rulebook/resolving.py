@@ -4,7 +4,7 @@ from dataclasses import replace
 from functools import partial
 from types import MappingProxyType
 
-from fuzzytime.requirement import Anchor, Condition, Constraint
+from fuzzytime.requirement import Anchor, Condition, Constraint, Reference
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.beside import at_a_distance, not_happened, on_one_side
 from fuzzytime.rulebook.clauses import wait_for
@@ -90,6 +90,8 @@ def _adapted(question: Question, found: Found, chosen: Chosen, notes: tuple[str,
         shares=chosen.shares,
         hedges=adapted.hedges,
         notes=(*notes, *adapted.notes),
+        reference=None if question.requirement.reference_said else found.row.reference,
+        named=chosen.t if question.requirement.constraint is Constraint.AT else None,
     )
 
 
@@ -160,6 +162,8 @@ def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[
         reason=awaited.reason,
         notes=notes,
         trace=awaited.trace,
+        # What goes on until a condition comes true ends when it does, and only has to start before.
+        reference=Reference.START if chosen.model == "until" else None,
     )
 
 

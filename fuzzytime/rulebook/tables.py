@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import Any, TypeVar
 
 from fuzzytime.context import Signal
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import Constraint, Reference, Unit
 from fuzzytime.rulebook.durations import Durations
 from fuzzytime.rulebook.expression import Sum
 from fuzzytime.rulebook.matching import Match
@@ -67,6 +67,8 @@ class Row:
         The model for an interval that has begun.
     t, w
         In seconds, where the words fix them.
+    reference
+        The moment of the execution that is meant where the sentence names none: "by six" is done by six.
     hedges
         Hedges that the words imply: "around" is "at about".
     core, fade
@@ -80,6 +82,7 @@ class Row:
     begun: str | None = None
     t: float | None = None
     w: float | None = None
+    reference: Reference | None = None
     hedges: tuple[str, ...] = ()
     core: float | None = None
     fade: float | None = None
@@ -124,6 +127,7 @@ class Tables:
     width: Points | None = None
     plateau: float | None = None
     clock: Mapping[Unit, float] = field(default_factory=_none)
+    repetition: float | None = None
     roundness: Roundness | None = None
     actors: Mapping[Actor, Points] = field(default_factory=_none)
     models: Mapping[str, Model] = field(default_factory=_none)

@@ -1,26 +1,41 @@
 """FuzzyTask to Schedule: provably best start times."""
 
+from fuzzytime.scheduling.alone import Best, best_alone
 from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
+from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
 from fuzzytime.scheduling.solver import Solver
+from fuzzytime.scheduling.why import Bond, Neighbour, Why, explain
 
 __all__ = [
     "THRESHOLD",
+    "Alternative",
     "Auto",
+    "Best",
+    "Bond",
     "Certificate",
+    "EarliestStart",
     "HeldKarp",
     "Labels",
     "Limits",
     "LocalSearch",
     "Milp",
+    "Nearness",
+    "Neighbour",
+    "Objective",
     "Schedule",
     "Solver",
     "Status",
+    "Why",
+    "best_alone",
+    "elsewhere",
+    "explain",
     "solve",
 ]

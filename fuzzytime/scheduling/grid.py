@@ -115,7 +115,7 @@ def grid_of(problem: Problem, step: float) -> Grid:
         for curve in lanes
     ]
     rejections = np.array([job.rejection for job in problem.jobs])
-    return Grid(step, origin, durations, rejections, curves, max(ends, default=0))
+    return Grid(step, origin, durations, rejections, curves, max([0, *ends]))
 
 
 def _curve(job: Job, windows: tuple[Interval, ...], step: float, begin: int, *, needed: bool) -> Curve:

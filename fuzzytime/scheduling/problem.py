@@ -188,8 +188,10 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
         late = 0.0
         if position not in bound and any(lane is not None and lane.is_free_at_last for lane in mine):
             late = float(skill.satisfaction(math.inf))
-        wanted = _above(skill.satisfaction, floor if position in leading else max(floor, late), horizon)
-        windows = tuple(_free(wanted, lane.busy, skill.duration) if lane is not None else () for lane in mine)
+        wanted = above(skill.satisfaction, floor if position in leading else max(floor, late), horizon)
+        windows = tuple(
+            free_of(wanted, lane.busy, skill.duration) if lane is not None else () for lane in mine
+        )
         worst = -skill.priority * math.log(floor)
         final = -skill.priority * math.log(max(late, floor)) + 0.0
         jobs.append(
@@ -237,7 +239,7 @@ def _horizon(task: FuzzyTask, floor: float) -> float:
     return max(kinks) + math.fsum(work) + math.fsum(lags)
 
 
-def _above(function: SatisfactionFunction, floor: float, horizon: float) -> tuple[Interval, ...]:
+def above(function: SatisfactionFunction, floor: float, horizon: float) -> tuple[Interval, ...]:
     """Give the closed intervals of [0, horizon] with ψ > floor, by signs between kinks and crossings."""
     marks = np.array([0.0, horizon, *function.kinks, *function.crossings(floor)])
     marks = np.unique(marks[(marks >= 0) & (marks <= horizon)])
@@ -264,11 +266,13 @@ def good_enough(job: Job) -> tuple[Interval, ...]:
     """Give the times, the last without end, at which a job that may be late costs no more than if it is."""
     level = math.exp(-job.rejection / job.weight) * (1 - 1e-9)
     beyond = max(0.0, *job.function.kinks, *job.function.crossings(level)) + 1.0
-    spans = _above(job.function, level, beyond)
+    spans = above(job.function, level, beyond)
     return (*spans[:-1], Interval(spans[-1].low, math.inf))
 
 
-def _free(wanted: tuple[Interval, ...], busy: tuple[Interval, ...], duration: float) -> tuple[Interval, ...]:
+def free_of(
+    wanted: tuple[Interval, ...], busy: tuple[Interval, ...], duration: float
+) -> tuple[Interval, ...]:
     """Cut busy times out of windows: a start may not lie in (busy start − duration, busy end)."""
     left = list(wanted)
     for taken in busy:

@@ -250,6 +250,8 @@ def read_json(text: str, path: str = "answers.json") -> Answers:
         design = Design.of_text(document["design"], f"{path}:design")
         times = document["times_s"]
         people = tuple(_person(entry, times, design) for entry in document["participants"])
+    except json.JSONDecodeError as error:
+        raise FuzzytimeError(f"{path}:{error.lineno}:{error.colno}: not valid JSON: {error.msg}") from error
     except (ValueError, RecursionError) as error:
         raise FuzzytimeError(f"{path}: not valid JSON: {error}") from error
     except (KeyError, TypeError, AttributeError) as error:

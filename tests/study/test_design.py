@@ -66,7 +66,7 @@ def test_a_small_design_takes_the_shipped_texts(design: Design) -> None:
         ("end: 10 min", "end: 10 parsecs", "4:29", "10 parsecs"),
         ("end: 10 min", "end: -10 min", "4:29", "must lie after the start"),
         ("{robot: robot}", "{}", "5:9", "at least one group"),
-        (", t: 0 s", ", t: 11 min", "7:48", "between 0 and 600"),
+        (", t: 0 s", ", t: 11 min", "7:48", "between 0 s and 10 min"),
         ("preposition: in, ", "", "7:9", "missing key 'preposition'"),
         ("word: soon", "wrod: soon", "7:53", "did you mean 'word'"),
     ],

@@ -2,48 +2,47 @@
 
 import json
 from pathlib import Path
+from typing import Any
 
 import pytest
-from typer.testing import CliRunner
 
-from fuzzytime_cli import app as terminal
-from fuzzytime_cli.study import app
+from terminal.running import Ran, ran
 
 STRICT = "fuzzytime: 1\n"
 LENIENT = "fuzzytime: 1\nwidth: {base: 451.6 s, growth: 0.13624}\n"
 
 
-def planned(folder: Path, truth: str) -> dict[str, object]:
+def planned(folder: Path, truth: str) -> dict[str, Any]:
+    folder.mkdir()
     (folder / "truth.yaml").write_text(truth, encoding="utf-8")
-    database, table = folder / "answers.sqlite", folder / "mine.yaml"
-    runner = CliRunner()
-    for arguments in (
-        ["simulate", "--participants", "8", "--db", database, "--truth", folder / "truth.yaml"],
-        ["analyse", database, "--permutations", "9"],
-        ["calibrate", database, "-o", table],
-    ):
-        assert runner.invoke(app, [str(argument) for argument in arguments]).exit_code == 0
-    said = ["-i", "Place the steak in the pan in ten minutes", "-i", "Make the salad in ten minutes"]
-    common = ["plan", "--now", "2026-03-04T09:00", "--format", "json", "--rules", str(table)]
-    found = runner.invoke(terminal.app, [*common, *said, "-i", "Wash the apples in ten minutes"])
-    assert found.exit_code == 0, found.output
-    document = json.loads(found.stdout)
+    road = [
+        "study simulate --participants 8 --db {0}/answers.sqlite --truth {0}/truth.yaml",
+        "study analyse {0}/answers.sqlite --permutations 9",
+        "study calibrate {0}/answers.sqlite -o {0}/mine.yaml",
+        "rules check {0}/mine.yaml",
+        "plan --now 2026-03-04T09:00 --format json --rules {0}/mine.yaml",
+    ]
+    said = [
+        ("-i", f"{what} in ten minutes") for what in ("Fry the steak", "Make the salad", "Wash the apples")
+    ]
+    done = Ran("", "", 0)
+    for words in road:
+        more = sum(said, ()) if words.startswith("plan") else ()
+        done = ran(*words.format(folder).split(), *more, folder=folder)
+        assert done.code == 0, done.err
+    document = json.loads(done.out)
     assert isinstance(document, dict)
     return document
 
 
 @pytest.mark.model
 def test_the_plan_changes_as_the_truth_does(tmp_path: Path) -> None:
-    plans = {}
-    for name, truth in (("strict", STRICT), ("lenient", LENIENT)):
-        (tmp_path / name).mkdir()
-        plans[name] = planned(tmp_path / name, truth)
-    satisfaction = {name: plan["satisfaction"]["product"] for name, plan in plans.items()}  # type: ignore[index]
-    assert satisfaction["lenient"] > 2 * satisfaction["strict"]
-    skills = {name: plan["skills"] for name, plan in plans.items()}
-    for skill in skills["lenient"]:  # type: ignore[attr-defined]
-        corners = skill["satisfaction_function"]["parameters"]
-        # Half-bases of 451.6 s + 0.13624 · 600 s.
-        assert corners["fall_end"] - 600 == pytest.approx(533.3, rel=0.1)
-    for skill in skills["strict"]:  # type: ignore[attr-defined]
-        assert skill["satisfaction_function"]["parameters"]["fall_end"] - 600 == pytest.approx(133.3, rel=0.1)
+    strict, lenient = (
+        planned(tmp_path / name, truth) for name, truth in (("strict", STRICT), ("lenient", LENIENT))
+    )
+    assert lenient["satisfaction"]["product"] > 2 * strict["satisfaction"]["product"]
+    # Half-bases of 112.9 s + 0.03406 · 600 s, and of 451.6 s + 0.13624 · 600 s.
+    for plan, half_base in ((strict, 133.3), (lenient, 533.3)):
+        for skill in plan["skills"]:
+            corners = skill["satisfaction_function"]["parameters"]
+            assert corners["fall_end"] - 600 == pytest.approx(half_base, rel=0.1)

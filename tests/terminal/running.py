@@ -37,8 +37,10 @@ def ran(*arguments: str, folder: Path, stdin: bytes = b"", **variables: str) -> 
                 code = run(list(arguments))
         finally:
             os.chdir(here)
-    texts = []
-    for stream in (out, err):
-        assert isinstance(stream.buffer, io.BytesIO)
-        texts.append(stream.buffer.getvalue().decode("utf-8"))
-    return Ran(*texts, int(code))
+    return Ran(written(out), written(err), int(code))
+
+
+def written(stream: io.TextIOWrapper) -> str:
+    """Give what was written to a stream in memory."""
+    assert isinstance(stream.buffer, io.BytesIO)
+    return stream.buffer.getvalue().decode("utf-8")

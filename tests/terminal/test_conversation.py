@@ -1,65 +1,11 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
-from collections.abc import Callable
-from datetime import datetime, timedelta
-from functools import cache
+from datetime import timedelta
 from pathlib import Path
 
 import pytest
-from rich.text import Text
 
-from fuzzytime.interpreter import Interpreter
-from fuzzytime.scheduling import THRESHOLD, Auto, Limits
-from fuzzytime.times import parse_zone
-from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.turn import Turns
-from fuzzytime_cli.session import SessionStore
-
-NINE = datetime(2026, 3, 4, 9, tzinfo=parse_zone("Europe/Berlin"))
-
-
-@cache
-def shipped() -> Interpreter:
-    return Interpreter.shipped()
-
-
-class Talk:
-    """Turns with a clock: `say` takes a turn and gives what is answered."""
-
-    def __init__(self, path: Path | None = None) -> None:
-        conversation = Conversation(
-            SessionStore(path), "test", shipped(), lambda _: Auto(), Limits(), THRESHOLD
-        )
-        self.turns = Turns(conversation, 80)
-        self.now = NINE
-        self.edit = ""
-        self.turns.opened(self.now)
-
-    def say(self, line: str, ask: Callable[[str], str] | None = None) -> str:
-        reply = self.turns.take(line, self.now, ask)
-        self.edit = reply.edit
-        return _text(reply.lines)
-
-    def wait(self, **by: float) -> str:
-        self.now += timedelta(**by)
-        return _text(self.turns.tick(self.now))
-
-    @property
-    def entries(self) -> list[str]:
-        return [entry.text for entry in self.turns.conversation.state.entries]
-
-    def start(self, identifier: str) -> datetime:
-        plan = self.turns.plan
-        assert plan is not None
-        for position, interpreted in enumerate(plan.skills):
-            if interpreted.identifier == identifier:
-                return plan.instant(plan.schedule.start_times[position])
-        raise KeyError(identifier)
-
-
-def _text(lines: object) -> str:
-    assert isinstance(lines, (list, tuple))
-    return "\n".join(line.plain if isinstance(line, Text) else str(line) for line in lines)
+from terminal.talking import NINE, Talk
 
 
 def test_an_instruction_is_kept_and_the_schedule_drawn() -> None:
@@ -154,19 +100,23 @@ def test_why_explains_from_the_words_to_the_start() -> None:
     assert "rules/lookup.yaml" in answer
 
 
-def test_an_ambiguous_time_is_asked_once() -> None:
+def test_an_ambiguous_time_is_asked_about_once_and_a_number_answers() -> None:
     talk = Talk()
-    talk.now = NINE.replace(hour=19)
-    asked: list[str] = []
+    asked = talk.say("Call mum at six")
+    assert "Type 1 for Wednesday 18:00 (taken), 2 for Thursday 06:00." in asked
+    answered = talk.say("2")
+    assert "Which time" not in answered
+    assert talk.start("s1") == NINE.replace(hour=6) + timedelta(days=1)
+    assert talk.entries == ["Call mum at 06:00 on 2026-03-05"]
 
-    def ask(question: str) -> str:
-        asked.append(question)
-        return "1"
 
-    talk.say("Call mum at six", ask)
-    assert len(asked) == 1
-    assert "06:00" in asked[0]
-    assert talk.start("s1").hour in {5, 6}
+def test_a_question_that_is_not_answered_leaves_the_choice_and_loses_no_line() -> None:
+    talk = Talk()
+    talk.say("Call mum at six")
+    talk.say("Stir the soup soon")
+    assert talk.entries == ["Call mum at six", "Stir the soup soon"]
+    assert talk.start("s1").hour in {17, 18}
+    assert "cannot" not in talk.say(":list")
 
 
 @pytest.mark.parametrize(
@@ -249,3 +199,16 @@ def test_typed_control_characters_reach_no_answer_raw() -> None:
         + talk.say(":\x1b[2J")
     )
     assert not set(answer) & {"\x1b", "\x07"}
+
+
+@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])
+def test_help_comes_however_it_is_asked_for(line: str) -> None:
+    answer = Talk().say(line)
+    assert ":what-if" in answer
+    assert max(map(len, answer.split("\n"))) <= 80
+
+
+def test_exit_leaves_and_is_no_task() -> None:
+    talk = Talk()
+    assert talk.turns.take("exit", NINE).over
+    assert talk.entries == []

@@ -5,6 +5,8 @@ from pathlib import Path
 import pytest
 
 from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.render import width_of
 from terminal.running import ran
 
 NOW = ("--now", "2026-03-04T09:00")
@@ -77,3 +79,23 @@ def test_a_defect_is_a_message_and_not_a_traceback(tmp_path: Path, monkeypatch: 
     done = ran("plan", "-i", "stir the soup", folder=tmp_path)
     assert done.code == Exit.FAILURE
     assert "this should not happen" in done.err
+
+
+def test_a_pipe_into_the_bare_command_is_planned(tmp_path: Path) -> None:
+    done = ran(folder=tmp_path, stdin=b"stir the soup soon\n")
+    assert (done.code, done.err) == (Exit.FINE, "")
+    assert "stir the soup" in done.out
+
+
+def test_a_line_without_end_is_refused_in_few_words_and_the_rest_is_planned(tmp_path: Path) -> None:
+    endless = b"stir the soup " * 400_000
+    done = ran("plan", "-", folder=tmp_path, stdin=endless + b"\nStir the soup soon\n" + endless)
+    assert done.code == Exit.FINE
+    assert done.err.count("must not be longer than") == 2
+    assert len(done.err) < 1000
+    assert "stir the soup" in done.out
+
+
+def test_marks_stand_under_wide_words() -> None:
+    first, second = underlined("寿司 at half past", (3, 17)).split("\n")
+    assert width_of(first) == width_of(second)

@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -57,14 +58,16 @@ def test_no_agent_does_two_things_at_once(name: str, tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_figures_follow_from_the_printed_functions(name: str, tmp_path: Path) -> None:
     plan = planned(tmp_path, f"examples/{name}", *NOW)
-    product = 1.0
+    product = weighted = 1.0
     for skill in plan["skills"]:
         again = float(psi(skill["satisfaction_function"], skill["start_s"]))
         assert skill["satisfaction"] == pytest.approx(again, abs=1e-9)
         assert skill["alone"] >= skill["satisfaction"] - 1e-9
         product *= max(skill["satisfaction"], plan["threshold"])
+        weighted *= max(skill["satisfaction"], plan["threshold"]) ** skill["priority"]
     assert plan["satisfaction"]["product"] == pytest.approx(product)
-    assert plan["certificate"]["upper_bound"] >= product - 1e-9
+    assert plan["satisfaction"]["weighted_cost"] == pytest.approx(-math.log(weighted), abs=1e-9)
+    assert plan["certificate"]["upper_bound"] >= weighted - 1e-9
 
 
 def best_product(skills: list[Json], threshold: float, step: float) -> float:

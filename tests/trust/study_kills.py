@@ -1,8 +1,8 @@
 """Kill the study's server again and again: no acknowledged answer may be lost.
 
-``PYTHONPATH=. python tests/trust/study_kills.py [KILLS]`` (1,000 by default). Each round starts the server as a process
-of its own, saves curves as fast as it answers, kills it with SIGKILL after a random while, and then reads
-the file: every curve that was acknowledged must be there, as it was sent.
+``PYTHONPATH=. python tests/trust/study_kills.py [KILLS]`` (1,000 by default). Each round starts the
+server as a process of its own, saves curves as fast as it answers, kills it with SIGKILL after a random
+while, and then reads the file: every curve that was acknowledged must be there, as it was sent.
 """
 
 import argparse

@@ -8,6 +8,8 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
 _AXIS = 7
+_SPARSE = 8
+"""Of the edges of a band, every so-manieth point is drawn."""
 
 
 def chart_lines(chart: Chart, width: int, rows: int = 8, *, unicode: bool = True) -> list[str]:
@@ -29,6 +31,8 @@ def _panel(panel: Panel, chart: Chart, columns: int, rows: int, *, unicode: bool
         up = (np.asarray(curve.values) - panel.low) / span
         draw = canvas.points if curve.dots else canvas.curve
         draw(chart.share(curve.times), up)
+        for edge in curve.band or ():
+            canvas.points(chart.share(curve.times)[::_SPARSE], ((edge - panel.low) / span)[::_SPARSE])
     for mark in chart.marks:
         share = float(chart.share(np.asarray(mark.time)))
         if 0 <= share <= 1:

@@ -7,7 +7,7 @@ from typing import Any
 from fuzzytime.interpreter import Interpreted, Plan, Problem
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid, Triangle
-from fuzzytime_cli.formats.reasons import explain
+from fuzzytime.scheduling import best_alone
 
 SCHEMA = "fuzzytime-plan/1"
 
@@ -58,14 +58,10 @@ def document_of(plan: Plan) -> Json:
 
 def skills_of(plan: Plan) -> list[Json]:
     """Give each skill as a JSON object, in the order of the request."""
-    alone = [why.alone for why in explain(plan.schedule)]
-    return [
-        _skill(plan, position, interpreted, alone[position])
-        for position, interpreted in enumerate(plan.skills)
-    ]
+    return [_skill(plan, position, interpreted) for position, interpreted in enumerate(plan.skills)]
 
 
-def _skill(plan: Plan, position: int, interpreted: Interpreted, alone: float) -> Json:
+def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
     schedule = plan.schedule
     skill, specific = interpreted.skill, schedule.skills[position]
     acceptable = skill.satisfaction.acceptable()
@@ -88,7 +84,7 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted, alone: float) ->
         "agent": specific.agent,
         "priority": skill.priority,
         "satisfaction": schedule.satisfactions[position],
-        "alone": alone,
+        "alone": best_alone(schedule.task, position, specific.start).satisfaction,
         "rejected": schedule.rejected[position],
         "reason": interpreted.reason or None,
         "requirement": requirement_of(interpreted.requirements[0]) if interpreted.requirements else None,

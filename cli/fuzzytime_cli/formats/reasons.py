@@ -1,23 +1,200 @@
-"""interim"""
+"""Why each skill starts when it does, in words: a line under the plan, and sentences for who asks."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+
+from fuzzytime.interpreter import Plan
+from fuzzytime.satisfaction import Interval
+from fuzzytime.scheduling import Bond, Neighbour, Status, Why, elsewhere, explain
+from fuzzytime.skills import Busy
+from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.render import plain
+
+SHOWN = 0.005
+"""Satisfactions are shown with two digits: a smaller difference is none."""
+
+MINUTE = 60.0
+
+MOST_NAMED = 3
+"""How many others a sentence names."""
 
 
-@dataclass
-class Why:
-    position: int
-    alone: float
-    lost: float
+def loss_lines(plan: Plan) -> list[tuple[int, str]]:
+    """Give for each skill that is not fully satisfied its position, and in a line what that is due to."""
+    short = [position for position, got in enumerate(plan.schedule.satisfactions) if got < 1 - SHOWN]
+    return [(why.position, _loss(why, plan)) for why in explain(plan.schedule, short)]
 
 
-def explain(schedule):
-    out = []
-    for i, s in enumerate(schedule.task.skills):
-        b = s.satisfaction.best
-        alone = float(s.satisfaction(max(b.low, 0.0))) if not b.empty else 0.0
-        out.append(Why(i, alone, alone - schedule.satisfactions[i]))
-    return out
+def _loss(why: Why, plan: Plan) -> str:
+    name = name_of(plan, why.position)
+    if plan.schedule.rejected[why.position]:
+        return f"{name}: rejected: {_rejection(why, plan)}"
+    if why.lost < SHOWN:
+        return f"{name}: {why.alone:.2f} is the most it can have: {_limit(why, plan)}"
+    if not why.neighbours:
+        return f"{name}: lost {why.lost:.2f}"
+    return f"{name}: lost {why.lost:.2f} to {_takers(why, plan)}"
 
 
-def reason_of(why, plan, clock):
-    return f"lost {why.lost:.2f}" if why.lost > 0.005 else ""
+def _rejection(why: Why, plan: Plan) -> str:
+    own = plan.skills[why.position].reason
+    if own:
+        return plain(own)
+    if why.alone <= plan.schedule.threshold:
+        return _limit(why, plan)
+    if not why.neighbours:
+        return f"alone it could have {why.alone:.2f}"
+    return f"alone it could have {why.alone:.2f}, which it lost to {_takers(why, plan)}"
+
+
+def _limit(why: Why, plan: Plan) -> str:
+    """Say why it could not have more even alone."""
+    if why.appointments:
+        taken = _listed([_appointment(busy, plan) for busy in why.appointments])
+        return f"its best time is taken by {taken}"
+    if why.ideal - why.alone > SHOWN:
+        return "its best time is over"
+    if why.ideal == 0:
+        return "no time satisfies"
+    return "no time satisfies it more"
+
+
+def _appointment(busy: Busy, plan: Plan) -> str:
+    clock = Clock.for_times(plan.request.now, [busy.start, busy.end])
+    span = f"{clock.of(busy.start)} to {clock.of(busy.end)}"
+    return f"{plain(busy.what)} ({span})" if busy.what else f"an appointment ({span})"
+
+
+def _takers(why: Why, plan: Plan) -> str:
+    """Name the neighbours, each with how it binds: "toast the bread, which wants the same minutes"."""
+    named, parts = why.neighbours[:MOST_NAMED], []
+    for bond in dict.fromkeys(neighbour.bond for neighbour in named):
+        alike = [neighbour for neighbour in named if neighbour.bond is bond]
+        names = _listed([name_of(plan, neighbour.position) for neighbour in alike])
+        parts.append(f"{names}, which {_bond(why.position, alike, plan)}")
+    more = len(why.neighbours) - len(named)
+    return "; and to ".join(parts) + (f"; and to {more} more" if more else "")
+
+
+def _bond(position: int, alike: Sequence[Neighbour], plan: Plan) -> str:
+    match alike[0].bond:
+        case Bond.OVERLAP:
+            return "wants the same minutes" if len(alike) == 1 else "want the same minutes"
+        case Bond.CHAIN:
+            return "would have to make room"
+        case Bond.ORDER:
+            first = {entry.first for entry in plan.schedule.task.precedences if entry.second == position}
+            return "must come first" if alike[0].position in first else "must come after it"
+
+
+def name_of(plan: Plan, position: int) -> str:
+    """Give a skill's name, with its identifier where another skill has the same name."""
+    name = plan.skills[position].skill.name
+    same = sum(interpreted.skill.name == name for interpreted in plan.skills)
+    shown = plain(name)
+    return f"{shown} ({plain(plan.skills[position].identifier)})" if same > 1 else shown
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def why_sentences(plan: Plan, position: int) -> list[str]:
+    """Explain one start as a person would: what was asked, who took it, what a minute would cost."""
+    (why,) = explain(plan.schedule, [position])
+    sentences = [_asked(why, plan), _got(why, plan)]
+    if why.alternative is not None and why.lost >= SHOWN:
+        sentences.append(_instead(why, plan))
+    if not plan.schedule.rejected[position]:
+        sentences.append(_minutes(why, plan))
+    return [sentence for sentence in sentences if sentence]
+
+
+def _asked(why: Why, plan: Plan) -> str:
+    """Say what was asked, and which starts would be best if nothing else were to be done."""
+    interpreted = plan.skills[why.position]
+    if interpreted.requirements:
+        words = ", ".join(plain(requirement.text) for requirement in interpreted.requirements)
+        asked = f"It asked for “{words}”"
+    elif interpreted.instruction is not None:
+        asked = "Nothing was said about its time"
+    else:
+        asked = "Its satisfaction was given as a curve"
+    if why.best.starts.empty:
+        return f"{asked}, and {_limit(why, plan)}."
+    span = _span(why.best.starts, plan)
+    if why.alone >= 1 - SHOWN:
+        return f"{asked}: alone it would be fully satisfied {span}."
+    return f"{asked}: alone it would have {why.alone:.2f} at most, {span}; {_limit(why, plan)}."
+
+
+def _span(starts: Interval, plan: Plan) -> str:
+    ends = [end for end in (starts.low, starts.high) if end < float("inf")]
+    clock = Clock.for_times(plan.request.now, [round(end) for end in ends])
+    first, last = clock.of(starts.low), clock.of(ends[-1])
+    if len(ends) == 1:
+        return "by any start from now on" if round(starts.low) == 0 else f"by any start from {first} on"
+    if first == last:
+        return f"by a start at {first}"
+    return f"by any start from {first} to {last}"
+
+
+def _got(why: Why, plan: Plan) -> str:
+    clock = Clock.for_times(plan.request.now, [why.start])
+    start = clock.of(why.start)
+    if plan.schedule.rejected[why.position]:
+        return f"It is rejected, and done at {start} after what matters: {_rejection(why, plan)}."
+    if why.lost < SHOWN:
+        return f"It starts at {start} and has {why.satisfaction:.2f}: nothing stands in its way."
+    to = f" to {_takers(why, plan)}" if why.neighbours else ""
+    return f"It starts at {start} and has {why.satisfaction:.2f}; it lost {why.lost:.2f}{to}."
+
+
+def _instead(why: Why, plan: Plan) -> str:
+    """Say what its best time would cost whom."""
+    alternative = why.alternative
+    if alternative is None:
+        return ""
+    when = Clock.for_times(plan.request.now, [round(alternative.start)]).of(alternative.start)
+    own = f"Started at {when} it would have {alternative.satisfactions[why.position]:.2f}"
+    if alternative.cost < plan.schedule.weighted_cost - SHOWN:
+        return f"{own}, and the whole {alternative.product:.3g}: better than what this search found."
+    paying = [neighbour for neighbour in why.neighbours if neighbour.loss >= SHOWN][:MOST_NAMED]
+    falls = [
+        (name_of(plan, neighbour.position), f"{neighbour.satisfaction:.2f} to {neighbour.instead:.2f}")
+        for neighbour in paying
+    ]
+    falls.append(("the whole", f"{plan.schedule.satisfaction:.3g} to {alternative.product:.3g}"))
+    (name, change), *rest = falls
+    changes = _listed([f"{name} would fall from {change}", *(f"{one} from {by}" for one, by in rest)])
+    return f"{own}, but {changes}."
+
+
+def _minutes(why: Why, plan: Plan) -> str:
+    """Say what a minute earlier and a minute later would cost."""
+    schedule = plan.schedule
+    parts = []
+    for by, word in ((-MINUTE, "earlier"), (MINUTE, "later")):
+        time = why.start + by
+        if time < 0:
+            continue
+        found = elsewhere(schedule, why.position, Interval(time, time))
+        if found is None:
+            parts.append(f"a minute {word} is not free")
+            continue
+        parts.append(
+            f"a minute {word} it would have {found.satisfactions[why.position]:.2f}"
+            + _whole(schedule.satisfaction, found.product, alone=len(plan.skills) == 1)
+        )
+    if not parts:
+        return ""
+    proved = " No schedule satisfies better: proved." if schedule.certificate.status is Status.OPTIMAL else ""
+    text = "; ".join(parts)
+    return f"{text[0].upper()}{text[1:]}.{proved}"
+
+
+def _whole(before: float, after: float, *, alone: bool) -> str:
+    if alone:
+        return ""
+    if abs(after - before) < SHOWN * before:
+        return ", at no cost to the whole"
+    return f", and the whole {after:.3g} instead of {before:.3g}"

@@ -11,7 +11,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import explain, reason_of
+from fuzzytime_cli.formats.reasons import loss_lines
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -160,7 +160,10 @@ class PlanView:
             cells = lane(function, specific.start, specific.end, specific.done, window)
             style = style_of(self.schedule.satisfactions[position], rejected=self.schedule.rejected[position])
             yield self._lane(self.labels[position], cells, style)
-        spans = [(busy.start, busy.end) for busy in self.plan.request.busy]
+        shown = (
+            busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
+        )
+        spans = [(busy.start, busy.end) for busy in shown]
         if spans:
             yield self._lane(fitted("busy", self.label_width), taken(spans, window), "dim")
         waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
@@ -216,11 +219,9 @@ class PlanView:
                 return "no schedule satisfies everyone" + (f": {names} clash" if names else "")
 
     def _losses(self) -> Iterator[Text]:
-        for why in explain(self.schedule):
-            sentence = reason_of(why, self.plan, self.clock)
-            if sentence:
-                label = fitted(self.labels[why.position], self.label_width)
-                yield Text(f"{label} ", style="dim").append(sentence, "not dim")
+        for position, sentence in loss_lines(self.plan):
+            label = fitted(self.labels[position], self.label_width)
+            yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
     def _notes(self) -> Iterator[Text]:
         for problem in self.plan.problems:

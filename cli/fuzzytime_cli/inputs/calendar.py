@@ -17,7 +17,7 @@ def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
     """Give the busy times of a calendar file within the next two weeks, in seconds from now.
 
     Events that are cancelled or transparent (they do not block time) are left out; repeating ones come with
-    each occurrence; an all-day event blocks its days.
+    each occurrence; an all-day event blocks its days. A now without a zone is this machine's.
 
     Raises
     ------
@@ -26,6 +26,7 @@ def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
     """
     import icalendar
 
+    now = now if now.tzinfo is not None else now.astimezone()
     try:
         raw = path.read_bytes() if path.stat().st_size <= MAX_BYTES else b""
     except (OSError, ValueError) as error:

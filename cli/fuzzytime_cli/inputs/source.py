@@ -35,23 +35,28 @@ def read_source(where: str) -> Source:
     DocumentError
         If it is not UTF-8 text, or larger than `MAX_BYTES`.
     """
-    if where == STDIN:
-        name, path = "<stdin>", None
-        raw = sys.stdin.buffer.read(MAX_BYTES + 1) if sys.stdin is not None else b""
-    else:
-        name, path = where, Path(where)
-        raw = _bytes_of(path)
-    if len(raw) > MAX_BYTES:
-        raise DocumentError((Mistake(name, 1, 1, "", f"input must not be larger than {MAX_BYTES:,} bytes"),))
-    text = _decoded(name, raw)
-    if not text.strip():
-        raise NoInputError(f"{name}: the input must hold at least one instruction, and it is empty")
-    return Source(name, text, path)
+    source = read_exactly(where, MAX_BYTES)
+    if not source.text.strip():
+        raise NoInputError(f"{source.name}: the input must hold at least one instruction, and it is empty")
+    return Source(source.name, source.text.replace("\r\n", "\n").replace("\r", "\n"), source.path)
 
 
-def _bytes_of(path: Path) -> bytes:
-    with _opened(path) as stream:
-        return stream.read(MAX_BYTES + 1)
+def read_exactly(where: str, limit: int) -> Source:
+    """Read a file by its path, or standard input by ``-``, with its ends of lines as they are.
+
+    Raises
+    ------
+    NoInputError
+        If there is no such file, or it is a folder.
+    DocumentError
+        If it is not UTF-8 text, or larger than ``limit`` bytes.
+    """
+    name, path = ("<stdin>", None) if where == STDIN else (where, Path(where))
+    with open_stream(where) as stream:
+        raw = stream.read(limit + 1)
+    if len(raw) > limit:
+        raise DocumentError((Mistake(name, 1, 1, "", f"input must not be larger than {limit:,} bytes"),))
+    return Source(name, _decoded(name, raw), path)
 
 
 def _opened(path: Path) -> BinaryIO:
@@ -86,7 +91,7 @@ def _decoded(name: str, raw: bytes) -> str:
         before = raw[:at].decode("utf-8", "replace")
         line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
         raise DocumentError((Mistake(name, line, column, "", what),))
-    return text.replace("\r\n", "\n").replace("\r", "\n")
+    return text
 
 
 @contextmanager

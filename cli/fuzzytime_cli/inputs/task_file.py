@@ -121,7 +121,6 @@ class _TaskFile:
         if not isinstance(said, Scalar):
             self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
             return self.now
-        zone = zone or self.surroundings.fallback_now.tzinfo
         return self.reader.read(said, "now", lambda text: parse_instant(text, zone)) or self.now
 
     # -- wishes ---------------------------------------------------------------------------------------------

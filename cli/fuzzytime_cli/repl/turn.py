@@ -1,6 +1,5 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -12,25 +11,37 @@ from fuzzytime.language import Question
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands import Reply, Scene, command_of, move_lines
+from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
 from fuzzytime_cli.repl.conversation import Conversation, answered
+from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import Started
 
 Line = Text | str
 _UNREAD = {ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO}
-Ask = Callable[[str], str]
-"""Asks a person a question and gives the answer; empty where nobody answers."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pending:
+    """A question that was put: the next line answers it, by a number, or leaves the choice as it is."""
+
+    entry: int
+    question: Question
 
 
 @dataclass(slots=True)
 class Turns:
-    """A conversation going on: the plan on the screen, and what leads to the next."""
+    """A conversation going on: the plan on the screen, the question put, and what leads to the next.
+
+    ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once.
+    """
 
     conversation: Conversation
     width: int
     unicode: bool = True
+    asks: bool = False
     plan: Plan | None = None
     version: int = -1
+    pending: Pending | None = None
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -38,25 +49,31 @@ class Turns:
         if not entries:
             self._refresh(now)
             return [
-                "Say what you want done and when, for example: flip the pancakes in about two minutes.",
-                ":help",
+                "Say what you want done and when: flip the pancakes in about two minutes.",
+                ":help shows the commands, Ctrl-D leaves; everything is kept.",
             ]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
 
-    def take(self, line: str, now: datetime, ask: Ask | None = None) -> Reply:
+    def take(self, line: str, now: datetime) -> Reply:
         """Answer a line; every error of what was typed is an answer too."""
         words = line.strip()
+        words = BARE.get(words.lower(), words)
         if not words:
             return Reply()
+        pending = self._question_put()
         try:
-            if words[0] in ":/":
+            if pending is not None and words.isdecimal():
+                reply = self._answer(pending, int(words))
+            elif words[0] in ":/":
                 command, rest = command_of(words)
                 reply = command.run(self._scene(now), rest)
             else:
-                reply = self._instruction(words, now, ask)
+                reply = self._instruction(words, now)
             if reply.changed:
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
+            if self.pending is not None:
+                reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
         except FuzzytimeError as error:
             return Reply((Text(plain(str(error)), style="red"),))
         except OSError as error:
@@ -73,6 +90,11 @@ class Turns:
         return lines
 
     # -- inside ---------------------------------------------------------------------------------------------
+
+    def _question_put(self) -> Pending | None:
+        """Give the question that the last turn ended with; it is put once."""
+        pending, self.pending = self.pending, None
+        return pending
 
     def _scene(self, now: datetime) -> Scene:
         plan = self.plan if self.plan is not None else self._refresh(now)
@@ -99,36 +121,44 @@ class Turns:
         lines += [line for problem in made.problems for line in problem_lines(problem)]
         return lines
 
-    def _instruction(self, words: str, now: datetime, ask: Ask | None) -> Reply:
+    def _instruction(self, words: str, now: datetime) -> Reply:
         """Keep an instruction that is understood; one that is not is pointed at, and not kept."""
         trial = self.conversation.state.with_entry(words, now)
         made = self.conversation.plan(now, trial)
-        entry = trial.entries[-1]
+        number = trial.entries[-1].number
         faults = [problem for problem in made.problems if problem.text == words and problem.kind in _UNREAD]
-        own = [
-            interpreted for interpreted in made.skills if interpreted.wish.identifier == f"s{entry.number}"
-        ]
+        own = [interpreted for interpreted in made.skills if interpreted.wish.identifier == f"s{number}"]
         if faults and not own:
             return Reply(tuple(line for problem in faults for line in problem_lines(problem)))
+        kept = self.conversation.change(words, lambda state: state.with_entry(words, now))
         reading = own[0].reading if own else None
-        if ask is not None and reading is not None and reading.questions:
-            entry = replace(entry, text=_asked(words, reading.questions[0], ask))
-        text = entry.text
-        self.conversation.change(words, lambda state: state.with_entry(text, now))
+        if self.asks and reading is not None and reading.questions:
+            self.pending = Pending(kept.entries[-1].number, reading.questions[0])
+        return Reply(changed=True)
+
+    def _answer(self, pending: Pending, choice: int) -> Reply:
+        """Say the chosen time explicitly in the instruction; what no choice has that number leaves it."""
+        question = pending.question
+        if not 1 <= choice <= len(question.choices):
+            self.pending = pending
+            return Reply((f"There is no choice {choice}.",))
+        instant = question.choices[choice - 1]
+        self.conversation.change(
+            f"{instant:%a %H:%M}",
+            lambda state: state.with_changed(
+                pending.entry, text=answered(state.entry(pending.entry), question.span, instant).text
+            ),
+        )
         return Reply(changed=True)
 
 
-def _asked(words: str, question: Question, ask: Ask) -> str:
-    """Ask once which of several times is meant, and say it explicitly in the instruction."""
-    start, end = question.span
-    choices = "  ".join(f"{i}) {choice:%a %H:%M}" for i, choice in enumerate(question.choices, 1))
-    reply = ask(f"{plain(words[start:end])!r}: {choices}  [{question.chosen + 1}] ").strip()
-    if not reply.isdigit() or not 1 <= int(reply) <= len(question.choices):
-        return words
-    from fuzzytime_cli.session import Entry
-
-    chosen = question.choices[int(reply) - 1]
-    return answered(Entry(number=0, text=words, given=chosen), question.span, chosen).text
+def question_lines(question: Question) -> list[Line]:
+    """Put a question: which of several times is meant, and which one it is taken for."""
+    choices = [
+        f"{number} for {instant:%A %H:%M}" + (" (taken)" if number == question.chosen + 1 else "")
+        for number, instant in enumerate(question.choices, 1)
+    ]
+    return [Text(f"Which time did you mean? Type {', '.join(choices)}.", style="bold")]
 
 
 def problem_lines(problem: Problem) -> list[Line]:

@@ -2,13 +2,17 @@
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fuzzytime_cli.choices import ProfileChoice
-from fuzzytime_cli.faults import NoInputError, report
+from fuzzytime_cli.faults import NoInputError, as_config, report
 from fuzzytime_cli.study.shared import DesignFile, NewDatabase, now, read_design
+
+if TYPE_CHECKING:
+    from fuzzytime.study.server import StudyServer
+    from fuzzytime.study.service import StudyService
 
 
 def serve(
@@ -31,13 +35,12 @@ def serve(
     import signal
 
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.server import StudyServer
     from fuzzytime.study.service import StudyService
 
     with AnswerStore.create(database, read_design(design)) as store:
         service = StudyService(store, now, lambda: secrets.token_urlsafe(12))
         token = store.token(secrets.token_urlsafe(16))
-        with StudyServer((host, port), service, token, names=tuple(name or ()), tell=report) as server:
+        with _listening((host, port), service, token, tuple(name or ())) as server:
             if host not in ("127.0.0.1", "localhost", "::1"):
                 report("the page can be reached from other computers; its traffic is not encrypted")
             signal.signal(signal.SIGTERM, _stop)
@@ -50,6 +53,17 @@ def serve(
                 server.serve_forever()
             except KeyboardInterrupt:
                 report(f"stopped, with {len(store.answers().participants)} participants in {database}")
+
+
+def _listening(
+    address: tuple[str, int], service: "StudyService", token: str, names: tuple[str, ...]
+) -> "StudyServer":
+    from fuzzytime.study.server import StudyServer
+
+    try:
+        return StudyServer(address, service, token, names=names, tell=report)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, "{}:{}".format(*address)) from error
 
 
 def _stop(_number: int, _frame: object) -> None:
@@ -97,9 +111,11 @@ def simulate(
     chosen = read_design(design)
     groups = list(chosen.groups)
     widths = {groups[0]: group_effect**-0.5, groups[-1]: group_effect**0.5} if len(groups) > 1 else None
+    with as_config():
+        meant = read_truth(chosen, truth, Profile(profile.value), by_actor=by_actor)
     answers = invented(
         chosen,
-        read_truth(chosen, truth, Profile(profile.value), by_actor=by_actor),
+        meant,
         participants,
         seed=seed,
         population=Population(

@@ -12,6 +12,9 @@ from fuzzytime_cli.study.shared import Database, DesignFile, NewDatabase, now, o
 if TYPE_CHECKING:
     from fuzzytime.study import Design
 
+MAX_BYTES = 1 << 30
+"""Bytes of answers that are read: a thousand participants take about 750 MB as CSV."""
+
 
 def list_(
     database: Database,
@@ -69,19 +72,16 @@ def import_(
 
     from fuzzytime.study import AnswerStore
     from fuzzytime.study.exchange import read_csv, read_json
+    from fuzzytime_cli.inputs.source import read_exactly
 
-    if str(file) != "-" and not file.is_file():
-        raise NoInputError(f"{file}: there is no such file")
-    raw = sys.stdin.buffer.read() if str(file) == "-" else file.read_bytes()
-    try:
-        text = raw.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = raw.count(b"\n", 0, error.start) + 1
-        raise NoInputError(f"{file}:{line}: answers must be UTF-8") from error
-    if text.lstrip()[:1] in ("{", "["):
-        answers = read_json(text, str(file))
+    source = read_exactly(str(file), MAX_BYTES)
+    if not source.text.strip():
+        raise NoInputError(f"{source.name}: must hold answers, and it is empty")
+    if source.text.lstrip()[:1] in ("{", "["):
+        answers = read_json(source.text, source.name)
     else:
-        answers = read_csv(io.StringIO(text, newline=""), _import_design(database, design), str(file))
+        rows = io.StringIO(source.text, newline="")
+        answers = read_csv(rows, _import_design(database, design), source.name)
     with AnswerStore.create(database, answers.design) as store:
         count = store.add(answers.participants, now())
     report(f"{count} participants added to {database}")
@@ -93,6 +93,42 @@ def _import_design(database: Path, design: Path | None) -> "Design":
         with opened(database) as store:
             return store.design
     return read_design(design)
+
+
+def ratings(
+    *,
+    rules: Annotated[
+        bool, typer.Option("--rules", help="The table that they amount to, as a rule file.")
+    ] = False,
+    json: Annotated[bool, typer.Option("--json", help="One rating a line.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="A file; else standard output.")
+    ] = None,
+) -> None:
+    """Show or export your own ratings of starts (`:rate` in a conversation), and what they amount to."""
+    import json as encoding
+
+    from fuzzytime_cli.assembly import data_folder
+    from fuzzytime_cli.files import write_out
+    from fuzzytime_cli.personal import kept_ratings, personal_table, rating_line
+    from fuzzytime_cli.render import plain
+
+    if rules and json:
+        raise UsageError("give one of --rules and --json")
+    kept = kept_ratings(data_folder())
+    if not kept:
+        raise NoInputError("there are no ratings yet: rate a start in a conversation by :rate")
+    if json:
+        lines = [
+            encoding.dumps({"skill": one.name, "start": one.start.isoformat(), **encoding.loads(one.rating)})
+            for one in kept
+        ]
+        write_out(output, "".join(f"{line}\n" for line in lines))
+    elif rules:
+        write_out(output, personal_table(kept).yaml)
+    else:
+        lines = [*map(rating_line, kept), *personal_table(kept).lines]
+        write_out(output, "".join(f"{plain(line)}\n" for line in lines))
 
 
 def export(
@@ -108,16 +144,13 @@ def export(
     import io
 
     from fuzzytime.study.exchange import write_csv, write_json
-    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.files import write_out
 
     if csv and json:
         raise UsageError("give one of --csv and --json")
     with opened(database) as store:
         answers = store.answers()
     write = write_json if json else write_csv
-    if output is None:
-        write(answers, sys.stdout)
-        return
     stream = io.StringIO()
     write(answers, stream)
-    replace_file(output, stream.getvalue())
+    write_out(output, stream.getvalue())

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fuzzytime_cli.faults import NoInputError
+from fuzzytime_cli.faults import NoInputError, as_config
 
 if TYPE_CHECKING:
     from fuzzytime.study import AnswerStore, Design
@@ -23,18 +23,35 @@ DesignFile = Annotated[
 
 
 def read_design(path: Path | None) -> "Design":
-    """Read a design file, or the shipped one."""
+    """Read a design file, or the shipped one.
+
+    Raises
+    ------
+    NoInputError
+        If there is no such file.
+    ConfigError
+        If it breaks rules.
+    """
     from fuzzytime.study import Design
 
     if path is None:
         return Design.shipped()
     if not path.is_file():
         raise NoInputError(f"{path}: there is no such design")
-    return Design.of_file(path)
+    with as_config():
+        return Design.of_file(path)
 
 
 def opened(path: Path) -> "AnswerStore":
-    """Open a study's file that must be there."""
+    """Open a study's file that must be there.
+
+    Raises
+    ------
+    NoInputError
+        If it is not.
+    FuzzytimeError
+        If it holds something else.
+    """
     from fuzzytime.study import AnswerStore
 
     if not path.is_file():

@@ -5,7 +5,7 @@ from datetime import time
 from pathlib import Path
 from typing import Any
 
-from fuzzytime.errors import FuzzytimeError
+from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, Preposition, form_of
 from fuzzytime.language.meaning.calendar import Feast, Reckoning, Season
 from fuzzytime.language.meaning.expressions import Edge, Ending, Half, Part, Quantity, TimeWord, UnitWord
@@ -141,8 +141,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     connectives = _by_form(speech, "connectives")
     indicators = {" ".join(form): name for form, name in _by_form(speech, "indicators").items()}
     policy = _policy(days)
-    speech.reader.finish()
-    days.reader.finish()
+    mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
+    if mistakes:
+        raise DocumentError(mistakes)
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
@@ -164,6 +165,14 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        particles={
+            form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
+            for name, node in speech.rows("particles")
+            for form in (form_of(name.text),)
+        },
+        places=frozenset(form[0] for form in speech.words("places")),
+        persons=frozenset(form[0] for form in speech.words("persons")),
+        addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
@@ -173,7 +182,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections",
+    "clauses", "corrections", "particles", "places", "persons",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
@@ -291,14 +300,17 @@ def _read_parts(tables: Tables) -> None:
         start, end = tables.clock(fields["from"], f"{key}.from"), tables.clock(fields["to"], f"{key}.to")
         half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
         meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal)
+        late = tables.clock(fields["late"], f"{key}.late") if "late" in fields else None
+        if late is not None and not start <= late <= end:
+            reader.mistake(fields["late"], f"{key}.late", "a part's late half must begin inside it")
+        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late)
         if not meal and parts[name].start != parts[name].end:
             tables.add(
                 fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
             )
         return [("meal" if meal else "part", parts[name])]
 
-    tables.table("parts", {"from": True, "to": True, "half": True, "meal": False}, part)
+    tables.table("parts", {"from": True, "to": True, "half": True, "meal": False, "late": False}, part)
 
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))

@@ -67,5 +67,5 @@ def _levelled(raw: str) -> str:
     if raw in _FRACTIONS:
         return raw
     # A compatibility form may fall apart into several characters; a word stays one.
-    plain = unicodedata.normalize("NFKC", raw).lower().translate(_LEVELLED)
+    plain = unicodedata.normalize("NFKC", raw.translate(_LEVELLED)).lower()
     return plain.strip() or raw

@@ -314,7 +314,9 @@ class Share(Calendar):
     def past(self, today: Today, until: date) -> Iterator[Days]:
         """Give the part of each period."""
         for whole in self.of.past(today, until):
-            yield self._part(whole)
+            part = self._part(whole)
+            if self.fixed or part.first < until:
+                yield part
 
 
 @dataclass(frozen=True, slots=True)

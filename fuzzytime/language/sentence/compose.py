@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
@@ -21,7 +22,6 @@ from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.leftovers import leftovers
 from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
 from fuzzytime.language.sentence.sketches import Sketch, sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
@@ -59,7 +59,9 @@ class _Composer:
         operations: list[Operation | None] = list(self.given)
         for place, sketch in enumerate(sketches):
             if sketch.operation is not None:
-                named = replace(sketch.operation, object=resolved_object(sketch.operation, operations))
+                named = replace(
+                    sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
+                )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
         instructions = tuple(
@@ -170,9 +172,9 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
     )
 
 
-def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequirement:
+def _referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
     """Give a requirement the moment of the execution that its verb is about."""
-    if reference is Reference.START or requirement.constraint in {
+    if reference is None or requirement.constraint in {
         Constraint.FOR,
         Constraint.EVERY,
         Constraint.WHEN,
@@ -181,7 +183,7 @@ def _referred(requirement: TimeRequirement, reference: Reference) -> TimeRequire
     lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
     if reference is Reference.THROUGHOUT and not lasting:
         return requirement
-    return replace(requirement, reference=reference)
+    return replace(requirement, reference=reference, reference_said=True)
 
 
 def _named(condition: Condition, operation: Operation | None) -> Condition:

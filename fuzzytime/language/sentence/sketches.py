@@ -8,9 +8,11 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
+from fuzzytime.language.sentence.actions import Action, action_of, reference_of
+from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
 from fuzzytime.language.sentence.drafts import Draft, Part
-from fuzzytime.language.sentence.operations import Action, Reader, action_of, reference_of
+from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Constraint, Reference
 
@@ -25,20 +27,20 @@ OFFERED = frozenset({"or"})
 class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
-    ``references`` gives, for each of its times, which moment of the execution it is about.
+    ``references`` gives, for each of its times, which moment of the execution the words say it is about.
     """
 
     part: Part
     phrases: tuple[Phrase, ...]
     clauses: tuple[Clause, ...]
-    references: tuple[Reference, ...]
+    references: tuple[Reference | None, ...]
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
 
     @property
-    def reference(self) -> Reference:
-        """What its clauses are about: the start, unless its times say otherwise."""
-        return self.references[0] if self.references else Reference.START
+    def reference(self) -> Reference | None:
+        """What its clauses are about, where its times say so."""
+        return self.references[0] if self.references else None
 
 
 def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
@@ -68,9 +70,9 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept = tuple(phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses))
     action = action_of(part.tree, lexicon)
     if action is None:
-        references = (Reference.START,) * len(kept)
+        references = (None,) * len(kept)
         return Sketch(part=part, phrases=kept, clauses=tuple(clauses), references=references)
-    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses))
+    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
@@ -80,7 +82,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses=tuple(clauses),
         references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
         operation=replace(operation, span=(a + part.offset, b + part.offset)),
-        parameters=reader.parameters(action),
+        parameters=parameters_of(reader, action),
     )
 
 
@@ -88,7 +90,7 @@ def _overlap(one: Span, other: Span) -> bool:
     return one[0] < other[1] and other[0] < one[1]
 
 
-def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference:
+def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
     first, end = (place - part.offset for place in phrase.span)
     for place in part.tree.at(first, end):
@@ -96,8 +98,7 @@ def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> 
             if above == action.place:
                 return action.reference
             if part.tree.nodes[above].is_verb:
-                found = reference_of(part.tree, above, lexicon)
-                return found if found is not Reference.START else action.reference
+                return reference_of(part.tree, above, lexicon) or action.reference
     return action.reference
 
 

@@ -13,7 +13,7 @@ from fuzzytime.rulebook.tables import Entry, Hedge, Model, Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.yaml_nodes import Node, Scalar
 
-_ROW = ("model", *FORMS, "begun", "t", "w", "hedge", "core", "fade", "source")
+_ROW = ("model", *FORMS, "begun", "t", "w", "reference", "hedge", "core", "fade", "source")
 _TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
 """Times that a row may fix, with the least value of each."""
 
@@ -78,9 +78,21 @@ def _row(
         if part in found
     }
     hedges = _hedge_names(scope, found["hedge"], f"{key}.hedge") if "hedge" in found else ()
+    moment = ""
+    if "reference" in found:
+        moment = scope.reader.choice(found["reference"], f"{key}.reference", tuple(Reference))
     if not model or (own is None and "model" not in found):
         return None
-    return Row(name=name, source=source, model=model, own=own, begun=begun or None, hedges=hedges, **times)
+    return Row(
+        name=name,
+        source=source,
+        model=model,
+        own=own,
+        begun=begun or None,
+        reference=Reference(moment) if moment else None,
+        hedges=hedges,
+        **times,
+    )
 
 
 def _hedge_names(scope: Scope, node: Node, key: str) -> tuple[str, ...]:

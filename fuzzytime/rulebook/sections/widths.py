@@ -84,7 +84,17 @@ def read_plateau(scope: Scope, node: Node, key: str) -> float:
 
 def read_clock(scope: Scope, node: Node, key: str) -> Mapping[Unit, float]:
     """Read the largest half-base of a wall-clock time by its grain."""
-    return by_member(scope, node, key, Unit, lambda child, path: read_positive_duration(scope, child, path))
+    found = scope.reader.mapping(node, key, (*Unit, "source"))
+    read = {
+        name: read_positive_duration(scope, found[name], f"{key}.{name}") for name in Unit if name in found
+    }
+    return MappingProxyType(read)
+
+
+def read_repetition(scope: Scope, node: Node, key: str) -> float:
+    """Read the share of a series' interval that the half-base of an occurrence may have at most."""
+    found = scope.reader.mapping(node, key, ("share", "source"), ("share",))
+    return scope.reader.number(found["share"], f"{key}.share", 1e-3, 1.0) if "share" in found else 1.0
 
 
 def read_roundness(scope: Scope, node: Node, key: str) -> Roundness:

@@ -1,0 +1,46 @@
+"""From sentences to skills: what the words say of start and finish, and repetitions."""
+
+from datetime import datetime
+from itertools import pairwise
+
+import pytest
+
+from fuzzytime.interpreter import Interpreted, Interpreter, Request, SpokenWish
+from fuzzytime.times import HOUR, MINUTE
+
+NOW = datetime(2026, 3, 4, 7)  # noqa: DTZ001 - the tests' moment is of no zone
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.shipped()
+
+
+def skills(interpreter: Interpreter, text: str, elapsed: float | None = None) -> tuple[Interpreted, ...]:
+    wish = SpokenWish(text=text, given=NOW, elapsed=elapsed)
+    return interpreter.interpret(Request(now=NOW, wishes=(wish,), horizon=24 * HOUR)).skills
+
+
+@pytest.mark.parametrize(
+    ("text", "latest"),
+    [
+        ("Cook the rice by 6 pm", 11 * HOUR - 20 * MINUTE),
+        ("Have the rice ready by 6 pm", 11 * HOUR - 20 * MINUTE),
+        ("Start cooking the rice by 6 pm", 11 * HOUR),
+        ("Begin to cook the rice by 6 pm", 11 * HOUR),
+        ("Cook the rice before 6 pm", 11 * HOUR),
+    ],
+)
+def test_by_a_time_is_done_by_then_unless_the_words_say_start(
+    interpreter: Interpreter, text: str, latest: float
+) -> None:
+    (skill,) = skills(interpreter, text, elapsed=20 * MINUTE)
+    assert skill.skill.satisfaction.best.high == latest
+    assert all(part.reference.value == "start" for part in skill.requirements) == ("ready" not in text)
+
+
+def test_occurrences_of_a_dense_series_do_not_reach_into_each_other(interpreter: Interpreter) -> None:
+    functions = [made.skill.satisfaction for made in skills(interpreter, "Stir the soup every 20 minutes")]
+    supports = [function.support for function in functions]
+    assert len(supports) > 50
+    assert all(one.high < other.low for one, other in pairwise(supports))

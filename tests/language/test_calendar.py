@@ -1,0 +1,107 @@
+"""Series of days are in order, and agree with calendars known from elsewhere."""
+
+from datetime import date, timedelta
+from itertools import islice, pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Feast,
+    Fields,
+    Reckoning,
+    Season,
+    Today,
+    Weekend,
+    easter,
+    moved,
+)
+from fuzzytime.language.meaning.relations import Away, Nth, Share, WeekOf, Within, narrowed
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import Unit
+
+DAYS = st.dates(date(1900, 1, 1), date(2100, 1, 1))
+SERIES: list[Calendar] = [
+    *(Cycle(unit) for unit in (Unit.DAY, Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR)),
+    Cycle(Unit.WEEK, 2),
+    Cycle(Unit.YEAR, 10),
+    Fields(weekday=3),
+    Fields(day=31),
+    Fields(month=2, day=29),
+    Fields(month=5),
+    Fields(day=13, weekday=4),
+    Weekend(),
+    Weekend(working=True),
+    Feast("easter", Reckoning.EASTER),
+    Feast("thanksgiving", Reckoning.NTH, month=11, nth=4, weekday=3),
+    Feast("last monday of may", Reckoning.NTH, month=5, nth=-1, weekday=0),
+    Season("winter", (12, 21), (3, 20)),
+    Nth(1, Fields(weekday=0), Cycle(Unit.MONTH)),
+    Nth(-1, Cycle(Unit.WEEK), Cycle(Unit.MONTH)),
+    Within(Fields(weekday=2), Cycle(Unit.MONTH)),
+    Away(3, Unit.DAY, Feast("easter", Reckoning.EASTER)),
+    Share(0.5, 1, Cycle(Unit.MONTH)),
+    WeekOf(Fields(month=10, day=7)),
+]
+
+
+@pytest.mark.parametrize("series", SERIES, ids=repr)
+@given(day=DAYS)
+def test_upcoming_periods_ascend_and_are_not_over(series: Calendar, day: date) -> None:
+    found = list(islice(series.upcoming(Today(day, Policy()), day), 4))
+    assert all(days.first < days.end for days in found)
+    assert all(first.first < second.first for first, second in pairwise(found))
+    assert isinstance(series, (Away, WeekOf)) or all(days.end > day for days in found)
+
+
+@pytest.mark.parametrize("series", SERIES, ids=repr)
+@given(day=DAYS)
+def test_past_periods_descend_and_have_begun(series: Calendar, day: date) -> None:
+    found = list(islice(series.past(Today(day, Policy()), day), 4))
+    assert all(first.first > second.first for first, second in pairwise(found))
+    assert isinstance(series, (Away, WeekOf)) or all(days.first < day for days in found)
+
+
+@pytest.mark.parametrize(
+    ("year", "month", "day"),
+    [(1954, 4, 18), (1981, 4, 19), (2000, 4, 23), (2008, 3, 23), (2011, 4, 24), (2026, 4, 5), (2038, 4, 25)],
+)
+def test_easter_is_that_of_published_tables(year: int, month: int, day: int) -> None:
+    assert easter(year) == date(year, month, day)
+
+
+@given(st.integers(1583, 4099))
+def test_easter_is_a_sunday_between_its_bounds(year: int) -> None:
+    found = easter(year)
+    assert found.weekday() == 6
+    assert date(year, 3, 22) <= found <= date(year, 4, 25)
+
+
+@given(DAYS)
+def test_the_nth_week_of_a_year_is_that_of_iso_8601(day: date) -> None:
+    year, week, _ = day.isocalendar()
+    whole = Nth(week, Cycle(Unit.WEEK), Fields(year=year))
+    (found,) = whole.upcoming(Today(day, Policy()), day)
+    assert found.first <= day < found.end
+
+
+@given(
+    DAYS, st.sampled_from([Unit.DAY, Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR]), st.integers(-40, 40)
+)
+def test_moving_is_in_order(day: date, unit: Unit, count: int) -> None:
+    assert (moved(day, unit, count) >= day) == (count >= 0)
+    assert moved(day, unit, count + 1) > moved(day, unit, count) - timedelta(days=1)
+
+
+def test_the_last_day_stands_for_a_day_that_a_month_lacks() -> None:
+    assert moved(date(2026, 1, 31), Unit.MONTH, 1) == date(2026, 2, 28)
+    assert moved(date(2024, 2, 29), Unit.YEAR, 1) == date(2025, 2, 28)
+
+
+def test_two_expressions_side_by_side_are_one_where_they_go_together() -> None:
+    assert narrowed(Fields(weekday=1), Fields(day=19)) == Fields(day=19, weekday=1)
+    assert narrowed(Fields(month=3), Fields(month=4)) is None
+    assert narrowed(Cycle(Unit.WEEK), Fields(weekday=1)) == Within(Fields(weekday=1), Cycle(Unit.WEEK))

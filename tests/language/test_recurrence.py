@@ -1,0 +1,73 @@
+"""Repetitions give their occurrences in order, and no others."""
+
+from datetime import datetime
+from zoneinfo import ZoneInfo
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from fuzzytime.language import find_times
+from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, EvenRecurrence
+from fuzzytime.requirement import Recurrence
+from fuzzytime.times import instant_after
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001
+DAY = 86400.0
+
+
+def recurrence(text: str, now: datetime = NOW) -> Recurrence:
+    found = find_times(text, now).found[0].recurrence
+    assert found is not None
+    return found
+
+
+TEXTS = (
+    "every 20 minutes", "every day at nine pm", "on weekdays at 7", "every other friday", "twice a day",
+    "every monday and thursday", "the first monday of every month", "every hour until 6 pm", "every morning",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("text", TEXTS)
+@given(until=st.floats(0, 90 * DAY))
+def test_occurrences_ascend_from_now_to_the_horizon(text: str, until: float) -> None:
+    found = recurrence(text).occurrences(until)
+    assert list(found) == sorted(set(found))
+    assert all(0 <= time <= until for time in found)
+
+
+@pytest.mark.parametrize("text", TEXTS)
+@given(until=st.floats(0, 40 * DAY), more=st.floats(0, 40 * DAY))
+def test_a_longer_horizon_only_adds_occurrences(text: str, until: float, more: float) -> None:
+    near, far = recurrence(text).occurrences(until), recurrence(text).occurrences(until + more)
+    assert far[: len(near)] == near
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_the_coming_occurrences_are_the_first(text: str) -> None:
+    found = recurrence(text)
+    assert isinstance(found, (EvenRecurrence, CalendarRecurrence))
+    coming = found.coming(3)
+    assert found.occurrences(coming[-1])[: len(coming)] == coming
+
+
+def test_a_time_of_day_is_kept_when_clocks_change() -> None:
+    saturday = datetime(2026, 3, 28, 10, tzinfo=ZoneInfo("Europe/Berlin"))
+    times = recurrence("every day at nine am", saturday).occurrences(4 * DAY)
+    assert {instant_after(saturday, time).hour for time in times} == {9}
+    assert times[0] == 22 * 3600
+
+
+def test_too_many_occurrences_are_not_given() -> None:
+    assert len(recurrence("every second").occurrences(1e9)) == MOST
+
+
+def test_even_spacing_has_an_interval_and_weekdays_have_none() -> None:
+    assert recurrence("every two hours").interval == 7200
+    assert recurrence("every monday").interval == 7 * DAY
+    assert recurrence("on weekdays").interval is None
+
+
+def test_without_a_clock_only_lengths_can_repeat() -> None:
+    assert find_times("every ten minutes", None).found[0].recurrence is not None
+    assert find_times("every day at nine", None).found == ()

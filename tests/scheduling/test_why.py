@@ -1,0 +1,125 @@
+"""Why each skill starts when it does."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fuzzytime.satisfaction import ALWAYS, Interval, Rectangle, Trapezoid, Triangle
+from fuzzytime.scheduling import Bond, Limits, elsewhere, explain, solve
+from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.random_tasks import random_task
+
+WISH = Triangle(60, 120, 180)
+
+
+def test_a_skill_that_has_its_best_time_lost_nothing() -> None:
+    (why,) = explain(solve(FuzzyTask((FuzzySkill("flip", WISH, 30),))))
+    assert (why.alone, why.lost, why.neighbours, why.alternative) == (1, 0, (), None)
+
+
+def test_the_weaker_of_two_wishes_for_the_same_minutes_lost_to_the_stronger() -> None:
+    task = FuzzyTask((FuzzySkill("flip", WISH, 30, priority=2), FuzzySkill("pour", WISH, 30)))
+    first, second = explain(solve(task))
+    assert first.lost < second.lost
+    (neighbour,) = second.neighbours
+    assert (neighbour.position, neighbour.bond) == (0, Bond.OVERLAP)
+    assert second.alternative is not None
+    assert second.alternative.satisfactions[1] == pytest.approx(1)
+    assert neighbour.instead == pytest.approx(second.alternative.satisfactions[0])
+
+
+def test_a_skill_lost_to_the_end_of_a_chain_that_would_have_to_make_room() -> None:
+    # What is at work in its minutes could move on at no cost, were there not one more behind it.
+    task = FuzzyTask(
+        (
+            FuzzySkill("flip", Rectangle(100, 110), 30),
+            FuzzySkill("stir", Trapezoid(60, 80, 200, 210), 60),
+            FuzzySkill("serve", Triangle(180, 190, 200), 30, priority=3),
+            FuzzySkill("pour", Triangle(40, 130, 160), 30),
+        )
+    )
+    schedule = solve(task)
+    why = explain(schedule)[3]
+    assert why.lost > 0.1
+    assert {neighbour.position for neighbour in why.neighbours} <= {0, 1, 2}
+    assert all(neighbour.loss > 0 for neighbour in why.neighbours)
+
+
+def test_who_must_wait_for_another_lost_to_that_one() -> None:
+    task = FuzzyTask(
+        (FuzzySkill("boil", Rectangle(100, 120), 10, elapsed=60), FuzzySkill("peel", WISH, 10)),
+        precedences=(Precedence(0, 1),),
+    )
+    why = explain(solve(task))[1]
+    assert [(neighbour.position, neighbour.bond) for neighbour in why.neighbours] == [(0, Bond.ORDER)]
+    assert why.neighbours[0].instead is None
+    assert why.alternative is None
+
+
+def test_an_appointment_at_the_best_time_is_named() -> None:
+    lunch, later = Busy(100, 140, "lunch"), Busy(500, 600, "call")
+    (why,) = explain(solve(FuzzyTask((FuzzySkill("flip", WISH, 30),), busy=(lunch, later))))
+    assert why.appointments == (lunch,)
+    assert why.lost == 0
+    assert why.ideal == 1
+    assert why.alone == pytest.approx(2 / 3)
+
+
+def test_what_came_too_late_could_once_have_been_better() -> None:
+    (why,) = explain(solve(FuzzyTask((FuzzySkill("flip", WISH.shifted(-150), 30),))))
+    assert why.ideal == 1
+    assert why.alone == pytest.approx(0.5)
+    assert why.appointments == ()
+
+
+def test_with_a_second_agent_nothing_is_lost() -> None:
+    skills = (FuzzySkill("flip", WISH, 30), FuzzySkill("pour", WISH, 30))
+    assert [why.lost for why in explain(solve(FuzzyTask(skills, agents=2)))] == [0, 0]
+
+
+def test_a_rejected_skill_could_be_done_at_the_cost_of_another() -> None:
+    skills = (
+        FuzzySkill("flip", Rectangle(60, 60), 30, priority=2),
+        FuzzySkill("pour", Rectangle(70, 70), 30),
+    )
+    schedule = solve(FuzzyTask(skills))
+    why = explain(schedule)[1]
+    assert list(schedule.rejected) == [False, True]
+    assert why.alternative is not None
+    assert list(why.alternative.satisfactions) == [0, 1]
+    assert why.neighbours[0].position == 0
+
+
+def test_a_minute_that_nobody_is_free_for_has_no_price() -> None:
+    schedule = solve(FuzzyTask((FuzzySkill("flip", WISH, 30),), busy=(Busy(150, 300),)))
+    assert elsewhere(schedule, 0, Interval(180, 180)) is None
+    assert elsewhere(schedule, 0, Interval(-10, -5)) is None
+
+
+def test_what_stands_far_off_stays_there() -> None:
+    skills = [FuzzySkill(f"skill {k}", Triangle(100 * k, 100 * k + 50, 100 * k + 100), 40) for k in range(30)]
+    schedule = solve(FuzzyTask((*skills, FuzzySkill("wash", ALWAYS, 10))))
+    found = elsewhere(schedule, 3, Interval(390, 390))
+    assert found is not None
+    assert found.satisfactions[3] < 0.25
+    assert found.satisfactions[20:] == schedule.satisfactions[20:]
+
+
+def test_out_of_time_those_in_the_way_are_named_without_what_they_would_lose() -> None:
+    task = FuzzyTask((FuzzySkill("flip", WISH, 30, priority=2), FuzzySkill("pour", WISH, 30)))
+    why = explain(solve(task), limits=Limits(seconds=0))[1]
+    assert why.alternative is None
+    assert [(neighbour.position, neighbour.instead) for neighbour in why.neighbours] == [(0, None)]
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(0, 100_000))
+def test_no_other_time_is_better_than_a_proved_schedule(seed: int) -> None:
+    schedule = solve(random_task(seed))
+    for why in explain(schedule):
+        assert why.satisfaction <= why.alone + 1e-9
+        if why.alternative is not None:
+            assert any(schedule.rejected) or why.alternative.cost >= schedule.weighted_cost - 1e-3
+            assert why.alternative.satisfactions[why.position] == pytest.approx(why.alone, rel=1e-6)
+    later = elsewhere(schedule, 0, Interval(schedule.start_times[0] + 10, schedule.start_times[0] + 10))
+    assert later is None or any(schedule.rejected) or later.cost >= schedule.weighted_cost - 1e-3

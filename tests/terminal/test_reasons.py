@@ -1,0 +1,98 @@
+"""Why each skill starts when it does, in words."""
+
+from dataclasses import replace
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
+from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.skills import Busy
+from fuzzytime_cli.formats.reasons import loss_lines, why_sentences
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the tests' moment is of no zone
+WISH = Triangle(60, 180, 300)
+
+
+@pytest.fixture(scope="module")
+def interpreter() -> Interpreter:
+    return Interpreter.shipped()
+
+
+def wish(name: str, function: SatisfactionFunction, **given: object) -> DirectWish:
+    return replace(DirectWish(given=NOW, name=name, satisfaction=function, hands_on=60.0), **given)  # type: ignore[arg-type]
+
+
+def planned(interpreter: Interpreter, *wishes: DirectWish, busy: tuple[Busy, ...] = ()) -> Plan:
+    return plan(Request(now=NOW, wishes=wishes, busy=busy), interpreter)
+
+
+def test_a_line_names_who_wants_the_same_minutes(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("toast the bread", WISH, priority=3.0), wish("flip the pancakes", WISH))
+    lines = dict(loss_lines(made))
+    assert lines[1].startswith("flip the pancakes: lost 0.")
+    assert lines[1].endswith("to toast the bread, which wants the same minutes")
+
+
+def test_two_skills_of_one_name_are_told_apart(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("flip", WISH, priority=3.0), wish("flip", WISH))
+    assert dict(loss_lines(made))[1].startswith("flip (s2): lost")
+    assert dict(loss_lines(made))[1].endswith("to flip (s1), which wants the same minutes")
+
+
+def test_who_is_fully_satisfied_needs_no_line(interpreter: Interpreter) -> None:
+    assert loss_lines(planned(interpreter, wish("wash", ALWAYS), wish("flip", WISH))) == []
+
+
+def test_a_line_names_the_appointment(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("flip", WISH), busy=(Busy(120, 270, "call"),))
+    assert loss_lines(made) == [
+        (0, "flip: 0.25 is the most it can have: its best time is taken by call (09:02:00 to 09:04:30)")
+    ]
+
+
+def test_a_line_says_that_the_best_time_is_over(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("flip", WISH.shifted(-240)))
+    assert loss_lines(made) == [(0, "flip: 0.50 is the most it can have: its best time is over")]
+
+
+def test_a_line_names_what_must_come_first(interpreter: Interpreter) -> None:
+    boil = wish("boil", Rectangle(240, 300), identifier="b")
+    made = planned(interpreter, boil, wish("peel", Trapezoid(0, 60, 120, 900), after=("b",)))
+    assert dict(loss_lines(made))[1].endswith("to boil, which must come first")
+
+
+def test_a_rejected_skill_says_what_it_could_have_had(interpreter: Interpreter) -> None:
+    spike = Rectangle(180, 180)
+    made = planned(interpreter, wish("toast", spike, priority=2.0), wish("flip", spike), wish("fry", NEVER))
+    lines = dict(loss_lines(made))
+    assert lines[1] == (
+        "flip: rejected: alone it could have 1.00, which it lost to toast, which wants the same minutes"
+    )
+    assert lines[2] == "fry: rejected: its satisfaction is 0 at every time"
+
+
+def test_sentences_say_what_was_asked_who_took_it_and_what_a_minute_costs(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("toast", WISH, priority=3.0), wish("flip", WISH))
+    asked, got, instead, minutes = why_sentences(made, 1)
+    assert asked == (
+        "Its satisfaction was given as a curve: alone it would be fully satisfied by a start at 09:03."
+    )
+    assert "to toast, which wants the same minutes" in got
+    assert instead.startswith("Started at 09:03 it would have 1.00, but toast would fall from")
+    assert " and the whole from " in instead
+    assert minutes.startswith("A minute earlier it would have ")
+    assert "a minute later it would have " in minutes
+    assert minutes.endswith("No schedule satisfies better: proved.")
+
+
+def test_the_whole_is_not_told_apart_from_a_single_skill(interpreter: Interpreter) -> None:
+    assert why_sentences(planned(interpreter, wish("flip", WISH)), 0)[-1] == (
+        "A minute earlier it would have 0.50; a minute later it would have 0.50. "
+        "No schedule satisfies better: proved."
+    )
+
+
+def test_a_minute_for_which_nobody_is_free_is_said_to_be_taken(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("flip", WISH), busy=(Busy(240, 600, "call"),))
+    assert "a minute later is not free" in why_sentences(made, 0)[-1]
