@@ -199,3 +199,16 @@ def test_typed_control_characters_reach_no_answer_raw() -> None:
         + talk.say(":\x1b[2J")
     )
     assert not set(answer) & {"\x1b", "\x07"}
+
+
+@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])
+def test_help_comes_however_it_is_asked_for(line: str) -> None:
+    answer = Talk().say(line)
+    assert ":what-if" in answer
+    assert max(map(len, answer.split("\n"))) <= 80
+
+
+def test_exit_leaves_and_is_no_task() -> None:
+    talk = Talk()
+    assert talk.turns.take("exit", NINE).over
+    assert talk.entries == []

@@ -1,5 +1,6 @@
 """The commands of the conversation: each a function of what was typed, the conversation, and the moment."""
 
+import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -118,10 +119,20 @@ def _now(scene: Scene, _: str) -> Reply:
     )
 
 
-def _help(_: Scene, __: str) -> Reply:
-    rows = [f"  :{command.usage:<26} {command.help}" for command in COMMANDS.values()]
-    head = ["Type what you want done and when: flip the pancakes in about two minutes.", ""]
-    return Reply((*head, *rows))
+def _help(scene: Scene, _: str) -> Reply:
+    rows: list[str] = []
+    for command in COMMANDS.values():
+        beginning = f"  :{command.usage:<26} "
+        rows += textwrap.wrap(
+            command.help,
+            max(scene.width, 2 * len(beginning)),
+            initial_indent=beginning,
+            subsequent_indent=" " * len(beginning),
+        )
+    head = textwrap.wrap(
+        "Type what you want done and when: flip the pancakes in about two minutes.", scene.width
+    )
+    return Reply((*head, "", *rows))
 
 
 # -- changing -----------------------------------------------------------------------------------------------
@@ -271,6 +282,10 @@ COMMANDS: Mapping[str, Command] = {
     "quit": Command("quit", "leave; everything is kept", _quit),
 }
 """Every command by its name."""
+
+
+BARE = {"help": ":help", "?": ":help", "quit": ":quit", "exit": ":quit"}
+"""Words that people type to a prompt, and mean as commands, though they lack the colon."""
 
 
 def command_of(line: str) -> tuple[Command, str]:

@@ -19,6 +19,7 @@ from fuzzytime_cli.repl.turn import Turns
 from fuzzytime_cli.session import open_store
 
 PROMPT = "› "
+PLAIN_PROMPT = "> "
 BEAT = 1.0
 """Seconds between two looks at the clock."""
 
@@ -176,11 +177,31 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
 
 
 def _piped(talk: _Talk, stream: TextIO | None) -> None:
-    """Read lines as they come; answers follow each."""
+    """Read lines as they come, of a pipe or a plain terminal; answers follow each."""
+    typed = stream is not None and stream.isatty()
+    talk.turns.asks = typed
     talk.open()
-    for line in stream if stream is not None else ():
+    for line in _lines(stream, talk.screen.stream if typed else None):
         talk.beat()
         going, _ = talk.take(line)
         talk.screen.stream.flush()
         if not going:
             return
+
+
+def _lines(stream: TextIO | None, echo: TextIO | None) -> Iterator[str]:
+    """Give a stream's lines; a person on a terminal gets a prompt, and Ctrl-C begins a new line."""
+    while stream is not None:
+        try:
+            if echo is not None:
+                echo.write(PLAIN_PROMPT)
+                echo.flush()
+            line = stream.readline()
+        except KeyboardInterrupt:
+            if echo is None:
+                raise
+            echo.write("\n")
+            continue
+        if not line:
+            return
+        yield line
