@@ -16,6 +16,9 @@ from fuzzytime_cli.live.planning import Planning
 NOTICEABLE = 20.0
 """Seconds by which a planned start must move, since it was last told, to be told again."""
 
+NOTICEABLE_SHARE = 0.1
+"""A start further ahead must move by so much of the time until then."""
+
 
 @dataclass(frozen=True, slots=True)
 class Waiting:
@@ -212,7 +215,7 @@ class Outlook:
             known = one.identifier in self.announced
             before = self.announced.get(one.identifier)
             after = None if one.identifier in self.rejected else one.start
-            if known and not _is_news(before, after):
+            if known and not _is_news(before, after, now):
                 continue
             self.announced[one.identifier] = after
             if after is None:
@@ -224,7 +227,7 @@ class Outlook:
                 yield told.Moved(at=now, id=one.identifier, name=one.name, before_s=before, after_s=after)
 
 
-def _is_news(before: float | None, after: float | None) -> bool:
+def _is_news(before: float | None, after: float | None, now: float) -> bool:
     if before is None or after is None:
         return before is not after
-    return abs(after - before) >= NOTICEABLE
+    return abs(after - before) >= max(NOTICEABLE, NOTICEABLE_SHARE * (min(before, after) - now))
