@@ -80,6 +80,8 @@ class Dispatcher:
     def stopped(self, now: float) -> told.Stopped:
         """Tell what goes on, and what was not started."""
         waiting = (*(one.identifier for one in self.outlook.waiting), *self.outlook.rejected)
+        if self.planning.plan is None:
+            waiting = tuple(wish.identifier for wish in self.planning.request.wishes)
         return told.Stopped(at=now, running=self.ledger.names(Phase.RUNNING, Phase.RESTING), waiting=waiting)
 
     def finished(self, now: float) -> told.Finished:
