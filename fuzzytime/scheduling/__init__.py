@@ -6,6 +6,8 @@ from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.milp import Milp
+from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
@@ -19,11 +21,15 @@ __all__ = [
     "Best",
     "Bond",
     "Certificate",
+    "EarliestStart",
     "HeldKarp",
     "Labels",
     "Limits",
     "LocalSearch",
+    "Milp",
+    "Nearness",
     "Neighbour",
+    "Objective",
     "Schedule",
     "Solver",
     "Status",

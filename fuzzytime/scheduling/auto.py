@@ -6,6 +6,7 @@ from typing import ClassVar
 from fuzzytime.scheduling import exact, small
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.solver import Draft
 
@@ -15,7 +16,7 @@ EXACT_JOBS = 12
 
 @dataclass(frozen=True, slots=True)
 class Auto:
-    """Held-Karp for few skills, labels for many; local search for what neither knows."""
+    """Held-Karp for few skills, labels for many; a mixed-integer program for what neither knows."""
 
     name: ClassVar[str] = "auto"
 
@@ -26,4 +27,4 @@ class Auto:
             return small.HeldKarp().search(problem, watch, quick)
         if not exact.why_not(problem):
             return exact.Labels().search(problem, watch, quick)
-        return quick
+        return Milp().search(problem, watch, quick)

@@ -258,10 +258,11 @@ class Labels:
             position += mine.size
             cost = piece.cost + extra[:, None]
             columns = slice(piece.column, piece.column + cost.shape[1])
-            while rows.size:  # closing may have made sets of one piece equal
-                distinct, index = np.unique(rows, return_index=True)
-                merged[distinct, columns] = np.minimum(merged[distinct, columns], cost[index])
-                rows, cost = np.delete(rows, index), np.delete(cost, index, axis=0)
+            if mine is not piece.masks:  # closing may have made sets of one piece equal
+                order = np.argsort(rows, kind="stable")
+                heads = np.flatnonzero(np.diff(rows[order], prepend=-1))
+                rows, cost = rows[order][heads], np.minimum.reduceat(cost[order], heads, axis=0)
+            merged[rows, columns] = np.minimum(merged[rows, columns], cost)
         return masks, np.minimum.accumulate(merged, axis=1, out=merged)
 
     def _best(self, history: list[tuple[Masks, Floats] | None], limit: float, *, exact: bool) -> Found:

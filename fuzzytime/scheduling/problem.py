@@ -57,13 +57,13 @@ class Job:
 
     @property
     def earliest(self) -> float:
-        """The first moment of any window."""
-        return min(windows[0].low for windows in self.windows if windows)
+        """The first moment of any window; infinity where there is none."""
+        return min((windows[0].low for windows in self.windows if windows), default=math.inf)
 
     @property
     def latest(self) -> float:
-        """The last moment of any window."""
-        return max(windows[-1].high for windows in self.windows if windows)
+        """The last moment of any window; minus infinity where there is none."""
+        return max((windows[-1].high for windows in self.windows if windows), default=-math.inf)
 
 
 @dataclass(frozen=True, slots=True)

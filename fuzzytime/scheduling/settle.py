@@ -73,7 +73,7 @@ def _by_agent(problem: Problem, rows: dict[int, list[int]], hints: Floats, radiu
         windows = [job.windows[lanes[agent]] for job in jobs]
         found = None
         if all(job.function.log_concave for job in jobs):
-            found = pooled(jobs, _nearest(windows, hints[row]))
+            found = pooled(jobs, nearest(windows, hints[row]))
         if found is None or any(len(mine) > 1 for mine in windows):
             other = searched(jobs, windows, hints[row], radius)
             found = _better(jobs, found, other)
@@ -96,9 +96,9 @@ def _together(
             lags.append(Lag(place[first], place[second], problem.jobs[first].duration, math.inf))
     jobs = [problem.jobs[index] for index in placed]
     windows = [problem.jobs[index].windows[lanes[agent]] for agent, row in rows.items() for index in row]
-    nearest = _nearest(windows, hints[placed])
-    reach = max((window.length for window in nearest), default=0.0)
-    tries = [coupled(jobs, nearest, lags, hints[placed], within) for within in (radius, max(radius, reach))]
+    near = nearest(windows, hints[placed])
+    reach = max((window.length for window in near), default=0.0)
+    tries = [coupled(jobs, near, lags, hints[placed], within) for within in (radius, max(radius, reach))]
     found = _better(jobs, *tries)
     if found is None:
         return None
@@ -118,7 +118,7 @@ def _better(jobs: Sequence[Job], first: Floats | None, second: Floats | None) ->
     return second if after < before else first
 
 
-def _nearest(windows: Sequence[Sequence[Interval]], hints: Floats) -> list[Interval]:
+def nearest(windows: Sequence[Sequence[Interval]], hints: Floats) -> list[Interval]:
     """Give for each job the window next to its hint."""
     return [
         min(mine, key=lambda window: max(window.low - hint, hint - window.high, 0.0))

@@ -1,14 +1,17 @@
 """Solve a task: its problem, group by group, then real start times for all, with the certificate."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.objectives import Nearness, Objective
 from fuzzytime.scheduling.placement import place_rest
 from fuzzytime.scheduling.problem import problem_of
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP, THRESHOLD, TINY, Certificate, Schedule, Status
-from fuzzytime.scheduling.solver import Solver
+from fuzzytime.scheduling.secondary import rearranged
+from fuzzytime.scheduling.solver import Solver, nothing
 from fuzzytime.skills import FuzzyTask
 
 
@@ -18,6 +21,7 @@ def solve(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
+    objectives: Sequence[Objective] = (Nearness(),),
 ) -> Schedule:
     """Find start times that satisfy most, and prove how good they are.
 
@@ -34,6 +38,8 @@ def solve(
         ε: a skill is placed where ψ > ε, or rejected and counted as ε; 0 for the paper's strict product.
     limits
         Time and memory; out of either the best schedule so far comes back, with its gap.
+    objectives
+        What counts among schedules that satisfy equally, the first most.
 
     Raises
     ------
@@ -53,18 +59,20 @@ def solve(
     chosen = Auto() if solver is None else solver
     watch = Stopwatch(limits or Limits())
     problem = problem_of(task, threshold)
-    starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     lower = math.fsum(job.rejection for job in problem.apart)
+    draft = nothing(problem)
     for members in problem.groups():
-        group = problem.select(members)
-        draft = chosen.search(group, watch)
-        lower += draft.lower_cost
-        for job, start, agent in zip(group.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
-            starts[job.position], agents[job.position] = start, agent
+        found = chosen.search(problem.select(members), watch)
+        lower += found.lower_cost
+        draft.starts[members], draft.agents[members] = found.starts, found.agents
+    draft = rearranged(problem, task.skills, draft, objectives, watch)
+    starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
+    for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
+        starts[job.position], agents[job.position] = start, agent
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
     open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, chosen.name, watch.seconds)
-    found = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
-    return replace(found, certificate=_certificate(found, lower, open_end))
+    schedule = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
+    return replace(schedule, certificate=_certificate(schedule, lower, open_end))
 
 
 def _certificate(schedule: Schedule, lower: float, plain: Certificate) -> Certificate:

@@ -74,7 +74,7 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
             front.offsets += [offset + length for offset in last.offsets]
             front.low, front.high = max(front.low, last.low - length), min(front.high, last.high - length)
             front.start = best_start(jobs, front)
-    _round(jobs, blocks)
+    round_blocks(jobs, blocks)
     starts = np.empty(len(jobs))
     for block in blocks:
         for member, offset in zip(block.members, block.offsets, strict=True):
@@ -83,7 +83,7 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
     return starts
 
 
-def _round(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
+def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
     """Move each block to the roundest start that costs next to nothing more."""
     free = -math.inf
     for index, block in enumerate(blocks):

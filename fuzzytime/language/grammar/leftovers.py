@@ -7,7 +7,19 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 
 TELLING = frozenset(
-    {"unit", "day", "weekday", "weekdays", "part", "day_part", "hh:mm", "hh:mm:ss", "y-m-d", "month"}
+    {
+        "unit",
+        "day",
+        "weekday",
+        "weekdays",
+        "part",
+        "day_part",
+        "hh:mm",
+        "hh:mm:ss",
+        "y-m-d",
+        "month",
+        "unfinished",
+    }
 )
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""

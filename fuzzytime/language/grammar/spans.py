@@ -244,6 +244,9 @@ class _Judge:
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
+        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
+            # A quarter of what, is not said: hardly of a year.
+            return False
         if last.ordinal_end or last.bare_end:
             return self._may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:

@@ -1,0 +1,162 @@
+"""The best of the schedules that satisfy equally, by secondary objectives.
+
+The found schedule leaves each skill a set of starts at which it is as satisfied as it is now; a solver then
+arranges the skills within these sets by what an objective wishes, so that no satisfaction falls. Several
+objectives count one after the other, each among the schedules that the ones before it leave.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
+from fuzzytime.scheduling.grid import Ints
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.objectives import Objective
+from fuzzytime.scheduling.problem import Job, Problem, above
+from fuzzytime.scheduling.settle import lanes_of_agents, nearest, sequences, settled
+from fuzzytime.scheduling.solver import Draft, draft_of
+from fuzzytime.scheduling.timing import Block, round_blocks
+from fuzzytime.skills import FuzzySkill
+
+TOLERANCE = 1e-10
+"""The share of its satisfaction, or of what an objective gave it, that a skill may lose."""
+
+FLAT = 1.0
+"""Seconds: where a skill may move by less than this, it does not move at all."""
+
+SEARCHED = 12
+"""Up to so many skills another order is sought even where no start was named."""
+
+UNWANTED = 1e3
+"""The cost of leaving a skill out, far above that of any start."""
+
+EQUAL = 1e-9
+"""Costs of wishes that differ by less are equal."""
+
+NAMED = 1e-6
+"""Seconds: a start so near to the one that was named is that one, and two skills so near follow on."""
+
+
+def rearranged(
+    problem: Problem,
+    skills: Sequence[FuzzySkill],
+    draft: Draft,
+    objectives: Sequence[Objective],
+    watch: Stopwatch,
+) -> Draft:
+    """Give the best draft, by some objectives in turn, of those that satisfy each skill as well as one does.
+
+    Parameters
+    ----------
+    problem
+        What the draft solves.
+    skills
+        Those of the task, found by the jobs' positions.
+    draft
+        Jobs that it rejects stay so.
+    objectives
+        The first counts most.
+    watch
+        The order of the skills is kept where it is over.
+    """
+    placed = [index for index, start in enumerate(draft.starts.tolist()) if not math.isnan(start)]
+    first = problem.select(placed)
+    starts, agents = draft.starts[placed], draft.agents[placed]
+    lanes = lanes_of_agents(problem)
+    equal = _as_good(first, starts, agents, lanes)
+    for objective in objectives:
+        reach = max((job.latest for job in equal.jobs), default=0.0) + 1.0
+        wishes = [objective.wish(skills[job.position], reach) for job in equal.jobs]
+        wishing = replace(equal, jobs=tuple(map(_wishing, equal.jobs, wishes)))
+        for members in wishing.groups():
+            named = any(skills[wishing.jobs[member].position].preferred is not None for member in members)
+            search = named or len(members) <= SEARCHED
+            group = wishing.select(members)
+            found = _best(group, starts[members], agents[members], watch if search else None)
+            starts[members], agents[members] = found.starts, found.agents
+        equal = _as_good(wishing, starts, agents, lanes)
+    everything, everyone = draft.starts.copy(), draft.agents.copy()
+    everything[placed], everyone[placed] = _rounded(first, skills, starts, agents), agents
+    return draft_of(problem, everything, everyone, draft.lower_cost)
+
+
+def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int, int]) -> Problem:
+    """Narrow all windows to the starts at which a job costs no more than at its own."""
+    jobs = []
+    for job, start, agent in zip(problem.jobs, starts.tolist(), agents.tolist(), strict=True):
+        level = float(job.function(start)) * (1 - TOLERANCE)
+        good = above(job.function, level, max(job.latest, start))
+        windows = []
+        for index, lane in enumerate(job.windows):
+            spans = [window.intersection(span) for window in lane for span in good]
+            spans = [_pinned(span, start) for span in spans if not span.empty]
+            if index == lanes[agent] and not any(start in span for span in spans):
+                spans = sorted([*spans, Interval(start, start)], key=lambda span: span.low)
+            windows.append(tuple(spans))
+        jobs.append(replace(job, windows=tuple(windows)))
+    return replace(problem, jobs=tuple(jobs))
+
+
+def _pinned(span: Interval, start: float) -> Interval:
+    """Keep a start where it is, if it could move next to nothing."""
+    return Interval(start, start) if start in span and span.length < FLAT else span
+
+
+def _wishing(job: Job, wish: SatisfactionFunction) -> Job:
+    """Give a job with another satisfaction function, that must not be left out."""
+    return replace(job, function=wish, weight=1.0, worst=UNWANTED, rejection=UNWANTED, over=math.inf)
+
+
+def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | None) -> Draft:
+    """Give the best timing of the order that is, and with a stopwatch that of any order."""
+    best = draft_of(problem, starts, agents)
+    reach = max(job.latest - job.earliest for job in problem.jobs)
+    again = settled(problem, starts, agents, reach + 1.0)
+    best = min(best, again, key=lambda draft: draft.cost)
+    if watch is None or best.cost <= _bound(problem) + EQUAL:
+        return best
+    return LocalSearch().search(problem, watch, best)
+
+
+def _bound(problem: Problem) -> float:
+    """Give the cost of all jobs where each may have its best time."""
+    return math.fsum(
+        min(
+            float(job.costs(min(max(time, span.low), span.high)))
+            for lane in job.windows
+            for span in lane
+            for time in (job.function.best.low, *job.function.kinks)
+        )
+        for job in problem.jobs
+    )
+
+
+def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
+    """Move what goes on without a pause to the roundest time near by, unless it is where it was named."""
+    if problem.lags:
+        return starts
+    rounded = starts.copy()
+    for agent, row in sequences(problem, starts, agents).items():
+        lane = lanes_of_agents(problem)[agent]
+        jobs = [problem.jobs[index] for index in row]
+        windows = nearest([job.windows[lane] for job in jobs], starts[row])
+        blocks: list[Block] = []
+        free = -math.inf
+        for place, (job, window, start) in enumerate(zip(jobs, windows, starts[row].tolist(), strict=True)):
+            if start > free + NAMED:
+                blocks.append(Block([], [], -math.inf, math.inf, start))
+            block, offset = blocks[-1], start - blocks[-1].start
+            block.members.append(place)
+            block.offsets.append(offset)
+            preferred = skills[job.position].preferred
+            named = preferred is not None and abs(preferred - start) <= NAMED
+            low, high = (start, start) if named else (window.low, window.high)
+            block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
+            free = start + job.duration
+        round_blocks(jobs, blocks)
+        for block in blocks:
+            for place, offset in zip(block.members, block.offsets, strict=True):
+                rounded[row[place]] = block.start + offset
+    return rounded
