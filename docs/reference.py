@@ -10,16 +10,16 @@ SCHEMA = ROOT / "cli" / "fuzzytime_cli" / "schema" / "plan-1.json"
 PAGE = ROOT / "docs" / "json.md"
 HEAD = """# The plan as JSON
 
-`fuzzytime plan --format json` writes one object of the schema `fuzzytime-plan/1`, which ships as a
-[JSON Schema](https://json-schema.org) file, `fuzzytime_cli/schema/plan-1.json`. This page is made from that file by
+`fuzzytime plan --format json` writes one object of the schema `fuzzytime-plan/1`. The schema ships as a
+[JSON Schema](https://json-schema.org) file, `fuzzytime_cli/schema/plan-1.json`; this page is made from it by
 `docs/reference.py`.
 
-Times named `…_s` are seconds from `now`; instants are ISO 8601, with an offset where a zone is known. Numbers are not
-rounded. What people typed is kept exactly. `--format jsonl` writes one skill a line, with `"type": "skill"`, and
-then the rest as one line with `"type": "plan"`.
+Times named `…_s` are seconds from `now`; instants are ISO 8601, with an offset where a zone is known. Numbers
+are not rounded. What people typed is kept exactly. `--format jsonl` writes one skill a line, with
+`"type": "skill"`, and then the rest as one line with `"type": "plan"`.
 
 ```console
-$ fuzzytime plan -i "Flip the pancakes in the pan in about two minutes" --now 2026-03-04T09:00 --format json
+$ fuzzytime plan -i "Flip the pancakes in two minutes" --now 2026-03-04T09:00 --format json
 ```
 """
 

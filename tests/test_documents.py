@@ -22,7 +22,9 @@ def test_the_documents_show_commands() -> None:
     assert {example.path.name for example in EXAMPLES} >= {"README.md"}
 
 
-@pytest.mark.parametrize("path", [path for path in DOCUMENTS if blocks_of(path, "pycon")], ids=lambda p: p.name)
+@pytest.mark.parametrize(
+    "path", [path for path in DOCUMENTS if blocks_of(path, "pycon")], ids=lambda p: p.name
+)
 def test_a_session_of_python_goes_as_its_document_shows(path: Path) -> None:
     text = "\n".join(blocks_of(path, "pycon"))
     session = doctest.DocTestParser().get_doctest(text, {}, path.name, str(path), 0)
