@@ -7,7 +7,7 @@ from typing import Protocol, TextIO
 from rich.text import Text
 
 from fuzzytime.times import format_duration, instant_after
-from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.faults import report, underlined
 from fuzzytime_cli.formats.table import PlanView, bar, style_of
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
@@ -32,9 +32,11 @@ class EventLines:
     origin: datetime
 
     def tell(self, event: Event) -> None:
-        """Write an event."""
+        """Write an event; a problem is said on standard error as well, where a person may see it."""
         import json
 
+        if isinstance(event, told.Trouble):
+            report(f"{event.place or 'fuzzytime'}: {event.message}")
         self.stream.write(json.dumps(told.document_of(event, self.origin), allow_nan=False) + "\n")
         self.stream.flush()
 

@@ -25,6 +25,7 @@ from fuzzytime.interpreter import (
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
 from fuzzytime.times import instant_after
+from fuzzytime_cli.live.naming import bare, named
 
 MOST_READINGS = 5_000
 """Readings of one signal that are remembered."""
@@ -50,13 +51,14 @@ class Planning:
     def __init__(self, request: Request, interpreter: Interpreter, solving: Solving) -> None:
         self.interpreter, self.solving = interpreter, solving
         self.origin: datetime = request.now
-        self.request = _named(request, interpreter)
+        skills = interpreter.interpret(bare(request)).skills
+        self.request = named(request, skills)
+        self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
         self.readings: dict[str, deque[Reading]] = {}
         for reading in request.context.readings:
             self.note(reading)
         self.plan: Plan | None = None
         self.planned_at = 0.0
-        self.relevant: frozenset[str] = frozenset()
 
     def note(self, reading: Reading) -> None:
         """Remember a reading, by a time of the run."""
@@ -103,9 +105,6 @@ class Planning:
             limits=self.solving.limits,
         )
         self.planned_at = now
-        self.relevant = frozenset(
-            name for interpreted in self.plan.skills for name in self.signals_of(interpreted)
-        )
         return self.plan
 
     def signals_of(self, interpreted: Interpreted) -> frozenset[str]:
@@ -182,40 +181,6 @@ def _differs(before: Interpreted, after: Interpreted, passed: float, until: floa
     inside = [time for time in kinks if 0 <= time < until]
     times = np.concatenate([np.linspace(0.0, max(until, 0.0), _POINTS, endpoint=False), inside])
     return bool(np.max(np.abs(was(times + passed) - now(times))) > CHANGE)
-
-
-def _named(request: Request, interpreter: Interpreter) -> Request:
-    """Give every wish the name that its first skill has in a plan, so that names stay when wishes are added.
-
-    What "after" names by a plan's numbers is named anew.
-    """
-    bare = tuple(
-        replace(wish, identifier=wish.identifier or f"#{position}", after=())
-        for position, wish in enumerate(request.wishes)
-    )
-    taken = {wish.identifier for wish in request.wishes}
-    own: dict[str, str] = {}
-    names: dict[str, str] = {}
-    for number, interpreted in enumerate(interpreter.interpret(replace(request, wishes=bare)).skills, 1):
-        key, _, further = interpreted.identifier.partition(".")
-        if not key.startswith("#"):  # no name that a person may give
-            continue
-        planned = f"s{number}"
-        while planned in taken:
-            planned += "'"
-        first = own.setdefault(key, planned)
-        names[planned] = f"{first}.{further}" if further else first
-    return replace(
-        request,
-        wishes=tuple(
-            replace(
-                wish,
-                identifier=wish.identifier or own.get(f"#{position}", ""),
-                after=tuple(names.get(name, name) for name in wish.after),
-            )
-            for position, wish in enumerate(request.wishes)
-        ),
-    )
 
 
 def _problem(message: str, wish: SpokenWish) -> Problem:
