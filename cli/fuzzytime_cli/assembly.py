@@ -139,12 +139,17 @@ class Assembly:
         return context
 
     def solver(self, choice: SolverChoice | None = None) -> "Solver":
-        """Give a solver: the one asked for, or that of the settings."""
+        """Give a solver: the one asked for, or that of the settings, with their seed."""
         from fuzzytime import scheduling
 
+        seed = int(self.settings.number("seed"))
         solvers: dict[SolverChoice, Callable[[], Solver]] = {
             SolverChoice.AUTO: scheduling.Auto,
-            SolverChoice.EXACT: scheduling.HeldKarp,
+            SolverChoice.EXACT: scheduling.Auto,
+            SolverChoice.EXHAUSTIVE: scheduling.ExhaustiveSampling,
+            SolverChoice.HILL_CLIMBING: lambda: scheduling.HillClimbing(seed=seed),
+            SolverChoice.ANNEALING: lambda: scheduling.SimulatedAnnealing(seed=seed),
+            SolverChoice.GENETIC: lambda: scheduling.Genetic(seed=seed),
         }
         return solvers[choice or SolverChoice(self.settings.text("solver"))]()
 

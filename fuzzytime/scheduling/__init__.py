@@ -2,8 +2,11 @@
 
 from fuzzytime.scheduling.alone import Best, best_alone
 from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.climbing import HillClimbing, SimulatedAnnealing
 from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.exact import Labels
+from fuzzytime.scheduling.exhaustive import ExhaustiveSampling
+from fuzzytime.scheduling.genetic import Genetic
 from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
@@ -22,7 +25,10 @@ __all__ = [
     "Bond",
     "Certificate",
     "EarliestStart",
+    "ExhaustiveSampling",
+    "Genetic",
     "HeldKarp",
+    "HillClimbing",
     "Labels",
     "Limits",
     "LocalSearch",
@@ -31,6 +37,7 @@ __all__ = [
     "Neighbour",
     "Objective",
     "Schedule",
+    "SimulatedAnnealing",
     "Solver",
     "Status",
     "Why",

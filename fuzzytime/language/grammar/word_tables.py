@@ -300,17 +300,20 @@ def _read_parts(tables: Tables) -> None:
         start, end = tables.clock(fields["from"], f"{key}.from"), tables.clock(fields["to"], f"{key}.to")
         half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
         meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
+        place = "place" in fields and reader.boolean(fields["place"], f"{key}.place")
         late = tables.clock(fields["late"], f"{key}.late") if "late" in fields else None
         if late is not None and not start <= late <= end:
             reader.mistake(fields["late"], f"{key}.late", "a part's late half must begin inside it")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late)
+        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late, place)
         if not meal and parts[name].start != parts[name].end:
             tables.add(
                 fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
             )
         return [("meal" if meal else "part", parts[name])]
 
-    tables.table("parts", {"from": True, "to": True, "half": True, "meal": False, "late": False}, part)
+    tables.table(
+        "parts", {"from": True, "to": True, "half": True, "meal": False, "late": False, "place": False}, part
+    )
 
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
