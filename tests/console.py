@@ -47,6 +47,12 @@ def examples_of(path: Path) -> Iterator[Example]:
             line += part.count("\n")
 
 
+def blocks_of(path: Path, language: str) -> list[str]:
+    """Give the texts of all blocks of a file in a language: python, pycon."""
+    block = re.compile(rf"^```{language}\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+    return block.findall(path.read_text(encoding="utf-8"))
+
+
 def environment(folder: Path) -> dict[str, str]:
     """Give an environment in which nothing of this machine shows."""
     kept = {name: os.environ[name] for name in ("PATH", "HOME", "LANG", "TMPDIR") if name in os.environ}

@@ -9,6 +9,7 @@ import typer
 
 from fuzzytime_cli import study
 from fuzzytime_cli.commands import config, doctor, explain, parse, plan, repl, rules
+from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 
@@ -24,6 +25,7 @@ app.command("plan")(plan.plan)
 app.command("parse")(parse.parse)
 app.command("explain")(explain.explain)
 app.command("repl")(repl.repl)
+app.command("run", cls=live.CommandWithProgram)(live.run)
 app.add_typer(rules.app, name="rules")
 app.add_typer(config.app, name="config")
 app.add_typer(study.app, name="study")

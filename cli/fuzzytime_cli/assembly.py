@@ -90,8 +90,8 @@ class Assembly:
         with as_config():
             return Language.shipped(cache=parse_cache(os.environ))
 
-    def interpreter(self) -> "Interpreter":
-        """Put language and rulebook together.
+    def interpreter(self, *, personal: bool = True) -> "Interpreter":
+        """Put language and rulebook together, with the person's own table on top if they rated starts.
 
         Raises
         ------
@@ -100,7 +100,12 @@ class Assembly:
         """
         from fuzzytime.interpreter import Interpreter
 
-        return Interpreter(self.language(), self.rulebook())
+        rulebook = self.rulebook()
+        if personal and self.settings.flag("personal"):
+            from fuzzytime_cli.personal import kept_ratings, personal_rulebook
+
+            rulebook = personal_rulebook(rulebook, kept_ratings(data_folder()))
+        return Interpreter(self.language(), rulebook)
 
     def context(
         self, understanding: Understanding, now: datetime, signals: "Mapping[str, Signal]"
@@ -212,3 +217,16 @@ def parse_cache(environment: "Mapping[str, str]") -> Path | None:
     from platformdirs import user_cache_path
 
     return user_cache_path("fuzzytime")
+
+
+def data_folder() -> Path | None:
+    """Give the folder of sessions and history, by FUZZYTIME_DATA or custom; None for nowhere."""
+    where = os.environ.get("FUZZYTIME_DATA")
+    if where is not None:
+        return Path(where) if where else None
+    from platformdirs import user_data_path
+
+    try:
+        return user_data_path("fuzzytime")
+    except (OSError, RuntimeError):
+        return None  # no home

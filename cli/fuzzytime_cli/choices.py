@@ -38,3 +38,10 @@ class PlanFormat(StrEnum):
     ICS = "ics"
     HTML = "html"
     SVG = "svg"
+
+
+class RunFormat(StrEnum):
+    """What the events of a run are written as."""
+
+    TEXT = "text"
+    JSONL = "jsonl"

@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from itertools import groupby
 
 import numpy as np
 
@@ -116,7 +117,7 @@ def resolution_lines(resolution: Resolution) -> list[str]:
     of = "" if resolution.reference is Reference.START else f" of the {resolution.reference.value}"
     lines.append(f"model {plain(resolution.model)}{of}" + (f" with {numbers}" if numbers else ""))
     if resolution.reason:
-        lines.append(f"never: {plain(resolution.reason)}")
+        lines.append(f"no start satisfies: {plain(resolution.reason)}")
     lines += [f"note: {plain(note)}" for note in resolution.notes]
     return lines
 
@@ -263,14 +264,16 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
 
 
 def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
-    """Give rows, rules and ψ of every skill of a plan."""
+    """Give rows, rules and ψ of the skills of a plan; of a repetition those of its first occurrence."""
     lines = []
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
-    for interpreted in plan.skills:
-        for requirement, resolution in zip(interpreted.requirements, interpreted.resolutions, strict=False):
+    for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
+        first, *others = occurrences
+        for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
             lines += requirement_lines(requirement, clock)
             lines += [INDENT + line for line in resolution_lines(resolution)]
-        lines += chart_lines(chart_of(interpreted, plan), width, unicode=unicode)
+        lines += chart_lines(chart_of(first, plan), width, unicode=unicode)
+        lines += [f"and {len(others)} more occurrences like it"] * bool(others)
     return lines
 
 

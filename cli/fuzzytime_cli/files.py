@@ -1,6 +1,7 @@
 """Files written whole or not at all."""
 
 import os
+import sys
 import tempfile
 from pathlib import Path
 
@@ -33,3 +34,17 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
     except BaseException:
         Path(beside).unlink(missing_ok=True)
         raise
+
+
+def write_out(path: Path | None, text: str) -> None:
+    """Write a text in a file's place, or to standard output where there is no file.
+
+    Raises
+    ------
+    OSError
+        If that is not possible; the file is then as it was.
+    """
+    if path is None:
+        sys.stdout.write(text)
+    else:
+        replace_file(path, text)

@@ -17,6 +17,6 @@ def shown_plan(text: str, assembly: "Assembly", understanding: Understanding) ->
     now = assembly.moment()
     context = assembly.context(understanding, now, interpreter.rulebook.signals)
     reading = interpreter.language.read(text, now=now)
-    verbless = all(instruction.operation is None for instruction in reading.instructions)
-    wish = SpokenWish(text=f"start it {text}" if verbless else text, given=now)
+    whole = any(part.operation is not None and part.requirements for part in reading.instructions)
+    wish = SpokenWish(text=text if whole else f"do it {text}", given=now)
     return assembly.plan(Request(now=now, wishes=(wish,), context=context), interpreter)

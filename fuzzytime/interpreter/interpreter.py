@@ -98,7 +98,7 @@ class Interpreter:
             if isinstance(wish, DirectWish):
                 skills.append(maker.direct(wish))
             elif isinstance(wish, SpokenWish):
-                for instruction, reading in _readable(next(readings), wish, problems):
+                for instruction, reading in self._readable(next(readings), wish, problems):
                     made = _made(maker, wish, reading, instruction, problems)
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
                     skills += made
@@ -122,6 +122,34 @@ class Interpreter:
         readings = iter(self.language.read_all(kept))
         return [next(readings) if fine else None for fine in good]
 
+    def _readable(
+        self, reading: Reading | None, wish: SpokenWish, problems: list[Problem]
+    ) -> Sequence[tuple[Instruction, Reading]]:
+        """Give a reading's instructions after noting its remarks."""
+        if reading is None:
+            return ()
+        told = self._told_by_readings(reading)
+        remarks = [
+            remark
+            for remark in remarks_of(reading, wish)
+            if remark.kind is not ProblemKind.UNRESOLVED or remark.span not in told
+        ]
+        problems += remarks
+        if not reading.instructions and not remarks:
+            problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
+        return [(instruction, reading) for instruction in reading.instructions]
+
+    def _told_by_readings(self, reading: Reading) -> set[tuple[int, int]]:
+        """Give the words that refer to no instruction but to what readings tell: "after the timer rings"."""
+        return {
+            requirement.span
+            for instruction in reading.instructions
+            for requirement in instruction.requirements
+            if requirement.anchor is not None
+            and requirement.anchor.target is None
+            and self.rulebook.tells(requirement.anchor.text)
+        }
+
 
 def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
     """Say whether a wish's text is read at all; where it is not, say why."""
@@ -132,19 +160,6 @@ def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
         problems.append(problem_of(refused, ProblemKind.UNREADABLE, error.message, error.span))
         return False
     return True
-
-
-def _readable(
-    reading: Reading | None, wish: SpokenWish, problems: list[Problem]
-) -> Sequence[tuple[Instruction, Reading]]:
-    """Give a reading's instructions after noting its remarks."""
-    if reading is None:
-        return ()
-    remarks = remarks_of(reading, wish)
-    problems += remarks
-    if not reading.instructions and not remarks:
-        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
-    return [(instruction, reading) for instruction in reading.instructions]
 
 
 def _made(

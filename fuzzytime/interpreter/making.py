@@ -7,7 +7,7 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Constraint, Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -75,7 +75,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
-                preferred=self._preferred(wish, own, duration),
+                preferred=self._preferred(wish, own, resolutions),
             ),
             duration=duration,
             reading=reading,
@@ -104,13 +104,13 @@ class Maker:
 
         What the readings tell counts from their now; everything else from when it was said.
         """
-        given = seconds_between(self.request.now, wish.given)
         joined: SatisfactionFunction = (
-            Rectangle(-math.inf, math.inf) if requirements else ALWAYS.shifted(given)
+            Rectangle(-math.inf, math.inf)
+            if requirements
+            else ALWAYS.shifted(seconds_between(self.request.now, wish.given))
         )
         for requirement, resolution in zip(requirements, resolutions, strict=True):
-            from_readings = requirement.condition is not None or requirement.anchor is not None
-            part = resolution.satisfaction.shifted(0.0 if from_readings else given)
+            part = resolution.satisfaction.shifted(self._origin(wish, requirement))
             joined = (
                 part
                 if joined.model == "trapezoid" and joined.best.high == float("inf")
@@ -119,14 +119,18 @@ class Maker:
         return joined
 
     def _preferred(
-        self, wish: Wish, requirements: list[TimeRequirement], duration: OperationDuration
+        self, wish: Wish, requirements: list[TimeRequirement], resolutions: list[Resolution]
     ) -> float | None:
         """Give the start that was named, on the request's timeline; None where no moment was."""
-        for requirement in requirements:
-            if requirement.constraint is Constraint.AT and requirement.t_spec is not None:
-                before = duration.elapsed if requirement.reference is Reference.FINISH else 0.0
-                return seconds_between(self.request.now, wish.given) + requirement.t_spec - before
+        for requirement, resolution in zip(requirements, resolutions, strict=True):
+            if resolution.named is not None:
+                return self._origin(wish, requirement) + resolution.named
         return None
+
+    def _origin(self, wish: Wish, requirement: TimeRequirement) -> float:
+        """Give the time that a requirement counts from: the readings' now, or when it was said."""
+        from_readings = requirement.condition is not None or requirement.anchor is not None
+        return 0.0 if from_readings else seconds_between(self.request.now, wish.given)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration

@@ -18,6 +18,8 @@ def answer(reading: Reading) -> dict[str, Any]:
     and each requirement has the ``instruction`` that it belongs to. ``remarks`` and ``questions`` hold what
     needs saying.
 
+    A repetition's ``earliest`` and ``latest`` are its next occurrence.
+
     ``repeats`` is null or ``{"text", "interval_s", "next"}``: the words, seconds between occurrences where
     they are evenly spaced, and the next few occurrences, as instants where the time now is known and in
     seconds from now where it is not.
@@ -67,10 +69,12 @@ def _operation(operation: Operation | None) -> dict[str, Any] | None:
         "place": operation.place,
         "span": list(operation.span),
         "negated": operation.negated,
+        **({"particle": operation.particle} if operation.particle is not None else {}),
     }
 
 
 def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, Any]:
+    first = next(iter(_coming(requirement.recurrence, 1)), None)
     found: dict[str, Any] = {
         "text": requirement.text,
         "span": list(requirement.span),
@@ -81,8 +85,8 @@ def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, An
         "number": _plain(requirement.number),
         "unit": requirement.unit.value if requirement.unit is not None else None,
         "t_spec_s": requirement.t_spec,
-        "earliest": _instant(requirement.earliest, reading),
-        "latest": _instant(requirement.latest, reading),
+        "earliest": _instant(first if first is not None else requirement.earliest, reading),
+        "latest": _instant(first if first is not None else requirement.latest, reading),
     }
     if requirement.word is not None:
         found["word"] = requirement.word
@@ -117,12 +121,17 @@ def _instant(seconds: float | None, reading: Reading) -> str | None:
     return instant_after(reading.now, seconds).isoformat()
 
 
+def _coming(recurrence: Recurrence | None, count: int) -> tuple[float, ...]:
+    """Give the next occurrences, at most so many."""
+    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence)):
+        return recurrence.coming(count)
+    return ()
+
+
 def _repeats(instruction: Instruction, reading: Reading) -> dict[str, Any]:
     recurrence: Recurrence | None = instruction.repeats
     text = next((r.text for r in instruction.requirements if r.recurrence is recurrence), "")
-    coming: tuple[float, ...] = ()
-    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence)):
-        coming = recurrence.coming(NEXT)
+    coming = _coming(recurrence, NEXT)
     return {
         "text": text,
         "interval_s": recurrence.interval if recurrence is not None else None,

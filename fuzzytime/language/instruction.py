@@ -17,6 +17,9 @@ if TYPE_CHECKING:
 Span = tuple[int, int]
 """First and one past last character in the text as typed."""
 
+PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "this", "those", "these"})
+"""Objects that stand before a particle: "wake me up"."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
@@ -35,8 +38,11 @@ class Operation:
 
     @property
     def name(self) -> str:
-        """The operation in words, without its time: "place the pan on the stove"."""
-        return " ".join(part for part in (self.verb, self.particle, self.object, self.place) if part)
+        """The operation in words, without its time: "place the pan on the stove", "wake me up"."""
+        inner = (self.particle, self.object)
+        if self.object is not None and self.object.lower() in PRONOUNS:
+            inner = (self.object, self.particle)
+        return " ".join(part for part in (self.verb, *inner, self.place) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

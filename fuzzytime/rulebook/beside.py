@@ -58,6 +58,7 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
         requirement,
         question.tables,
     )
+    time = moment.best
     # The lag was adapted ahead of 0, where its width belongs; "five minutes before" lies behind 0.
     lag = adapted.satisfaction.shifted(min(2 * anchor.lag, 0.0))
     return Said(
@@ -67,6 +68,7 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
         shares=(Share(name=found.row.name, source=found.row.source, share=1.0),),
         hedges=adapted.hedges,
         notes=(*notes, *adapted.notes),
+        named=max(time.low, 0.0) + anchor.lag,
     )
 
 

@@ -59,6 +59,7 @@ class Said:
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
     reference: Reference | None = None
+    named: float | None = None
 
 
 def notes_on(row: str, heard: Sequence[Heard]) -> tuple[str, ...]:

@@ -66,8 +66,8 @@ class HedgeEffect:
 class SignalTrace:
     """One signal over time: its readings, and the forecast's median and 90 % band.
 
-    ``forecast_*`` have one length; values of events are empty. ``outlook`` says where it ends up, as expected:
-    "settles at 150 °C"; it is empty where nothing is forecast.
+    ``forecast_*`` have one length; values of events are empty. ``outlook`` says where it ends up, as
+    expected: "settles at 150 °C"; it is empty where nothing is forecast.
     """
 
     name: str
@@ -121,6 +121,8 @@ class Resolution:
         What a person should know: an unknown hedge, a rule whose readings are missing.
     trace
         For conditions, what there is to draw.
+    named
+        The start that the words name, where they name one: of equally good times the one that is meant.
     """
 
     satisfaction: SatisfactionFunction
@@ -132,3 +134,4 @@ class Resolution:
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
     reference: Reference = Reference.START
+    named: float | None = None

@@ -91,6 +91,7 @@ def _adapted(question: Question, found: Found, chosen: Chosen, notes: tuple[str,
         hedges=adapted.hedges,
         notes=(*notes, *adapted.notes),
         reference=None if question.requirement.reference_said else found.row.reference,
+        named=chosen.t if question.requirement.constraint is Constraint.AT else None,
     )
 
 

@@ -1,24 +1,26 @@
 """The rulebook: from a time requirement and a context to ψ over start times, with its explanation."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Condition, Reference, TimeRequirement
 from fuzzytime.rulebook.dependence import signals_for
-from fuzzytime.rulebook.documents import Document, load, shipped_tables
+from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
 from fuzzytime.rulebook.profile import Actor, Profile
 from fuzzytime.rulebook.question import Question
 from fuzzytime.rulebook.resolution import Resolution
 from fuzzytime.rulebook.resolving import answer
+from fuzzytime.rulebook.sentences import understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
+from fuzzytime.yaml_nodes import Reader
 
 HORIZON = 48 * HOUR
 """Seconds from now within which conditions are looked for, where nothing else is asked."""
@@ -56,6 +58,19 @@ class Rulebook:
         """
         tables = load([Document(path, str(path)) for path in files], profile, shipped_tables(profile))
         return cls(tables, profile, actor)
+
+    def with_rules(self, text: str, shown: str) -> "Rulebook":
+        """Give the rulebook with a rule file's text laid over its tables; explanations call it ``shown``.
+
+        Raises
+        ------
+        DocumentError
+            With every mistake of the text.
+        """
+        tables, mistakes = read_over(self.tables, [Reader(shown, text)], self.profile)
+        if mistakes:
+            raise DocumentError(mistakes)
+        return replace(self, tables=tables)
 
     @property
     def signals(self) -> Mapping[str, Signal]:
@@ -104,6 +119,7 @@ class Rulebook:
         until_done = duration if elapsed is None else elapsed
         reference = said.reference or requirement.reference
         function = over_starts(said.satisfaction, reference, duration, until_done, horizon)
+        before = until_done if reference is Reference.FINISH else 0.0
         reason = said.reason or reason_for_never(said.satisfaction, function, reference, until_done)
         return Resolution(
             satisfaction=function,
@@ -115,11 +131,16 @@ class Rulebook:
             notes=said.notes,
             trace=said.trace,
             reference=reference,
+            named=None if said.named is None else said.named - before,
         )
 
     def signals_for(self, requirement: TimeRequirement, verb: str | None = None) -> frozenset[str]:
         """Give the signals whose readings may change what a requirement resolves to, read or not."""
         return signals_for(requirement, verb, self.tables)
+
+    def tells(self, words: str) -> bool:
+        """Tell whether readings can tell when something is: the words name an event, or a condition."""
+        return understand(Condition(text=words), self.tables).formula is not None
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""

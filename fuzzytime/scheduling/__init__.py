@@ -9,6 +9,7 @@ from fuzzytime.scheduling.exhaustive import ExhaustiveSampling
 from fuzzytime.scheduling.genetic import Genetic
 from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
@@ -31,6 +32,7 @@ __all__ = [
     "Labels",
     "Limits",
     "LocalSearch",
+    "Milp",
     "Nearness",
     "Neighbour",
     "Objective",

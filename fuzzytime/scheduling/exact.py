@@ -1,9 +1,9 @@
-"""The exact method for one agent and many skills: a Lagrangian bound, then labels where the bound leaves room.
+"""The exact method for one agent and many skills: a Lagrangian bound, and labels where it leaves room.
 
-On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses.
-A label program below a threshold just above the bound then either finds the best schedule of the grid, or
-proves that none is below, and the threshold rises. Where that takes too much room, labels in beams look for a better
-schedule, so that more starts can be deleted. The grid's costs lie below those in continuous time
+On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses. A
+label program below a threshold just above the bound then either finds the best schedule of the grid, or
+proves that none is below, and the threshold rises. Where that takes too much room, labels in beams look for
+a better schedule, so that more starts can be deleted. The grid's costs lie below those in continuous time
 (`fuzzytime.scheduling.grid`), so all its bounds hold there; the next grid is finer, until the gap closes.
 """
 
@@ -14,6 +14,7 @@ from typing import ClassVar
 import numpy as np
 
 from fuzzytime.errors import RefusedError
+from fuzzytime.satisfaction import cell_chord_errors
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
@@ -30,6 +31,15 @@ FIRST_SLOTS = 3000
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
+MOST_SLOTS = 200
+"""The shortest job takes no more slots than this."""
+
+STEPS = 40
+"""Evaluations of the bound between two deletions of starts."""
+
+ENOUGH = 0.005
+"""The gap, as a share of a rejection, that is left to labels."""
+
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
 
@@ -39,7 +49,10 @@ BEAM = 50
 
 @dataclass(frozen=True, slots=True)
 class Labels:
-    """Exact for one agent and many skills, as far as time and memory go; always with a bound."""
+    """Exact for one agent and many skills, as far as time and memory go; always with a bound.
+
+    Of lags it knows only which skill comes first: the rest is relaxed for the bound.
+    """
 
     name: ClassVar[str] = "labels"
 
@@ -49,32 +62,46 @@ class Labels:
         Raises
         ------
         RefusedError
-            If there are several agents, or lags that an order does not keep.
+            If there are several agents.
         """
-        fault = why_not(problem)
-        if fault:
-            raise RefusedError(f"the label program {fault}")
+        if problem.agents > 1:
+            raise RefusedError(f"the label program schedules one agent, got {problem.agents}")
         best = warm or LocalSearch().search(problem, watch.share(0.3))
-        lower, step, prices = -math.inf, step_for(problem, FIRST_SLOTS), None
-        while True:
-            grid = grid_of(problem, step)
-            relaxation = Relaxation(problem, grid, prices)
+        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.rejection for job in problem.jobs)
+        relaxation = Relaxation(problem, grid_of(problem, step), best.cost)
+        relaxation.improve(best.cost, STEPS, enough, watch)
+        lower, left = relaxation.lower, relaxation.narrowed(problem)
+        while best.cost - lower > OPTIMAL_GAP * problem.weight and not watch.is_over():
+            step = fine_enough(problem, best, step, OPTIMAL_GAP * problem.weight / 2)
+            if step < relaxation.grid.step:
+                relaxation = Relaxation(left, grid_of(left, step), best.cost, relaxation.prices)
+                relaxation.improve(best.cost, STEPS // 4, enough, watch)
             attempt = _Attempt(problem, relaxation, best, watch)
             attempt.close()
-            best, lower, prices = attempt.best, max(lower, attempt.lower), relaxation.prices
-            if not attempt.solved or best.cost - lower <= OPTIMAL_GAP * problem.weight or watch.is_over():
+            best, lower = attempt.best, max(lower, attempt.lower)
+            left = relaxation.narrowed(left)
+            if not attempt.solved or not problem.kept_by_order:
                 break
             step /= REFINEMENT
         return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
 
 
-def why_not(problem: Problem) -> str:
-    """Say why the label program cannot solve a problem; nothing where it can."""
-    if len(problem.lanes) > 1 or len(problem.lanes[0].agents) > 1:
-        return f"schedules one agent, got {sum(len(lane.agents) for lane in problem.lanes)}"
-    if not all(problem.kept_by_order(lag) for lag in problem.lags):
-        return "knows no lags"
-    return ""
+def fine_enough(problem: Problem, draft: Draft, step: float, error: float) -> float:
+    """Refine a step until the grid's costs at a draft's starts are not too far below the real ones."""
+    placed = [
+        (job, start)
+        for job, start in zip(problem.jobs, draft.starts.tolist(), strict=True)
+        if not math.isnan(start)
+    ]
+    while True:
+        off = 0.0
+        for job, start in placed:
+            low = math.floor(start / step) * step
+            (lost,) = cell_chord_errors(job.function, [low, low + step])
+            off += min(job.weight * float(lost), job.worst)
+        if off <= error or step < min(job.duration for job, _ in placed) / MOST_SLOTS:
+            return step
+        step /= 2
 
 
 class _Attempt:
@@ -84,30 +111,25 @@ class _Attempt:
         self.problem, self.relaxation, self.watch = problem, relaxation, watch
         self.grid: Grid = relaxation.grid
         self.best, self.lower, self.solved = best, -math.inf, False
-        self.before: list[list[int]] = [[] for _ in problem.jobs]
-        for lag in problem.lags:
-            if self.grid.durations[lag.first] and self.grid.durations[lag.second]:
-                self.before[lag.second].append(lag.first)
+        # Jobs shorter than a slot are no part of the program, and so cannot be waited for.
+        durations = self.grid.durations
+        self.before = [[first for first in firsts if durations[first]] for firsts in problem.before()]
 
     def close(self) -> None:
         """Raise the bound and better the schedule until they meet on this grid, or a limit is met."""
         relaxation, cells = self.relaxation, self.watch.limits.memory // 16
-        relaxation.improve(self.best.cost, self.watch)
         self.lower = relaxation.lower
-        relaxation.fix(self.best.cost)
         delta = 0.01 * self.lower + 0.005 * float(np.median(self.grid.rejections))
         budget, width = cells // 16, BEAM
         while not self._is_over():
             if self._labels(min(self.best.cost, self.lower + delta), budget, None):
                 delta *= 2
                 continue
-            before = self.best.cost
-            for threshold in (self.lower + delta, self.lower + 4 * delta, self.best.cost):
-                if not self._is_over() and self.best.cost == before:
-                    self._labels(min(self.best.cost, threshold), cells, width)
             if budget >= cells:
                 break
             budget, width = 4 * budget, 6 * width
+            if not self._is_over():
+                self._labels(self.best.cost, cells, width)
 
     def _is_over(self) -> bool:
         closed = self.best.cost - self.lower <= CLOSED * self.problem.weight

@@ -101,7 +101,8 @@ def step_for(problem: Problem, slots: int) -> float:
 
 def grid_of(problem: Problem, step: float) -> Grid:
     """Lay a grid over a problem."""
-    origin = min((_cell(job.earliest, step) for job in problem.jobs), default=0)
+    first = min((job.earliest for job in problem.jobs), default=math.inf)
+    origin = _cell(first, step) if first < math.inf else 0
     durations = np.array([math.floor(job.duration / step + ROUNDING) for job in problem.jobs], np.int64)
     leading = {lag.first for lag in problem.lags}
     curves = tuple(

@@ -1,9 +1,9 @@
 """Labels: a dynamic program over time and the set of jobs done, pruned by a bound on what is to come.
 
 A label (t, S, cost) is a partial schedule that ends by slot t with the jobs S done. S knows a job only
-while its window is open: a job holds one of 64 bits from its first start to its last, or to that of the last
-job that must come after it. When it closes, its price λ is paid if it was not done, the bit is cleared, and labels that
-have become equal are one. With
+while its window is open: a job holds one of 64 bits from its first start to its last, or to that of the
+last job that must come after it. When it closes, its price λ is paid if it was not done, the bit is
+cleared, and labels that have become equal are one. With
 
     cost(label) = base + Σ over done jobs of (c + λ) + Σ over closed jobs not done of λ
 
@@ -258,10 +258,11 @@ class Labels:
             position += mine.size
             cost = piece.cost + extra[:, None]
             columns = slice(piece.column, piece.column + cost.shape[1])
-            while rows.size:  # closing may have made sets of one piece equal
-                distinct, index = np.unique(rows, return_index=True)
-                merged[distinct, columns] = np.minimum(merged[distinct, columns], cost[index])
-                rows, cost = np.delete(rows, index), np.delete(cost, index, axis=0)
+            if mine is not piece.masks:  # closing may have made sets of one piece equal
+                order = np.argsort(rows, kind="stable")
+                heads = np.flatnonzero(np.diff(rows[order], prepend=-1))
+                rows, cost = rows[order][heads], np.minimum.reduceat(cost[order], heads, axis=0)
+            merged[rows, columns] = np.minimum(merged[rows, columns], cost)
         return masks, np.minimum.accumulate(merged, axis=1, out=merged)
 
     def _best(self, history: list[tuple[Masks, Floats] | None], limit: float, *, exact: bool) -> Found:

@@ -1,13 +1,13 @@
-"""Prices that make a relaxation's bound as high as they can.
+"""Prices that make a bound as high as they can: a proximal bundle method.
 
-The bound D(λ) is concave in the prices λ, and each evaluation gives a plane above it. A few dozen steps of
-the volume algorithm come close: steps along a running average of gradients from the best prices so far. Cutting
-planes finish: a linear program finds where the planes promise most, and the next evaluation lies between
-there and the best prices, which keeps its answers from jumping about.
+The bound D is concave in the prices λ, and each evaluation gives a plane above it. The next prices are the
+best by all planes so far, less a penalty stiffness/2·|λ − best|² for going far from the best prices yet.
+The dual of that quadratic program is over weights of the planes, and a few dozen exchanges of weight
+between two planes solve it well enough: the method needs promising prices, not the most promising ones. The
+stiffness rises when evaluations disappoint and falls when they please.
 
-Barahona and Anbil, The volume algorithm: producing primal solutions with a subgradient method, Math.
-Programming 87 (2000) 385-399. Wentges, Weighted Dantzig-Wolfe decomposition for linear mixed-integer
-programming, Int. Trans. Oper. Res. 4 (1997) 151-162.
+Kiwiel, Proximity control in bundle methods for convex nondifferentiable minimization, Math. Programming 46
+(1990) 105-122.
 """
 
 from typing import Protocol
@@ -17,13 +17,19 @@ import numpy as np
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.limits import Stopwatch
 
-SMOOTHING = 0.85
-"""How far from the planes' best prices toward the best yet the next evaluation lies."""
+PLANES = 50
+"""Planes that are kept; more make steps better and each one slower."""
+
+EXCHANGES = 100
+"""Exchanges of weight before the next evaluation, at most."""
+
+FIRST_REACH = 3.0
+"""How far the first step goes: this many times as far as the first plane needs to promise the known cost."""
 
 PROMISE = 0.02
-"""Cutting planes end where they promise less than this share of what is left to prove."""
+"""The search ends where the planes promise less than this share of what is left to prove."""
 
-SMALLEST = 1e-9
+SMALLEST = 1e-6
 
 
 class Bound(Protocol):
@@ -45,58 +51,89 @@ class Multipliers:
         What is to become high.
     prices
         Where to begin.
+    upper
+        The cost of a known schedule.
     """
 
-    def __init__(self, bound: Bound, prices: Floats) -> None:
+    def __init__(self, bound: Bound, prices: Floats, upper: float) -> None:
         self._bound = bound
         self._ceiling = bound.ceiling
-        self._gradients: list[Floats] = []
-        self._levels: list[float] = []
-        self.lower = -np.inf
         self.prices = prices
-        self._gradient = self._evaluate(prices)
+        self.lower, gradient = bound.evaluate(prices)
+        self._gradients = gradient[None, :]
+        self._levels = np.array([self.lower - gradient @ prices])
+        self._weights = np.ones(1)
+        inner = ((prices > 0) | (gradient > 0)) & ((prices < self._ceiling) | (gradient < 0))
+        steepness = float(gradient[inner] @ gradient[inner])
+        self._stiffness = max(steepness, 1.0) / max(upper - self.lower, SMALLEST) / FIRST_REACH
 
-    def _evaluate(self, prices: Floats) -> Floats:
-        value, gradient = self._bound.evaluate(prices)
-        self._gradients.append(gradient)
-        self._levels.append(value - float(gradient @ prices))
-        self._improved = value > self.lower
-        if self._improved:
-            self.lower, self.prices = value, prices
-        return gradient
-
-    def volume(self, upper: float, steps: int, watch: Stopwatch) -> None:
-        """Take steps along an average of gradients; their scale falls after ten that fail."""
-        average, scale, failures = self._gradient, 0.1, 0
-        most = float(self._ceiling.max(initial=0.0))
+    def improve(self, upper: float, steps: int, watch: Stopwatch) -> None:
+        """Take steps until the planes promise little, the bound reaches a known cost, or time is over."""
+        run = 0  # of successes, or of failures where negative
         for _ in range(steps):
-            blocked = (self.prices <= 0) & (average < 0) | (self.prices >= self._ceiling) & (average > 0)
-            direction = np.where(blocked, 0.0, average)
-            length = float(direction @ direction)
-            if length < SMALLEST or upper - self.lower < SMALLEST or watch.is_over():
+            point = self._proposal()
+            promise = float((self._levels + self._gradients @ point).min()) - self.lower
+            if promise < max(PROMISE * (upper - self.lower), SMALLEST) or watch.is_over():
                 return
-            target = min(upper, max(1.5 * self.lower, self.lower + most))
-            step = scale * (target - self.lower) / length
-            gradient = self._evaluate(np.clip(self.prices + step * direction, 0.0, self._ceiling))
-            change = gradient - average
-            share = -float(average @ change) / max(float(change @ change), SMALLEST)
-            average = average + np.clip(share, 0.01, 0.1) * change
-            failures = 0 if self._improved else failures + 1
-            scale *= 1.1 if self._improved else 0.66 if failures % 10 == 0 else 1.0
+            value, gradient = self._bound.evaluate(point)
+            self._keep(gradient, value - float(gradient @ point))
+            rise = value - self.lower
+            fitting = 2 * self._stiffness * (1 - rise / promise)
+            if rise > 0.1 * promise:
+                if rise > 0.5 * promise and run > 0:
+                    self._stiffness = max(min(fitting, self._stiffness), self._stiffness / 10)
+                elif run > 3:
+                    self._stiffness /= 2
+                self.prices, self.lower, run = point, value, max(run + 1, 1)
+            else:
+                # How far the new plane lies above D at the best prices tells whether the step was too long.
+                above = value + float(gradient @ (self.prices - point)) - self.lower
+                run = min(run - 1, -1)
+                if above > promise and run < -3:
+                    self._stiffness = min(max(fitting, self._stiffness), 10 * self._stiffness)
+                    run = -1
 
-    def cutting_planes(self, upper: float, steps: int, watch: Stopwatch) -> None:
-        """Evaluate near where all planes so far promise most, until they promise little."""
-        from scipy.optimize import Bounds, LinearConstraint, milp
+    def _proposal(self) -> Floats:
+        """Give prices that promise most, less the penalty.
 
-        count = self.prices.size
-        box = Bounds(np.append(np.zeros(count), -np.inf), np.append(self._ceiling, np.inf))
-        for _ in range(steps):
-            planes = np.column_stack([-np.array(self._gradients), np.ones(len(self._gradients))])
-            below = LinearConstraint(planes, -np.inf, np.array(self._levels))
-            master = milp(np.append(np.zeros(count), -1.0), constraints=below, bounds=box)
-            if master.x is None or watch.is_over():
-                return
-            promise = -master.fun - self.lower
-            if promise < max(PROMISE * (upper - self.lower), SMALLEST):
-                return
-            self._evaluate(SMOOTHING * self.prices + (1 - SMOOTHING) * master.x[:count])
+        For weights w of the planes they are best + w·gradients / stiffness, cut to the box. Weight moves to
+        the lowest plane there from the highest one that has some, as long as the two differ.
+        """
+        gradients, weights = self._gradients, self._weights
+        point = self._point()
+        close = SMALLEST * max(1.0, abs(self.lower))
+        for _ in range(EXCHANGES):
+            heights = self._levels + gradients @ point
+            low = int(heights.argmin())
+            high = int(np.where(weights > 1e-12, heights, -np.inf).argmax())
+            difference = float(heights[high] - heights[low])
+            if difference < close:
+                break
+            direction = gradients[low] - gradients[high]
+            inner = ((point > 0) | (direction > 0)) & ((point < self._ceiling) | (direction < 0))
+            curvature = float(direction[inner] @ direction[inner]) / self._stiffness
+            moved = min(float(weights[high]), difference / max(curvature, 1e-12))
+            weights[low] += moved
+            weights[high] -= moved
+            point = self._point()
+        return point
+
+    def _point(self) -> Floats:
+        return np.clip(self.prices + self._weights @ self._gradients / self._stiffness, 0.0, self._ceiling)
+
+    def _keep(self, gradient: Floats, level: float) -> None:
+        """Add a plane; where there are too many, two that weigh little become the plane between them."""
+        self._gradients = np.vstack([self._gradients, gradient])
+        self._levels = np.append(self._levels, level)
+        self._weights = np.append(self._weights, 0.0)
+        if self._levels.size <= PLANES:
+            return
+        first, second = np.argsort(self._weights[:-1])[:2].tolist()
+        one, two = self._weights[[first, second]] + 1e-12
+        share = two / (one + two)
+        self._gradients[first] += share * (self._gradients[second] - self._gradients[first])
+        self._levels[first] += share * (self._levels[second] - self._levels[first])
+        self._weights[first] += self._weights[second]
+        self._gradients = np.delete(self._gradients, second, axis=0)
+        self._levels = np.delete(self._levels, second)
+        self._weights = np.delete(self._weights, second)

@@ -57,13 +57,13 @@ class Job:
 
     @property
     def earliest(self) -> float:
-        """The first moment of any window."""
-        return min(windows[0].low for windows in self.windows if windows)
+        """The first moment of any window; infinity where there is none."""
+        return min((windows[0].low for windows in self.windows if windows), default=math.inf)
 
     @property
     def latest(self) -> float:
-        """The last moment of any window."""
-        return max(windows[-1].high for windows in self.windows if windows)
+        """The last moment of any window; minus infinity where there is none."""
+        return max((windows[-1].high for windows in self.windows if windows), default=-math.inf)
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,10 +121,30 @@ class Problem:
         ]
         return Problem(tuple(self.jobs[member] for member in members), self.lanes, tuple(lags))
 
-    def kept_by_order(self, lag: Lag) -> bool:
-        """Tell whether on one agent a lag only says which of two jobs comes first."""
-        behind = -self.jobs[lag.second].duration
-        return behind < lag.low <= self.jobs[lag.first].duration and lag.high == math.inf
+    @property
+    def agents(self) -> int:
+        """How many there are."""
+        return sum(len(lane.agents) for lane in self.lanes)
+
+    @property
+    def kept_by_order(self) -> bool:
+        """Whether lags only say which of two jobs comes first, on one agent."""
+        return not self.lags or (
+            self.agents == 1
+            and all(
+                -self.jobs[lag.second].duration < lag.low <= self.jobs[lag.first].duration
+                and lag.high == math.inf
+                for lag in self.lags
+            )
+        )
+
+    def before(self) -> list[list[int]]:
+        """Give for each job those that lags put before it on one agent; none where there are several."""
+        firsts: list[list[int]] = [[] for _ in self.jobs]
+        for lag in self.lags if self.agents == 1 else ():
+            if lag.low > -self.jobs[lag.second].duration:
+                firsts[lag.second].append(lag.first)
+        return firsts
 
     def groups(self) -> Iterator[list[int]]:
         """Give sets of jobs that cannot meet: their windows do not touch, and no lag joins them."""

@@ -4,18 +4,19 @@ For prices 0 ≤ λ_i ≤ L_i every schedule costs at least
 
     D(λ) = Σ_i (L_i − λ_i) + Σ over lanes of agents · V(last slot),
 
-with V the cheapest path over time on that lane (`fuzzytime.scheduling.paths`). The best D equals the bound of
-the linear program over start slots. With V the path from the beginning and B that to the end, a schedule
-with an arc of job i from slot t costs at least D − V(last slot) + V[t] + c_i(t) + λ_i + B[t + d_i]: an arc for which
-that is no less than a known schedule's cost can be deleted.
+with V the cheapest path over time on that lane (`fuzzytime.scheduling.paths`). The best D equals the bound
+of the linear program over start slots. With V the path from the beginning and B that to the end, a schedule
+with an arc of job i from slot t costs at least D − V(last slot) + V[t] + c_i(t) + λ_i + B[t + d_i]: an arc
+for which that is no less than a known schedule's cost can be deleted.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
-from fuzzytime.satisfaction import Floats
-from fuzzytime.scheduling.grid import Grid
+from fuzzytime.satisfaction import Floats, Interval
+from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.multipliers import Multipliers
 from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, values_to_end
@@ -29,11 +30,13 @@ class Relaxation:
     ----------
     problem, grid
         What is bounded.
+    upper
+        The cost of a known schedule.
     prices : array of shape (jobs,), optional
         Where to begin, as from another grid.
     """
 
-    def __init__(self, problem: Problem, grid: Grid, prices: Floats | None = None) -> None:
+    def __init__(self, problem: Problem, grid: Grid, upper: float, prices: Floats | None = None) -> None:
         self.grid = grid
         self.agents = [len(lane.agents) for lane in problem.lanes]
         self.ceiling = np.where(grid.durations > 0, grid.rejections, 0.0)
@@ -45,7 +48,7 @@ class Relaxation:
         self.arcs = [arcs_of(curves, grid.durations) for curves in lanes]
         self._paths = [Paths(arcs, grid.durations, grid.slots) for arcs in self.arcs]
         start = self.ceiling if prices is None else np.minimum(prices, self.ceiling)
-        self._multipliers = Multipliers(self, start)
+        self._multipliers = Multipliers(self, start, upper)
 
     @property
     def lower(self) -> float:
@@ -65,11 +68,25 @@ class Relaxation:
             gradient += agents * paths.visits()
         return value, gradient
 
-    def improve(self, upper: float, watch: Stopwatch) -> None:
-        """Search better prices."""
-        steps = 40 + self.ceiling.size
-        self._multipliers.volume(upper, steps, watch)
-        self._multipliers.cutting_planes(upper, steps, watch)
+    def improve(self, upper: float, steps: int, enough: float, watch: Stopwatch) -> None:
+        """Search better prices, and delete the arcs that no schedule below a known cost uses.
+
+        Parameters
+        ----------
+        upper
+            That cost.
+        steps
+            Evaluations between two deletions.
+        enough
+            The gap at which to end.
+        watch
+            Asked before each evaluation.
+        """
+        left = np.inf
+        while enough < upper - self.lower < 0.9 * left and not watch.is_over():
+            left = upper - self.lower
+            self._multipliers.improve(upper, steps, watch)
+            self.fix(upper)
 
     def reduced_costs(self) -> list[Floats]:
         """Give for each lane, for each arc, what a schedule with it costs at least."""
@@ -91,6 +108,30 @@ class Relaxation:
         """Delete the arcs that no schedule better than a known one uses."""
         self.arcs = self.arcs_below(upper)
         self._paths = [Paths(arcs, self.grid.durations, self.grid.slots) for arcs in self.arcs]
+
+    def narrowed(self, problem: Problem) -> Problem:
+        """Give the problem with windows cut to the cells next to arcs that are left.
+
+        A start inside a cell stands for starts at its two ends: where neither is left, no schedule better
+        than the known one starts in the cell, in continuous time.
+        """
+        jobs = []
+        for index, job in enumerate(problem.jobs):
+            if self.grid.durations[index]:
+                lanes = zip(job.windows, self.arcs, strict=True)
+                windows = tuple(self._cut(mine, arcs.start[arcs.job == index]) for mine, arcs in lanes)
+                jobs.append(replace(job, windows=windows))
+            else:
+                jobs.append(job)
+        return replace(problem, jobs=tuple(jobs))
+
+    def _cut(self, windows: tuple[Interval, ...], starts: Ints) -> tuple[Interval, ...]:
+        """Give what windows have in common with the cells next to some slots, which ascend."""
+        edges = np.flatnonzero(np.diff(starts, prepend=-2, append=np.iinfo(np.int64).max) > 1)
+        lows, highs = self.grid.times(starts[edges[:-1]] - 1), self.grid.times(starts[edges[1:] - 1] + 1)
+        runs = [Interval(*run) for run in zip(lows.tolist(), highs.tolist(), strict=True)]
+        pieces = [window.intersection(run) for window in windows for run in runs]
+        return tuple(piece for piece in pieces if not piece.empty)
 
 
 def _best_gain(grid: Grid, job: int) -> float:

@@ -13,9 +13,10 @@ from fuzzytime.study.compare import Comparison, compare
 from fuzzytime.study.density import Flanks, flanks, variance
 from fuzzytime.study.design import Design
 from fuzzytime.study.fitting import Fit, Model, fit, fit_models
-from fuzzytime.study.personal import Direction, PersonalTable, Prior, Rating, personal_table
+from fuzzytime.study.personal import PersonalTable, personal_table
+from fuzzytime.study.prior import Prior
 from fuzzytime.study.questions import StudyInstruction, Timeline
-from fuzzytime.study.rating_store import RatingStore
+from fuzzytime.study.rating import Cue, CueKind, Direction, Rating
 from fuzzytime.study.scale import ScaleComparison, compare_answers
 from fuzzytime.study.simulate import Hand, Population, simulate
 from fuzzytime.study.start_times import StartTimeInfluence, influence_of_start_times
@@ -31,6 +32,8 @@ __all__ = [
     "Calibration",
     "Characteristics",
     "Comparison",
+    "Cue",
+    "CueKind",
     "Described",
     "Design",
     "Direction",
@@ -44,7 +47,6 @@ __all__ = [
     "Population",
     "Prior",
     "Rating",
-    "RatingStore",
     "ScaleComparison",
     "SetAside",
     "StartTimeInfluence",

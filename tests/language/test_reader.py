@@ -43,7 +43,7 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
         match key:
             case "do":
                 found[key] = operation.name if operation is not None else None
-            case "lemma" | "negated":
+            case "lemma" | "negated" | "object" | "place":
                 found[key] = getattr(operation, key)
             case "duration":
                 found[key] = instruction.duration
@@ -131,6 +131,10 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("paint the fence every day except sundays", "sundays"),
         ("paint the fence on the 31st of april", "on the 31st of april"),
         ("take a ten minute walk", "ten minute"),
+        ("stir the soup at half past", "at half past"),
+        ("stir the soup half past soon", "half past"),
+        ("meet me at ten past", "at ten past"),
+        ("call anna at a quarter to", "at a quarter to"),
     ],
 )
 def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words: str) -> None:

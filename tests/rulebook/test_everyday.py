@@ -313,3 +313,10 @@ def test_an_occurrence_of_a_series_is_no_wider_than_a_quarter_of_its_interval() 
     tenth = said(Constraint.AT, t_spec=10 * HOUR, recurrence=Hourly())
     assert psi(tenth).support.length == pytest.approx(30 * MINUTE)
     assert psi(said(Constraint.AT, t_spec=10 * HOUR)).support.length > HOUR
+
+
+def test_the_start_that_is_named_is_told_where_words_name_one() -> None:
+    assert RULEBOOK.resolve(ahead("in", 10)).named == 10 * MINUTE
+    finish = said(Constraint.AT, t_spec=HOUR, reference=Reference.FINISH)
+    assert RULEBOOK.resolve(finish, elapsed=20 * MINUTE).named == 40 * MINUTE
+    assert RULEBOOK.resolve(word("soon")).named is None

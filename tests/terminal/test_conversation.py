@@ -1,64 +1,11 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
-from datetime import datetime, timedelta
-from functools import cache
+from datetime import timedelta
 from pathlib import Path
 
 import pytest
-from rich.text import Text
 
-from fuzzytime.interpreter import Interpreter
-from fuzzytime.scheduling import THRESHOLD, Auto, Limits
-from fuzzytime.times import parse_zone
-from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.turn import Turns
-from fuzzytime_cli.session import SessionStore
-
-NINE = datetime(2026, 3, 4, 9, tzinfo=parse_zone("Europe/Berlin"))
-
-
-@cache
-def shipped() -> Interpreter:
-    return Interpreter.shipped()
-
-
-class Talk:
-    """Turns with a clock: `say` takes a turn and gives what is answered."""
-
-    def __init__(self, path: Path | None = None) -> None:
-        conversation = Conversation(
-            SessionStore(path), "test", shipped(), lambda _: Auto(), Limits(), THRESHOLD
-        )
-        self.turns = Turns(conversation, 80, asks=True)
-        self.now = NINE
-        self.edit = ""
-        self.turns.opened(self.now)
-
-    def say(self, line: str) -> str:
-        reply = self.turns.take(line, self.now)
-        self.edit = reply.edit
-        return _text(reply.lines)
-
-    def wait(self, **by: float) -> str:
-        self.now += timedelta(**by)
-        return _text(self.turns.tick(self.now))
-
-    @property
-    def entries(self) -> list[str]:
-        return [entry.text for entry in self.turns.conversation.state.entries]
-
-    def start(self, identifier: str) -> datetime:
-        plan = self.turns.plan
-        assert plan is not None
-        for position, interpreted in enumerate(plan.skills):
-            if interpreted.identifier == identifier:
-                return plan.instant(plan.schedule.start_times[position])
-        raise KeyError(identifier)
-
-
-def _text(lines: object) -> str:
-    assert isinstance(lines, (list, tuple))
-    return "\n".join(line.plain if isinstance(line, Text) else str(line) for line in lines)
+from terminal.talking import NINE, Talk
 
 
 def test_an_instruction_is_kept_and_the_schedule_drawn() -> None:
@@ -252,3 +199,16 @@ def test_typed_control_characters_reach_no_answer_raw() -> None:
         + talk.say(":\x1b[2J")
     )
     assert not set(answer) & {"\x1b", "\x07"}
+
+
+@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])
+def test_help_comes_however_it_is_asked_for(line: str) -> None:
+    answer = Talk().say(line)
+    assert ":what-if" in answer
+    assert max(map(len, answer.split("\n"))) <= 80
+
+
+def test_exit_leaves_and_is_no_task() -> None:
+    talk = Talk()
+    assert talk.turns.take("exit", NINE).over
+    assert talk.entries == []

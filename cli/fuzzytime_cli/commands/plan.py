@@ -148,10 +148,6 @@ def write_plan(made: "Plan", output_format: PlanFormat, output: Path | None) -> 
         screen = Screen.of(sys.stdout, dict(os.environ))
         screen.write(*PlanView(made, screen.width, unicode=screen.unicode).lines())
         return
-    text = written(made, output_format)
-    if output is None:
-        sys.stdout.write(text)
-        return
-    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.files import write_out
 
-    replace_file(output, text)
+    write_out(output, written(made, output_format))

@@ -1,8 +1,8 @@
 """The commands of the conversation: each a function of what was typed, the conversation, and the moment."""
 
+import textwrap
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from datetime import datetime
 from pathlib import Path
 
 from rich.text import Text
@@ -10,36 +10,21 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan
 from fuzzytime.times import instant_after, parse_duration
-from fuzzytime_cli.choices import PlanFormat, SolverChoice
+from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.conversation import Conversation, moves
-from fuzzytime_cli.session import KeptBusy, KeptReading, State
-
-
-@dataclass(frozen=True, slots=True)
-class Reply:
-    """What a command answers: lines to show, and what happens next.
-
-    ``changed`` asks for the schedule to be drawn again, ``edit`` puts words on the next prompt,
-    ``over`` ends the conversation.
-    """
-
-    lines: tuple[Text | str, ...] = ()
-    changed: bool = False
-    edit: str = ""
-    over: bool = False
-
-
-@dataclass(frozen=True, slots=True)
-class Scene:
-    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width."""
-
-    conversation: Conversation
-    plan: Plan
-    now: datetime
-    width: int
-    unicode: bool = True
-
+from fuzzytime_cli.repl import saving
+from fuzzytime_cli.repl.conversation import moves
+from fuzzytime_cli.repl.scene import (
+    Reply,
+    Scene,
+    identifier_of,
+    number_and_rest,
+    number_of,
+    position_of,
+    said,
+    step,
+)
+from fuzzytime_cli.session import KeptBusy, KeptReading
 
 Run = Callable[[Scene, str], Reply]
 
@@ -51,34 +36,6 @@ class Command:
     usage: str
     help: str
     run: Run
-
-
-def _said(text: str) -> Reply:
-    return Reply((Text(plain(text)),))
-
-
-def _number(text: str) -> int:
-    digits = text.strip().removeprefix("s").partition(".")[0]
-    if not digits.isdigit():
-        raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()!r}")
-    return int(digits)
-
-
-def _number_and_rest(text: str, what: str) -> tuple[int, str]:
-    first, _, rest = text.strip().partition(" ")
-    if not rest.strip():
-        raise FuzzytimeError(f"a number and {what} must follow, got {text.strip()!r}")
-    return _number(first), rest.strip()
-
-
-def _position(scene: Scene, text: str) -> int:
-    """Find a skill of the plan by its identifier, or by its instruction's number."""
-    wanted = text.strip() if text.strip().startswith("s") else f"s{text.strip()}"
-    for position, interpreted in enumerate(scene.plan.skills):
-        if interpreted.identifier == wanted:
-            return position
-    known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
-    raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
 
 
 # -- looking ------------------------------------------------------------------------------------------------
@@ -99,7 +56,7 @@ def _list(scene: Scene, _: str) -> Reply:
 def _why(scene: Scene, text: str) -> Reply:
     from fuzzytime_cli.explaining import explanation_lines
 
-    position = _position(scene, text)
+    position = position_of(scene, text)
     return Reply(tuple(explanation_lines(scene.plan, position, scene.width, unicode=scene.unicode)))
 
 
@@ -146,58 +103,63 @@ def _plot(scene: Scene, text: str) -> Reply:
     which, _, file = text.strip().partition(" ")
     if which.endswith(".svg"):
         replace_file(Path(which), plan_svg(scene.plan))
-        return _said(f"written: {which}")
-    position = _position(scene, which)
+        return said(f"written: {which}")
+    position = position_of(scene, which)
     interpreted = scene.plan.skills[position]
     chart = chart_of(interpreted, scene.plan, position)
     if file.strip():
         replace_file(Path(file.strip()), chart_svg(chart, interpreted.skill.name))
-        return _said(f"written: {file.strip()}")
+        return said(f"written: {file.strip()}")
     return Reply(tuple(chart_lines(chart, scene.width, unicode=scene.unicode)))
 
 
 def _now(scene: Scene, _: str) -> Reply:
-    return _said(
+    return said(
         f"{scene.now:%A %d %B %Y, %H:%M:%S}" + (f" ({scene.now.tzname()})" if scene.now.tzinfo else "")
     )
 
 
-def _help(_: Scene, __: str) -> Reply:
-    rows = [f"  :{command.usage:<26} {command.help}" for command in COMMANDS.values()]
-    head = ["Type what you want done and when: flip the pancakes in about two minutes.", ""]
-    return Reply((*head, *rows))
+def _help(scene: Scene, _: str) -> Reply:
+    rows: list[str] = []
+    for command in COMMANDS.values():
+        beginning = f"  :{command.usage:<26} "
+        rows += textwrap.wrap(
+            command.help,
+            max(scene.width, 2 * len(beginning)),
+            initial_indent=beginning,
+            subsequent_indent=" " * len(beginning),
+        )
+    head = textwrap.wrap(
+        "Type what you want done and when: flip the pancakes in about two minutes.", scene.width
+    )
+    return Reply((*head, "", *rows))
 
 
 # -- changing -----------------------------------------------------------------------------------------------
 
 
-def _step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:
-    scene.conversation.change(what, change)
-    return Reply(changed=True)
-
-
 def _drop(scene: Scene, text: str) -> Reply:
-    number = _number(text)
-    return _step(scene, f":drop {number}", lambda state: state.without(number))
+    number = number_of(text)
+    return step(scene, f":drop {number}", lambda state: state.without(number))
 
 
 def _edit(scene: Scene, text: str) -> Reply:
     first, _, rest = text.strip().partition(" ")
-    number = _number(first)
+    number = number_of(first)
     if not rest.strip():
         return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
     words = rest.strip()
-    return _step(
+    return step(
         scene, f":edit {number}", lambda state: state.with_changed(number, text=words, given=scene.now)
     )
 
 
 def _duration(scene: Scene, text: str) -> Reply:
-    number, rest = _number_and_rest(text, "a duration, such as 4min,")
+    number, rest = number_and_rest(text, "a duration, such as 4min,")
     seconds = parse_duration(rest)
     if seconds < 0:
         raise FuzzytimeError(f"a duration must be at least 0, got {rest!r}")
-    return _step(
+    return step(
         scene,
         f":duration {number}",
         lambda state: state.with_changed(number, hands_on=seconds, elapsed=seconds),
@@ -205,25 +167,25 @@ def _duration(scene: Scene, text: str) -> Reply:
 
 
 def _priority(scene: Scene, text: str) -> Reply:
-    number, rest = _number_and_rest(text, "a weight, such as 2,")
+    number, rest = number_and_rest(text, "a weight, such as 2,")
     try:
         weight = float(rest)
     except ValueError as error:
         raise FuzzytimeError(f"a priority must be a number, got {rest!r}") from error
     if not 1e-3 <= weight <= 1e3:
         raise FuzzytimeError(f"a priority must be between 0.001 and 1000, got {rest!r}")
-    return _step(scene, f":priority {number}", lambda state: state.with_changed(number, priority=weight))
+    return step(scene, f":priority {number}", lambda state: state.with_changed(number, priority=weight))
 
 
 def _done(scene: Scene, text: str) -> Reply:
-    wanted = text.strip() if text.strip().startswith("s") else f"s{text.strip()}"
+    wanted = identifier_of(text)
     running = {one.identifier: one for one in scene.conversation.running(scene.now)}
     if wanted in running:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
-    position = _position(scene, text)
-    number = _number(scene.plan.skills[position].identifier)
-    reply = _step(scene, f":done {number}", lambda state: state.without(number))
+    position = position_of(scene, text)
+    number = number_of(scene.plan.skills[position].identifier)
+    reply = step(scene, f":done {number}", lambda state: state.without(number))
     return replace(reply, lines=(Text(f"done: {plain(scene.plan.skills[position].skill.name)}"),))
 
 
@@ -236,9 +198,7 @@ def _ctx(scene: Scene, text: str) -> Reply:
         return Reply(shown or ("no readings yet; signals: " + ", ".join(sorted(signals)),))
     reading = parse_assignment(text.strip(), signals)
     kept = KeptReading(reading.signal, instant_after(scene.now, reading.at), reading.value, reading.unit)
-    return _step(
-        scene, f":ctx {text.strip()}", lambda state: replace(state, readings=(*state.readings, kept))
-    )
+    return step(scene, f":ctx {text.strip()}", lambda state: replace(state, readings=(*state.readings, kept)))
 
 
 def _reading_line(kept: KeptReading) -> str:
@@ -249,14 +209,14 @@ def _reading_line(kept: KeptReading) -> str:
 def _agents(scene: Scene, text: str) -> Reply:
     if not text.strip().isdigit() or not 1 <= int(text) <= 100:
         raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()!r}")
-    return _step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
+    return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
 
 
 def _solver(scene: Scene, text: str) -> Reply:
     name = text.strip()
     if name not in set(SolverChoice):
         raise FuzzytimeError(f"a solver must be one of {', '.join(SolverChoice)}, got {name!r}")
-    return _step(scene, f":solver {name}", lambda state: replace(state, solver=name))
+    return step(scene, f":solver {name}", lambda state: replace(state, solver=name))
 
 
 def _busy(scene: Scene, text: str) -> Reply:
@@ -269,13 +229,19 @@ def _busy(scene: Scene, text: str) -> Reply:
     if end <= start:
         raise FuzzytimeError(f"a busy time must not end before it starts, got {parts[0]} to {parts[1]}")
     kept = KeptBusy(start, end, parts[2] if len(parts) > 2 else "")
-    return _step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
+    return step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
+
+
+def _rate(scene: Scene, text: str) -> Reply:
+    from fuzzytime_cli.repl.rating import rate
+
+    return rate(scene, text)
 
 
 def _undo(scene: Scene, _: str) -> Reply:
     what = scene.conversation.store.undo(scene.conversation.name)
     return (
-        Reply((Text(f"undone: {plain(what)}"),), changed=True) if what else _said("there is nothing to undo")
+        Reply((Text(f"undone: {plain(what)}"),), changed=True) if what else said("there is nothing to undo")
     )
 
 
@@ -284,66 +250,8 @@ def _redo(scene: Scene, _: str) -> Reply:
     return (
         Reply((Text(f"done again: {plain(what)}"),), changed=True)
         if what
-        else _said("there is nothing to redo")
+        else said("there is nothing to redo")
     )
-
-
-# -- files --------------------------------------------------------------------------------------------------
-
-
-def _save(scene: Scene, text: str) -> Reply:
-    from fuzzytime_cli.files import replace_file
-    from fuzzytime_cli.formats import written
-    from fuzzytime_cli.session import state_text
-
-    if not text.strip():
-        raise FuzzytimeError(
-            "a file must follow: .json keeps the session; .ics .csv .html .svg .jsonl export the plan"
-        )
-    path = Path(text.strip()).expanduser()
-    exports = {
-        f".{kind.value}": kind for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON}
-    }
-    kind = exports.get(path.suffix.lower())
-    replace_file(
-        path, written(scene.plan, kind) if kind is not None else state_text(scene.conversation.state) + "\n"
-    )
-    return _said(f"written: {path}")
-
-
-def _load(scene: Scene, text: str) -> Reply:
-    from fuzzytime_cli.inputs.lines import wishes_of
-    from fuzzytime_cli.inputs.source import read_source
-    from fuzzytime_cli.session import state_of
-
-    if not text.strip():
-        raise FuzzytimeError("a file must follow: a saved session, a calendar (.ics), or instructions a line")
-    path = Path(text.strip()).expanduser()
-    if path.suffix.lower() == ".ics":
-        return _load_calendar(scene, path)
-    source = read_source(str(path))
-    if path.suffix.lower() == ".json":
-        loaded = state_of(source.text)
-        return _step(scene, f":load {path}", lambda _: loaded)
-    texts = [wish.text for wish in wishes_of(source, scene.now)]
-
-    def added(state: State) -> State:
-        for line in texts:
-            state = state.with_entry(line, scene.now)
-        return state
-
-    return _step(scene, f":load {path}", added)
-
-
-def _load_calendar(scene: Scene, path: Path) -> Reply:
-    from fuzzytime_cli.inputs.calendar import busy_of_calendar
-
-    found = tuple(
-        KeptBusy(instant_after(scene.now, busy.start), instant_after(scene.now, busy.end), busy.what)
-        for busy in busy_of_calendar(path, scene.now)
-    )
-    reply = _step(scene, f":load {path}", lambda state: replace(state, busy=(*state.busy, *found)))
-    return replace(reply, lines=(Text(f"{len(found)} busy times read"),))
 
 
 def _quit(_: Scene, __: str) -> Reply:
@@ -365,14 +273,19 @@ COMMANDS: Mapping[str, Command] = {
     "busy": Command("busy 12:00 13:00 lunch", "a time that is taken", _busy),
     "agents": Command("agents 2", "how many can work at once", _agents),
     "solver": Command("solver NAME", "the method that finds the schedule", _solver),
+    "rate": Command("rate [N 1-5|too late]", "how a start was, for later plans; alone: your ratings", _rate),
     "plot": Command("plot N [FILE.svg]", "draw the satisfaction of skill N; FILE.svg alone: the plan", _plot),
-    "save": Command("save FILE", ".json the session; .ics .csv .html .svg .jsonl the plan", _save),
-    "load": Command("load FILE", "a saved session, a calendar, or instructions a line", _load),
+    "save": Command("save FILE", ".json the session; .ics .csv .html .svg .jsonl the plan", saving.save),
+    "load": Command("load FILE", "a saved session, a calendar, or instructions a line", saving.load),
     "now": Command("now", "the moment", _now),
     "help": Command("help", "this list", _help),
     "quit": Command("quit", "leave; everything is kept", _quit),
 }
 """Every command by its name."""
+
+
+BARE = {"help": ":help", "?": ":help", "quit": ":quit", "exit": ":quit"}
+"""Words that people type to a prompt, and mean as commands, though they lack the colon."""
 
 
 def command_of(line: str) -> tuple[Command, str]:

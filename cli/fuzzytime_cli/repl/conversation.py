@@ -13,7 +13,8 @@ from fuzzytime.interpreter import Started as StartedSkill
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
 from fuzzytime.times import seconds_between
-from fuzzytime_cli.session import Entry, KeptReading, SessionStore, Started, State
+from fuzzytime_cli.personal import personal_rulebook
+from fuzzytime_cli.session import Entry, KeptRating, KeptReading, SessionStore, Started, State
 
 NOTICEABLE = 20.0
 """Seconds by which a start must move for it to be said."""
@@ -31,7 +32,10 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class Conversation:
-    """One session in its store, with what understands and schedules it."""
+    """One session in its store, with what understands and schedules it.
+
+    ``interpreter`` is the population's; where ``personal`` is set, plans follow the person's ratings too.
+    """
 
     store: SessionStore
     name: str
@@ -39,6 +43,7 @@ class Conversation:
     solver_of: Callable[[str], Solver]
     limits: Limits
     threshold: float
+    personal: bool = True
 
     # -- the state ------------------------------------------------------------------------------------------
 
@@ -56,6 +61,20 @@ class Conversation:
             From the step, which then changes nothing.
         """
         return self.store.change(self.name, what, step)
+
+    # -- the person ----------------------------------------------------------------------------------------
+
+    @property
+    def ratings(self) -> tuple[KeptRating, ...]:
+        """The person's ratings, of all sessions."""
+        return self.store.ratings()
+
+    @property
+    def understanding(self) -> Interpreter:
+        """The interpreter with the person's own table on top."""
+        if not self.personal:
+            return self.interpreter
+        return replace(self.interpreter, rulebook=personal_rulebook(self.interpreter.rulebook, self.ratings))
 
     # -- the plan -------------------------------------------------------------------------------------------
 
@@ -88,7 +107,7 @@ class Conversation:
         current = state if state is not None else self.state
         return plan(
             self.request(now, current),
-            self.interpreter,
+            self.understanding,
             solver=self.solver_of(current.solver),
             threshold=self.threshold,
             limits=self.limits,

@@ -9,7 +9,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TextIO
 
-from fuzzytime_cli.assembly import Assembly
+from fuzzytime_cli.assembly import Assembly, data_folder
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import report
 from fuzzytime_cli.options import Moment, Solving, Understanding
@@ -19,6 +19,7 @@ from fuzzytime_cli.repl.turn import Turns
 from fuzzytime_cli.session import open_store
 
 PROMPT = "› "
+PLAIN_PROMPT = "> "
 BEAT = 1.0
 """Seconds between two looks at the clock."""
 
@@ -41,10 +42,11 @@ def converse(
     conversation = Conversation(
         store,
         session,
-        assembly.interpreter(),
+        assembly.interpreter(personal=False),
         lambda name: assembly.solver(SolverChoice(name) if name else None),
         assembly.limits(),
         assembly.settings.number("threshold"),
+        personal=assembly.settings.flag("personal"),
     )
     screen = Screen.of(sys.stdout, dict(os.environ))
     turns = Turns(conversation, screen.width, unicode=screen.unicode)
@@ -70,19 +72,6 @@ def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
         return instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
 
     return shifted
-
-
-def data_folder() -> Path | None:
-    """Give the folder of sessions and history, by FUZZYTIME_DATA or custom; None for nowhere."""
-    where = os.environ.get("FUZZYTIME_DATA")
-    if where is not None:
-        return Path(where) if where else None
-    from platformdirs import user_data_path
-
-    try:
-        return user_data_path("fuzzytime")
-    except (OSError, RuntimeError):
-        return None  # no home
 
 
 class _Talk:
@@ -188,11 +177,31 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
 
 
 def _piped(talk: _Talk, stream: TextIO | None) -> None:
-    """Read lines as they come; answers follow each."""
+    """Read lines as they come, of a pipe or a plain terminal; answers follow each."""
+    typed = stream is not None and stream.isatty()
+    talk.turns.asks = typed
     talk.open()
-    for line in stream if stream is not None else ():
+    for line in _lines(stream, talk.screen.stream if typed else None):
         talk.beat()
         going, _ = talk.take(line)
         talk.screen.stream.flush()
         if not going:
             return
+
+
+def _lines(stream: TextIO | None, echo: TextIO | None) -> Iterator[str]:
+    """Give a stream's lines; a person on a terminal gets a prompt, and Ctrl-C begins a new line."""
+    while stream is not None:
+        try:
+            if echo is not None:
+                echo.write(PLAIN_PROMPT)
+                echo.flush()
+            line = stream.readline()
+        except KeyboardInterrupt:
+            if echo is None:
+                raise
+            echo.write("\n")
+            continue
+        if not line:
+            return
+        yield line

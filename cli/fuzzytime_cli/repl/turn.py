@@ -11,8 +11,9 @@ from fuzzytime.language import Question
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands import Reply, Scene, command_of, move_lines
+from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
 from fuzzytime_cli.repl.conversation import Conversation, answered
+from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import Started
 
 Line = Text | str
@@ -48,8 +49,8 @@ class Turns:
         if not entries:
             self._refresh(now)
             return [
-                "Say what you want done and when, for example: flip the pancakes in about two minutes.",
-                ":help",
+                "Say what you want done and when: flip the pancakes in about two minutes.",
+                ":help shows the commands, Ctrl-D leaves; everything is kept.",
             ]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
@@ -57,6 +58,7 @@ class Turns:
     def take(self, line: str, now: datetime) -> Reply:
         """Answer a line; every error of what was typed is an answer too."""
         words = line.strip()
+        words = BARE.get(words.lower(), words)
         if not words:
             return Reply()
         pending = self._question_put()

@@ -95,6 +95,42 @@ def _import_design(database: Path, design: Path | None) -> "Design":
     return read_design(design)
 
 
+def ratings(
+    *,
+    rules: Annotated[
+        bool, typer.Option("--rules", help="The table that they amount to, as a rule file.")
+    ] = False,
+    json: Annotated[bool, typer.Option("--json", help="One rating a line.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", help="A file; else standard output.")
+    ] = None,
+) -> None:
+    """Show or export your own ratings of starts (`:rate` in a conversation), and what they amount to."""
+    import json as encoding
+
+    from fuzzytime_cli.assembly import data_folder
+    from fuzzytime_cli.files import write_out
+    from fuzzytime_cli.personal import kept_ratings, personal_table, rating_line
+    from fuzzytime_cli.render import plain
+
+    if rules and json:
+        raise UsageError("give one of --rules and --json")
+    kept = kept_ratings(data_folder())
+    if not kept:
+        raise NoInputError("there are no ratings yet: rate a start in a conversation by :rate")
+    if json:
+        lines = [
+            encoding.dumps({"skill": one.name, "start": one.start.isoformat(), **encoding.loads(one.rating)})
+            for one in kept
+        ]
+        write_out(output, "".join(f"{line}\n" for line in lines))
+    elif rules:
+        write_out(output, personal_table(kept).yaml)
+    else:
+        lines = [*map(rating_line, kept), *personal_table(kept).lines]
+        write_out(output, "".join(f"{plain(line)}\n" for line in lines))
+
+
 def export(
     database: Database,
     *,
@@ -108,16 +144,13 @@ def export(
     import io
 
     from fuzzytime.study.exchange import write_csv, write_json
-    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.files import write_out
 
     if csv and json:
         raise UsageError("give one of --csv and --json")
     with opened(database) as store:
         answers = store.answers()
     write = write_json if json else write_csv
-    if output is None:
-        write(answers, sys.stdout)
-        return
     stream = io.StringIO()
     write(answers, stream)
-    replace_file(output, stream.getvalue())
+    write_out(output, stream.getvalue())

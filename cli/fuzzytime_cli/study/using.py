@@ -84,7 +84,7 @@ def calibrate(
     from fuzzytime.rulebook import check
     from fuzzytime.study import calibrate as calibrated
     from fuzzytime.study import rule_table
-    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.files import write_out
 
     with opened(database) as store:
         answers = store.answers()
@@ -95,8 +95,6 @@ def calibrate(
         mistakes = check([draft])
     if mistakes:
         raise DocumentError(mistakes)
-    if output is None:
-        sys.stdout.write(text)
-        return
-    replace_file(output, text)
-    report(f"{output} holds no mistake; use it by: plan --rules {output}")
+    write_out(output, text)
+    if output is not None:
+        report(f"{output} holds no mistake; use it by: plan --rules {output}")

@@ -197,6 +197,19 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     return replace(found, pair=clock.bare) if found is not None else None
 
 
+@grammar.rule(
+    "unfinished",
+    "half past",
+    "a? <fraction> past",
+    "<minutes of clock> past",
+    "at a? <fraction> to",
+    "at <minutes of clock>|<bare minutes of clock> past|to",
+)
+def of_no_hour(minutes: float | None = None) -> bool:
+    """At half past, at ten to: of which hour is not said, so that it is no time."""
+    return True
+
+
 @grammar.rule("clock", "half <clock>", weight=0.1)
 def half_hour(clock: Clock) -> Clock | None:
     """Half three: half past three."""

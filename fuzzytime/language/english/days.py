@@ -260,9 +260,9 @@ def all_part(found: Part) -> Wall | None:
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
-def at_meal(found: Part) -> Wall:
-    """At lunch, during dinner."""
-    return Wall(part=found)
+def at_meal(found: Part) -> Wall | None:
+    """At lunch, during dinner; "at school" is where."""
+    return None if found.place else Wall(part=found)
 
 
 @grammar.rule("wall", "<meal>", weight=-0.1)

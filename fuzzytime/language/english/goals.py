@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
@@ -41,22 +42,16 @@ def on_the_hour() -> HourMark:
     return HourMark(0)
 
 
-@grammar.rule("same", "half past", weight=0.1)
-def half_past() -> HourMark:
-    """(at) half past."""
-    return HourMark(30)
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past|after the hour", weight=0.4)
+def past_the_hour(minutes: float) -> HourMark:
+    """(at) a quarter past the hour."""
+    return HourMark(int(minutes))
 
 
-@grammar.rule("same", "a? quarter past", weight=0.4)
-def quarter_past() -> HourMark:
-    """(at) a quarter past."""
-    return HourMark(15)
-
-
-@grammar.rule("same", "a? quarter to", weight=0.4)
-def quarter_to() -> HourMark:
-    """(at) a quarter to."""
-    return HourMark(45)
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> to|before the hour", weight=0.4)
+def to_the_hour(minutes: float) -> HourMark:
+    """(at) ten to the hour."""
+    return HourMark(60 - int(minutes))
 
 
 @grammar.rule("goal", "<same>")
@@ -113,4 +108,5 @@ def soon_after(duration: Duration, goal: Goal) -> Range | None:
 
 
 def _counts_from(goal: Goal) -> bool:
-    return not goal.hedges and isinstance(goal.time, (Wall, TimeWord, Ending))
+    vague = isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE
+    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending))

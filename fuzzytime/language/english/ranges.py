@@ -127,8 +127,8 @@ def after_and_before(after: Preposition, first: Goal, before: Preposition, last:
 
 @grammar.rule(
     "said",
-    "from|starting|beginning|at? at? the? <goal> ,? for <duration>",
-    "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>",
+    "from|starting|beginning at? the? <goal> ,? for <duration>",
+    "for <duration> ,? from|starting|beginning from|at|on? the? <goal>",
     "<duration> starting|beginning from|at|on|in? the? <goal>",
     weight=0.9,
 )
@@ -152,7 +152,8 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     wall, said = (first, second) if third is None else (second, third)
     if not isinstance(wall, Wall) or not isinstance(said, Said):
         return None
-    return refined(said, wall)
+    # "Eat lunch by one": a meal beside a bound is what is to be done.
+    return None if wall.weak and wall.part is not None else refined(said, wall)
 
 
 def refined(said: Said, wall: Wall) -> Said | None:

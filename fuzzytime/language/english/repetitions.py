@@ -246,9 +246,15 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
     return narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "<wall> ,|on? <repeat>", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
+@grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
+def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
+    """9am on sundays; but "two nights" are no nights at two."""
+    return None if wall.bare else narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """At noon every day, 9am on sundays."""
+    """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
 
 

@@ -48,6 +48,12 @@ class Lexicon:
         Words that the reading of sentences uses, by meaning.
     wanting, forgetting, causing
         Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
+    particles
+        Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
+    places
+        Words that begin what says where.
+    persons, addressing
+        Words for people, and verbs whose object is one: "it" stands for neither.
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
     function_words
@@ -69,6 +75,10 @@ class Lexicon:
     wanting: frozenset[str]
     forgetting: frozenset[str]
     causing: frozenset[str]
+    particles: Mapping[str, frozenset[str]]
+    places: frozenset[str]
+    persons: frozenset[str]
+    addressing: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
     function_words: frozenset[str]

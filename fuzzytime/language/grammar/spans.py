@@ -6,13 +6,13 @@ are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -34,6 +34,16 @@ BINDING = frozenset(
         "between",
     }
 )
+UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
+"""Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
+
+SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
+BEHIND_VERBS = frozenset(
+    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "this", "these", "those", "it", "them"}
+    | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
+)
+"""Words that may follow a verb, and hardly a noun that is counted."""
+
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
@@ -153,6 +163,8 @@ class _Judge:
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
             return self._accepts_wall(piece, said, time)
+        if isinstance(time, (Repeat, TimeWord)):
+            return said.preposition is not None or not self._describes(piece)
         if isinstance(time, Range):
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
@@ -221,29 +233,60 @@ class _Judge:
         follower = self._follower(piece)
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
-        if follower in self.lexicon.function_words:
-            return True
-        return any(e.category in _TIMELY for e in self.lexicon.entries.get(follower, ()))
+        return follower in self.lexicon.function_words or self._is_in_front(piece) or self._timely(piece.end)
+
+    def _is_in_front(self, piece: Piece) -> bool:
+        """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
+        before = self.texts[piece.start - 1] if piece.start else "."
+        behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
+        plural = self._follower(piece).endswith("s") and not self._follower(piece).endswith("ss")
+        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
 
     def _describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
         before = self.texts[piece.start - 1] if piece.start else ""
-        return before in {"a", "an", "the", "my", "our", "your"} and not self._may_end(piece)
+        if before not in {"a", "an", "the", "my", "our", "your"}:
+            return False
+        # "A monday morning call": times behind it describe the same noun.
+        last = replace(
+            piece, end=next(p for p in range(piece.end, len(self.texts) + 1) if not self._timely(p))
+        )
+        return not self._may_end(last)
+
+    def _timely(self, place: int) -> bool:
+        """Whether the word at a place begins a time."""
+        found = self.lexicon.entries.get(self.texts[place], ()) if place < len(self.texts) else ()
+        return any(entry.category in _TIMELY for entry in found)
 
     def _measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
-        for text in reversed(self.texts[max(0, piece.start - NEAR) : piece.start]):
-            if text in {".", ";", "!", "?", "then"}:
+        for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
+            text = self.texts[place]
+            if text in {".", ";", "!", "?", "then"} or self._is_amount(place):
+                return False
+            if place and self._is_amount(place - 1):
                 return False
             if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
                 return True
         return False
+
+    def _is_amount(self, place: int) -> bool:
+        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
+        beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
+        amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
+        return amount and self._is_number(place)
+
+    def _is_number(self, place: int) -> bool:
+        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
 
     def _binds(self, piece: Piece) -> bool:
         return self.texts[piece.start] in BINDING
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
+        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
+            # A quarter of what, is not said: hardly of a year.
+            return False
         if last.ordinal_end or last.bare_end:
             return self._may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
@@ -259,8 +302,9 @@ class _Judge:
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
         if wall.weak:
-            unbinding = {None, "to", "at", "for", "of", "on"} if wall.part is not None else {None, "to", "at"}
-            bound = said.preposition not in unbinding or bool(said.hedges)
+            unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
+            # "Ask about lunch": what a meal is asked about.
+            bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
             return bound and self._may_end(piece)
         if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
             return False
@@ -273,6 +317,10 @@ class _Judge:
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self._may_end(piece):
+            return False
+        before = piece.start - 1
+        if said.preposition == "by" and self._is_number(before) and not self._is_amount(before):
+            # "Two by four"
             return False
         sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
         if not sure and self._measured(piece):

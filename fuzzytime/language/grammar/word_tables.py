@@ -165,6 +165,14 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        particles={
+            form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
+            for name, node in speech.rows("particles")
+            for form in (form_of(name.text),)
+        },
+        places=frozenset(form[0] for form in speech.words("places")),
+        persons=frozenset(form[0] for form in speech.words("persons")),
+        addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
@@ -174,7 +182,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections",
+    "clauses", "corrections", "particles", "places", "persons",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
@@ -292,14 +300,20 @@ def _read_parts(tables: Tables) -> None:
         start, end = tables.clock(fields["from"], f"{key}.from"), tables.clock(fields["to"], f"{key}.to")
         half = reader.choice(fields["half"], f"{key}.half", tuple(Half)) or Half.DAY
         meal = "meal" in fields and reader.boolean(fields["meal"], f"{key}.meal")
-        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal)
+        place = "place" in fields and reader.boolean(fields["place"], f"{key}.place")
+        late = tables.clock(fields["late"], f"{key}.late") if "late" in fields else None
+        if late is not None and not start <= late <= end:
+            reader.mistake(fields["late"], f"{key}.late", "a part's late half must begin inside it")
+        parts[name] = Part(name, start, end + (86400 if end < start else 0), Half(half), meal, late, place)
         if not meal and parts[name].start != parts[name].end:
             tables.add(
                 fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
             )
         return [("meal" if meal else "part", parts[name])]
 
-    tables.table("parts", {"from": True, "to": True, "half": True, "meal": False}, part)
+    tables.table(
+        "parts", {"from": True, "to": True, "half": True, "meal": False, "late": False, "place": False}, part
+    )
 
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))

@@ -142,13 +142,19 @@ class Clock:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next."""
+    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.
+
+    ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
+    instructions can be about, ``place`` that it is one where people are.
+    """
 
     name: str
     start: int
     end: int
     half: Half
     meal: bool = False
+    late: int | None = None
+    place: bool = False
 
     @property
     def is_point(self) -> bool:
@@ -157,8 +163,14 @@ class Part:
 
     def share(self, low: float, high: float) -> "Part":
         """Give the stretch between two shares of it: the early morning."""
-        length = self.end - self.start
-        return replace(self, start=int(self.start + low * length), end=int(self.start + high * length))
+        return replace(self, start=self._at(low), end=self._at(high), late=None)
+
+    def _at(self, share: float) -> int:
+        """Give where a share of it is over; half of it is over where its late half begins."""
+        late = self.late if self.late is not None else (self.start + self.end) // 2
+        if share <= 0.5:
+            return int(self.start + 2 * share * (late - self.start))
+        return int(late + (2 * share - 1) * (self.end - late))
 
 
 @dataclass(frozen=True, slots=True)

@@ -86,6 +86,13 @@ class Moment:
         except (OverflowError, ValueError) as error:
             raise UngroundedError("a time must lie in the years 1 to 9999") from error
 
+    def skips(self, wall: datetime, zone: str | None = None) -> bool:
+        """Whether a change of clocks skips a wall-clock time."""
+        if self.now is None or self.now.tzinfo is None:
+            return False
+        there = wall.replace(tzinfo=zone_of(zone) if zone is not None else self.now.tzinfo)
+        return there.astimezone(UTC).astimezone(there.tzinfo).replace(tzinfo=None) != wall
+
     def _fold(self, wall: datetime, zone: tzinfo) -> int:
         """Give the second of two equal wall-clock times, where the first is over."""
         if self.now is None or self.now.tzinfo is None:
@@ -226,8 +233,14 @@ class _Grounder:
 
     def _of_repeat(self, time: Repeat) -> Grounded:
         recurrence = recurrence_of(time, self.moment)
+        clocks = [wall.clock.grain for wall in time.walls if wall.clock is not None]
         requirement = self._requirement(
-            Constraint.EVERY, None, None, duration=time.every, recurrence=recurrence
+            Constraint.EVERY,
+            None,
+            None,
+            duration=time.every,
+            grain=min(clocks, key=list(Unit).index, default=None),
+            recurrence=recurrence,
         )
         return Grounded(requirement=requirement, recurrence=recurrence)
 
@@ -294,6 +307,11 @@ class _Grounder:
                     RemarkKind.POLICY, span, f"{self.text!r}: the zone is not used, as the time now has none"
                 )
             )
+        if found.is_point and self.moment.skips(found.start, zone):
+            message = (
+                f"{self.text!r} does not exist on that day, as clocks change: taken as long after the change"
+            )
+            remarks.append(Remark(RemarkKind.POLICY, span, message))
         if found.choices:
             chosen = found.choices.index(found.start)
             said = found.start.strftime("%H:%M")

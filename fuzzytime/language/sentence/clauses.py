@@ -100,6 +100,11 @@ class _Clauses:
             duration = replace(duration, hedges=(*distance.said.hedges, *duration.hedges))
         span = (start, content[1])
         verb = self._verb(nodes)
+        if verb is None and kind in {"when", "until"}:
+            condition = self._happening(nodes, self.tree.text[start : content[1]])
+            if condition is None:
+                return None
+            return Clause(kind=kind, marker=" ".join(form), span=span, content=content, condition=condition)
         if verb is None:
             return self._event(kind, form, span, content, nodes, duration)
         return Clause(
@@ -202,6 +207,14 @@ class _Clauses:
             hedges=hedges,
             negated=negated,
         )
+
+    def _happening(self, nodes: Sequence[int], text: str) -> Condition | None:
+        """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
+        *before, last = (self.tree.nodes[p] for p in nodes)
+        named = [node.lower for node in before if node.tag not in DETERMINERS]
+        if last.tag != "NNS" or len(named) == len(before) or not named or not before[-1].tag.startswith("NN"):
+            return None
+        return Condition(text=text, subject=" ".join(named), word=last.lower)
 
     def _event(
         self,

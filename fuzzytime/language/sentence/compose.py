@@ -59,7 +59,9 @@ class _Composer:
         operations: list[Operation | None] = list(self.given)
         for place, sketch in enumerate(sketches):
             if sketch.operation is not None:
-                named = replace(sketch.operation, object=resolved_object(sketch.operation, operations))
+                named = replace(
+                    sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
+                )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
         instructions = tuple(

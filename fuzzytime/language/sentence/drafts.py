@@ -8,10 +8,10 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.instruction import Remark
+from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.actions import is_doubtful
 from fuzzytime.language.sentence.corrections import corrected
-from fuzzytime.language.sentence.operations import is_doubtful
 from fuzzytime.language.sentence.segments import Segment, further_verbs, segments_of
 from fuzzytime.language.sentence.tree import Tree
 
@@ -51,6 +51,13 @@ class Draft:
     phrases: tuple[Phrase, ...]
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
+
+    @property
+    def unfinished(self) -> tuple[Span, ...]:
+        """The stretches that begin a time and do not end it: "at half past"."""
+        words = self.scanned.words
+        found = self.scanned.pieces("unfinished")
+        return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
 
 
 def drafted(

@@ -1,148 +1,18 @@
-"""What is to be done: an instruction's verb, object and place, and which moment of it a time is about."""
+"""What is to be done, by the words below a verb: its object, its place, its particle."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.requirement import Reference
 
-if TYPE_CHECKING:
-    from fuzzytime.skills import FuzzyParameter
-
-COMPLEMENTS = ("xcomp", "ccomp")
-SUBJECTS = ("nsubj", "nsubjpass")
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 PLACES = ("prep", "advmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
 )
-
-
-@dataclass(frozen=True, slots=True)
-class Action:
-    """The verb of an instruction in its tree, and what the words around it say."""
-
-    place: int
-    reference: Reference | None
-    negated: bool
-
-
-def is_doubtful(tree: Tree) -> bool:
-    """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
-    root = tree.root
-    if root is None or not tree.nodes[root].is_verb:
-        return True
-    return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
-
-
-def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
-    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start"."""
-    root = tree.root
-    if root is None:
-        return None
-    if not tree.nodes[root].is_verb:
-        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
-        if root is None:
-            return None
-    root = _order_before(tree, root)
-    negated = _is_negated(tree, root)
-    reference: Reference | None = None
-    for _ in range(4):
-        lemma = tree.nodes[root].lemma
-        below = _complement(tree, root, lemma)
-        if below is None:
-            break
-        if lemma in lexicon.forgetting:
-            negated = False
-        elif (
-            lemma in lexicon.wanting
-            or (lemma == "let" and _lets(tree, root))
-            or (lemma == "have" and _has_to(tree, below))
-        ):
-            pass
-        elif (named := lexicon.indicators.get(lemma)) is not None:
-            reference = Reference(named)
-        else:
-            break
-        root = below
-        negated = negated or _is_negated(tree, root)
-    if reference is None:
-        reference = reference_of(tree, root, lexicon)
-    return Action(root, reference, negated)
-
-
-def _order_before(tree: Tree, root: int) -> int:
-    """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
-    for place in tree.children(root, "csubj", "aux"):
-        node = tree.nodes[place]
-        bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
-        if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
-            return place
-    return root
-
-
-def _is_order(tree: Tree, place: int) -> bool:
-    node = tree.nodes[place]
-    return (
-        node.tag in {"VB", "VBP"}
-        and node.relation not in {"relcl", "acl", "advcl"}
-        and not tree.children(place, *SUBJECTS)
-    )
-
-
-def _complement(tree: Tree, place: int, lemma: str) -> int | None:
-    """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
-    for below in tree.children(place, *COMPLEMENTS):
-        node = tree.nodes[below]
-        if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
-            return below
-        if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
-            return below
-    return None
-
-
-def _lets(tree: Tree, place: int) -> bool:
-    """Whether it is "let us" or "lets", not "let me know"."""
-    following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
-    return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
-
-
-def _has_to(tree: Tree, below: int) -> bool:
-    """Whether it is "have to do", not "have it done"."""
-    marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
-    return "to" in marks and not tree.children(below, *SUBJECTS)
-
-
-def _is_negated(tree: Tree, place: int) -> bool:
-    return any(
-        tree.nodes[p].lower in {"not", "n't", "n’t", "never"} for p in tree.children(place, "neg", "advmod")
-    )
-
-
-def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
-    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
-    lemma = tree.nodes[place].lemma
-    named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
-    if named is not None:
-        return Reference(named)
-    if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
-        return Reference.FINISH
-    if lemma in lexicon.causing and any(
-        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
-    ):
-        return Reference.FINISH
-    return None
-
-
-def _results(tree: Tree, place: int) -> Iterator[int]:
-    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
-    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
-        yield below
-        yield from _results(tree, below)
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,61 +25,129 @@ class Reader:
 
     def operation(self, action: Action) -> Operation:
         """Give the operation of an action."""
-        place = action.place
-        node = self.tree.nodes[place]
-        particle = next(
-            (self.tree.nodes[p].lower for p in self.tree.children(place, "prt") if not self._timed(p)), None
-        )
+        verb = action.place
+        node = self.tree.nodes[verb]
+        particle = self._particle(verb)
+        moved = self._moved_object(verb, particle)
+        whole = moved or self._object(verb, particle)
+        split = self._place_within(whole)
+        places = [] if particle is None else [particle, *moved]
         return Operation(
             verb=node.lower,
             lemma=node.lemma,
             span=(node.start, node.end),
-            object=self._object(action) or self._subject(place),
-            place=self._place(place),
-            particle=particle,
+            object=self._said(whole[:split]) or self._subject(verb),
+            place=self._said(sorted({*whole[split:], *self._place(verb, [*whole[:split], *places])})),
+            particle=None if particle is None else self.tree.nodes[particle].lower,
             negated=action.negated,
         )
 
-    def _timed(self, place: int) -> bool:
+    def timed(self, place: int) -> bool:
+        """Whether a word is about time."""
         node = self.tree.nodes[place]
         return any(first <= node.start < end for first, end in self.times)
 
-    def _object(self, action: Action) -> str | None:
-        verb = action.place
-        parts = [p for p in self.tree.children(verb, *OBJECTS) if p > verb and not self._timed(p)]
-        words = self._words(parts, verb)
-        # "Have the rice ready": what it results in says which moment is meant, not what is done.
+    # -- particles --------------------------------------------------------------------------------------
+
+    def _particle(self, verb: int) -> int | None:
+        """Give the word that belongs to the verb: "put the kettle on", "turn on the oven".
+
+        A tree has it for a preposition where a time follows ("on in ten minutes").
+        """
+        named = next((p for p in self.tree.children(verb, "prt") if not self.timed(p)), None)
+        if named is not None:
+            return named
+        for place in range(verb + 1, len(self.tree.nodes)):
+            verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
+            if verbs is None or self.timed(place) or not self._hangs_on(place, verb):
+                continue
+            stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
+            if self._governs_nothing(place) or (stands_before and not self.tree.children(verb, "dobj")):
+                return place
+        return None
+
+    def _hangs_on(self, place: int, verb: int) -> bool:
+        return verb in self.tree.above(place) and self.tree.nodes[place].tag in {"IN", "RP", "RB"}
+
+    def _governs_nothing(self, place: int) -> bool:
+        """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""
+        if any(child > place and not self.timed(child) for child in self.tree.children(place)):
+            return False
+        following = place + 1
+        if following >= len(self.tree.nodes) or self.timed(following):
+            return True
+        node = self.tree.nodes[following]
+        return node.tag in {"IN", "CC"} or not node.text[0].isalnum()
+
+    def _moved_object(self, verb: int, particle: int | None) -> list[int]:
+        """Give the words below a particle that was taken for a preposition: "put on the kettle"."""
+        if particle is None or self.tree.nodes[particle].relation == "prt" or particle != verb + 1:
+            return []
+        return self._words(self.tree.children(particle, "pobj"), particle)
+
+    # -- objects ----------------------------------------------------------------------------------------
+
+    def _object(self, verb: int, particle: int | None) -> list[int]:
         direct = self.tree.children(verb, *OBJECTS)
+        words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
+        words = [place for place in words if place != particle]
+        # "Have the rice ready": what it results in says which moment is meant, not what is done.
         while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:
             words.pop()
-        return self._said(words) if words else None
+        return words
+
+    def _place_within(self, words: Sequence[int]) -> int:
+        """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""
+        inside = set(words)
+        for position, place in enumerate(words[1:], start=1):
+            node = self.tree.nodes[place]
+            head = self.tree.nodes[node.head]
+            of_noun = node.relation == "prep" and node.head in inside and head.relation in {"dobj", "pobj"}
+            where = node.lower in self.lexicon.places and of_noun and self._has_content(place, words)
+            if where and set(words[position:]) <= set(self._preposed(words[position:])):
+                return position
+        return len(words)
+
+    def _preposed(self, words: Sequence[int]) -> Iterator[int]:
+        """Give the words that are below a preposition among them."""
+        for place in words:
+            if self.tree.nodes[place].relation == "prep":
+                yield from self.tree.below(place)
 
     def _subject(self, verb: int) -> str | None:
         """Give what a statement is about: "the assignment should start now"."""
-        subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self._timed(p)]
+        subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self.timed(p)]
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
-        return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self._timed(p)])
+        return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
-    def _place(self, verb: int) -> str | None:
-        parts = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self._timed(p)]
-        kept = [
-            p
-            for p in parts
-            if self.tree.nodes[p].relation == "prep"
-            or self.tree.nodes[p].lower
-            in {"there", "here", "outside", "inside", "upstairs", "downstairs", "home"}
-        ]
-        words = self._words(kept, verb)
-        words = [p for p in words if self._has_content(p, words)]
-        return self._said(words) if words else None
+    # -- places -----------------------------------------------------------------------------------------
+
+    def _place(self, verb: int, taken: Iterable[int]) -> list[int]:
+        below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
+        kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
+        words = [p for p in self._words(kept, verb) if p not in set(taken)]
+        return [p for p in words if self._has_content(p, words)]
+
+    def _is_place(self, place: int) -> bool:
+        node = self.tree.nodes[place]
+        return node.relation == "prep" or node.lower in self.lexicon.places
+
+    def _behind_times(self, verb: int) -> Iterator[int]:
+        """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
+        for place in self.tree.below(verb):
+            node = self.tree.nodes[place]
+            said = node.relation == "prep" and node.lower in self.lexicon.places
+            if said and not self.timed(place) and self.timed(node.head):
+                yield place
 
     def _has_content(self, place: int, words: Sequence[int]) -> bool:
         """Whether a preposition still has what it governs: that may have been a time."""
-        node = self.tree.nodes[place]
-        if node.relation != "prep":
+        if self.tree.nodes[place].relation != "prep":
             return True
         return any(child in words for child in self.tree.children(place))
+
+    # -- words ------------------------------------------------------------------------------------------
 
     def _words(self, parts: Sequence[int], verb: int) -> list[int]:
         """Give the words under some words, up to the first that is about time."""
@@ -218,7 +156,7 @@ class Reader:
             for place in sorted(self.tree.below(part)):
                 if place <= verb:
                     continue
-                if self._timed(place):
+                if self.timed(place):
                     break
                 found.append(place)
         return sorted(set(found))
@@ -237,45 +175,3 @@ class Reader:
             text += ("" if last is None or last == node.start else " ") + node.text
             last = node.end
         return text.strip() or None
-
-    def parameters(self, action: Action) -> tuple["FuzzyParameter", ...]:
-        """Give the vague amounts among what the verb governs: "some food", "a few screws"."""
-        words = words_of(self.tree.text)
-        found: list[FuzzyParameter] = []
-        behind = 0
-        for at, word in enumerate(words):
-            if (
-                at < behind
-                or word.start < self.tree.nodes[action.place].start
-                or any(a <= word.start < b for a, b in self.times)
-            ):
-                continue
-            form = longest_match(words, at, self.lexicon.amounts)
-            if form is None or at + len(form) >= len(words):
-                continue
-            behind = at + len(form)
-            following = words[at + len(form)]
-            nodes = list(self.tree.at(following.start, following.end))
-            if not nodes:
-                continue
-            noun = self._noun(nodes[0])
-            if noun is not None and not self._timed(noun):
-                node = self.tree.nodes[noun]
-                _, quantity = self.lexicon.amounts[form]
-                found.append(_parameter(self.tree.text[word.start : node.end], node.lower, quantity))
-        return tuple(found)
-
-    def _noun(self, place: int) -> int | None:
-        for here in (place, *self.tree.above(place)):
-            if self.tree.nodes[here].tag.startswith("NN"):
-                return here
-            if self.tree.nodes[here].is_verb:
-                return None
-        return None
-
-
-def _parameter(text: str, noun: str, quantity: tuple[float, float, float, float] | None) -> "FuzzyParameter":
-    """Make a parameter; skills bring numpy along, so that they are imported only where there is an amount."""
-    from fuzzytime.skills import FuzzyParameter
-
-    return FuzzyParameter(text, noun, quantity)

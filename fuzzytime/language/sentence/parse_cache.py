@@ -22,7 +22,9 @@ ROWS = 50_000
 """Rows kept at most; the oldest go."""
 
 _SCHEMA = "CREATE TABLE IF NOT EXISTS parses (key BLOB PRIMARY KEY, tree TEXT NOT NULL) "
-_WAIT = 0.5
+_READING = 0.5
+_WRITING = 5.0
+"""Seconds that a lock is waited for."""
 _MOST_KEYS = 500
 
 
@@ -39,7 +41,7 @@ class ParseCache:
         if not self.path.is_file():
             return found
         try:
-            with closing(self._open()) as connection:
+            with closing(sqlite3.connect(self.path, timeout=_READING)) as connection:
                 asked = list(keys)
                 for first in range(0, len(asked), _MOST_KEYS):
                     part = asked[first : first + _MOST_KEYS]
@@ -58,7 +60,10 @@ class ParseCache:
             return
         try:
             self.path.parent.mkdir(parents=True, exist_ok=True)
-            with closing(self._open()) as connection, connection:
+            with closing(sqlite3.connect(self.path, timeout=_WRITING)) as connection, connection:
+                # Writers hold the lock only shortly where they need not wait for the disk.
+                connection.execute("PRAGMA journal_mode = WAL")
+                connection.execute("PRAGMA synchronous = NORMAL")
                 connection.execute(_SCHEMA)
                 connection.executemany("INSERT OR REPLACE INTO parses VALUES (?, ?)", rows)
                 (count,) = connection.execute("SELECT COUNT(*) FROM parses").fetchone()
@@ -67,9 +72,6 @@ class ParseCache:
                     connection.execute(f"DELETE FROM parses WHERE rowid IN ({oldest})", (count - ROWS,))  # noqa: S608
         except (sqlite3.Error, OSError):
             return
-
-    def _open(self) -> sqlite3.Connection:
-        return sqlite3.connect(self.path, timeout=_WAIT)
 
 
 def _key(text: str, package: ModelPackage) -> bytes:

@@ -8,6 +8,8 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
+SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
+PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 EMPTY = frozenset(
     [
         "the",
@@ -92,11 +94,31 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     return 0.0
 
 
-def resolved_object(operation: Operation, before: Sequence[Operation | None]) -> str | None:
-    """Give what "it" or "them" stands for: the object of the latest instruction that has one."""
+def resolved_object(operation: Operation, before: Sequence[Operation | None], lexicon: Lexicon) -> str | None:
+    """Give what "it" or "them" stands for: the object of the latest instruction that fits in number.
+
+    Neither stands for a person: in "call mum, then wash it", it is something else.
+    """
     if operation.object is None or operation.object.lower() not in PRONOUNS:
         return operation.object
-    for earlier in reversed(before):
-        if earlier is not None and earlier.object is not None and earlier.object.lower() not in PRONOUNS:
-            return earlier.object
-    return operation.object
+    things = [
+        earlier.object
+        for earlier in reversed(before)
+        if earlier is not None and earlier.object is not None and not _is_person(earlier, lexicon)
+    ]
+    several = operation.object.lower() in SEVERAL
+    named = [thing for thing in things if thing.lower() not in PRONOUNS]
+    fitting = [thing for thing in named if _is_several(thing) is several]
+    return next(iter(fitting or named), operation.object)
+
+
+def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
+    words = {word.text for word in words_of(operation.object or "")}
+    return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
+
+
+def _is_several(thing: str) -> bool:
+    """Whether a noun looks like a plural: by what stands before "of" or another preposition."""
+    words = [word.text for word in words_of(thing)]
+    end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
+    return "and" in words or _singular(words[end - 1]) != words[end - 1]

@@ -8,9 +8,11 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
+from fuzzytime.language.sentence.actions import Action, action_of, reference_of
+from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
 from fuzzytime.language.sentence.drafts import Draft, Part
-from fuzzytime.language.sentence.operations import Action, Reader, action_of, reference_of
+from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Constraint, Reference
 
@@ -70,7 +72,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None:
         references = (None,) * len(kept)
         return Sketch(part=part, phrases=kept, clauses=tuple(clauses), references=references)
-    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses))
+    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
@@ -80,7 +82,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses=tuple(clauses),
         references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
         operation=replace(operation, span=(a + part.offset, b + part.offset)),
-        parameters=reader.parameters(action),
+        parameters=parameters_of(reader, action),
     )
 
 

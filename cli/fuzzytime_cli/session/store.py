@@ -1,162 +1,30 @@
-"""A conversation that survives: its state as a value, kept in SQLite with every step undoable."""
+"""Sessions in SQLite: every step durable before it is acknowledged, and undoable."""
 
 import json
 import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
-from fuzzytime.errors import FuzzytimeError
 from fuzzytime_cli.faults import NoInputError
+from fuzzytime_cli.session.state import (
+    KeptRating,
+    Started,
+    State,
+    instant_of,
+    instant_text,
+    started_of,
+    state_of,
+    state_text,
+)
 
-SCHEMA = "fuzzytime-session/1"
 KEPT_STEPS = 1_000
 """How many steps can be undone."""
 
 WAIT = 10.0
 """Seconds to wait for another terminal that writes."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Entry:
-    """One instruction of the conversation, with the moment it was given."""
-
-    number: int
-    text: str
-    given: datetime
-    hands_on: float | None = None
-    elapsed: float | None = None
-    priority: float = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class KeptReading:
-    """A reading with its instant; an event has no value."""
-
-    signal: str
-    at: datetime
-    value: float | None = None
-    unit: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class KeptBusy:
-    """A time that is taken, by instants."""
-
-    start: datetime
-    end: datetime
-    what: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Started:
-    """A skill that has started: it does not move any more."""
-
-    identifier: str
-    name: str
-    start: datetime
-    end: datetime
-    done: datetime
-    agent: int = 1
-    satisfaction: float = 1.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class State:
-    """Everything that was said in a conversation, as a value."""
-
-    entries: tuple[Entry, ...] = ()
-    next_number: int = 1
-    readings: tuple[KeptReading, ...] = ()
-    busy: tuple[KeptBusy, ...] = ()
-    agents: int = 1
-    solver: str = ""
-    finished: tuple[str, ...] = field(default=())
-
-    def with_entry(self, text: str, given: datetime) -> "State":
-        """Give the state with one more instruction."""
-        entry = Entry(number=self.next_number, text=text, given=given)
-        return replace(self, entries=(*self.entries, entry), next_number=self.next_number + 1)
-
-    def entry(self, number: int) -> Entry:
-        """Find an instruction by its number.
-
-        Raises
-        ------
-        FuzzytimeError
-            If there is none.
-        """
-        for entry in self.entries:
-            if entry.number == number:
-                return entry
-        known = ", ".join(str(entry.number) for entry in self.entries) or "none yet"
-        raise FuzzytimeError(f"a number must be one of the list ({known}), got {number}")
-
-    def with_changed(self, number: int, **changes: Any) -> "State":  # noqa: ANN401 - the fields of Entry
-        """Give the state with one instruction changed."""
-        self.entry(number)
-        entries = (replace(entry, **changes) if entry.number == number else entry for entry in self.entries)
-        return replace(self, entries=tuple(entries))
-
-    def without(self, number: int) -> "State":
-        """Give the state without one instruction."""
-        dropped = self.entry(number)
-        return replace(self, entries=tuple(entry for entry in self.entries if entry is not dropped))
-
-
-def state_text(state: State) -> str:
-    """Write a state as JSON."""
-    return json.dumps({"schema": SCHEMA, **asdict(state)}, default=_instant_text)
-
-
-def _instant_text(value: object) -> str:
-    if isinstance(value, datetime):
-        zone = getattr(value.tzinfo, "key", "")
-        return value.isoformat() + (f"[{zone}]" if zone else "")
-    raise TypeError(type(value).__name__)
-
-
-def _instant(text: str) -> datetime:
-    from fuzzytime.times import parse_instant, parse_zone
-
-    plain, _, zone = text.partition("[")
-    instant = parse_instant(plain)
-    return instant.astimezone(parse_zone(zone.rstrip("]"))) if zone else instant
-
-
-def state_of(text: str) -> State:
-    """Read a state from JSON.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is not one.
-    """
-    try:
-        data = json.loads(text)
-        if data.pop("schema") != SCHEMA:
-            raise FuzzytimeError(f"a session must be of the form {SCHEMA}")
-        entries = tuple(
-            Entry(**{**entry, "given": _instant(entry["given"])}) for entry in data.pop("entries")
-        )
-        readings = tuple(KeptReading(**{**kept, "at": _instant(kept["at"])}) for kept in data.pop("readings"))
-        busy = tuple(
-            KeptBusy(_instant(kept["start"]), _instant(kept["end"]), str(kept["what"]))
-            for kept in data.pop("busy")
-        )
-        finished = tuple(map(str, data.pop("finished")))
-        return State(entries=entries, readings=readings, busy=busy, finished=finished, **data)
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
-        raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
-
-
-def _started_of(text: str) -> Started:
-    data = json.loads(text)
-    return Started(**{**data, **{key: _instant(data[key]) for key in ("start", "end", "done")}})
-
 
 _TABLES = """
 CREATE TABLE IF NOT EXISTS sessions (name TEXT PRIMARY KEY, head INTEGER NOT NULL);
@@ -229,6 +97,10 @@ class SessionStore:
         ).fetchone()
         return state_of(row[0]) if row is not None else State()
 
+    def ratings(self) -> tuple[KeptRating, ...]:
+        """Give the ratings of all sessions: they are one person's."""
+        return tuple(kept for name in self.names() for kept in self.state(name).ratings)
+
     def change(self, name: str, what: str, step: Callable[[State], State]) -> State:
         """Apply a step to the newest state, keep the result, and give it.
 
@@ -296,14 +168,14 @@ class SessionStore:
         rows = self._connection.execute(
             "SELECT skill FROM started WHERE session = ? ORDER BY rowid", (name,)
         ).fetchall()
-        return tuple(_started_of(text) for (text,) in rows)
+        return tuple(started_of(text) for (text,) in rows)
 
     def note_started(self, name: str, started: Started) -> bool:
         """Note that a skill has started, and say whether it is news: another terminal may have noted it."""
         with self._writing() as connection:
             cursor = connection.execute(
                 "INSERT OR IGNORE INTO started VALUES (?, ?, ?)",
-                (name, started.identifier, json.dumps(asdict(started), default=_instant_text)),
+                (name, started.identifier, json.dumps(asdict(started), default=instant_text)),
             )
             return cursor.rowcount == 1
 
@@ -316,9 +188,9 @@ class SessionStore:
             if row is None:
                 raise NoInputError(f"{identifier} has not started")
             data = json.loads(row[0])
-            at_text = _instant_text(at)
+            at_text = instant_text(at)
             data["done"] = at_text
-            if _instant(data["end"]) > at:
+            if instant_of(data["end"]) > at:
                 data["end"] = at_text
             connection.execute(
                 "UPDATE started SET skill = ? WHERE session = ? AND identifier = ?",

@@ -1,0 +1,129 @@
+"""`fuzzytime run`: a plan carried out in time."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+from typer.core import TyperCommand
+
+from fuzzytime_cli.choices import RunFormat
+from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+if TYPE_CHECKING:
+    import typer._click as click
+
+
+class CommandWithProgram(TyperCommand):
+    """A command whose option ``--exec`` takes everything that follows, as that of ``find`` does."""
+
+    def parse_args(self, ctx: "click.Context", args: list[str]) -> list[str]:
+        """Give each word after ``--exec`` as a value of it."""
+        if "--exec" in args:
+            at = args.index("--exec")
+            words = args[at + 1 :]
+            args = [*args[:at], *([f"--exec={word}" for word in words] or ["--exec"])]
+        return super().parse_args(ctx, args)
+
+
+@flattened
+def run(
+    file: Annotated[
+        str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
+    ] = None,
+    instruction: Annotated[
+        list[str] | None,
+        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
+    ] = None,
+    follow: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Read lines from a file, and what is added to it, not from stdin."),
+    ] = None,
+    speed: Annotated[
+        float, typer.Option(min=0.01, max=10_000, help="Seconds of the run in one of the clock's.")
+    ] = 1.0,
+    limit: Annotated[
+        str | None,
+        typer.Option(
+            metavar="DURATION",
+            help="Kill a command after so long; if not given, three times its planned time, at least 1 min.",
+        ),
+    ] = None,
+    output_format: Annotated[
+        RunFormat | None,
+        typer.Option("--format", help="Text on a terminal, JSON lines elsewhere, if not given."),
+    ] = None,
+    program: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--exec",
+            metavar="PROGRAM ARG…",
+            help="Last: a command to run for each skill, without a shell; {name}, {id} … are filled in.",
+        ),
+    ] = None,
+    *,
+    simulate: Annotated[
+        bool, typer.Option("--simulate", help="Run at once, without waiting; each time the same.")
+    ] = False,
+    wait_for_done: Annotated[
+        bool, typer.Option("--wait-for-done", help='A skill goes on until a line {"done": ID} comes.')
+    ] = False,
+    stay: Annotated[
+        bool, typer.Option("--stay", help="When all is done, wait for further instructions.")
+    ] = False,
+    moment: Moment,
+    understanding: Understanding,
+    solving: Solving,
+) -> None:
+    """Carry out a plan in time: tell each start, or run a command, and re-plan when something matters."""
+    from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.commands.plan import request_of
+    from fuzzytime_cli.faults import UsageError
+    from fuzzytime_cli.live.programs import Command
+    from fuzzytime_cli.live.start import Settings
+    from fuzzytime_cli.live.start import run as carried_out
+
+    if wait_for_done and program:
+        raise UsageError("--wait-for-done and --exec: a skill ends by word or with its command, not both")
+    settings = Settings(
+        speed=None if simulate else speed,
+        command=Command.of(program) if program else None,
+        limit=_limit(limit),
+        by_word=wait_for_done,
+        stay=stay,
+        follow=follow,
+        listen=file != "-",
+    )
+    assembly = Assembly.of(moment, understanding, solving)
+    interpreter = assembly.interpreter()
+    request = request_of(
+        file,
+        instruction or [],
+        assembly,
+        understanding,
+        interpreter.rulebook.signals,
+    )
+    code = carried_out(
+        request,
+        interpreter,
+        assembly.solver(),
+        assembly.settings.number("threshold"),
+        assembly.limits(),
+        settings,
+        output_format,
+    )
+    if code is not Exit.FINE:
+        raise typer.Exit(code)
+
+
+def _limit(text: str | None) -> float | None:
+    from fuzzytime.times import parse_duration
+    from fuzzytime_cli.faults import UsageError, as_usage
+
+    if text is None:
+        return None
+    with as_usage("--limit"):
+        limit = parse_duration(text)
+    if limit <= 0:
+        raise UsageError(f"--limit: must be above 0, got {text!r}")
+    return limit

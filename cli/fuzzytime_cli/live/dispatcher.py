@@ -1,0 +1,192 @@
+"""What a run does at each moment: a machine of states that is told the time and the news, and tells events.
+
+It knows no clock, no thread and no stream: the same moments and news give the same events.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import SpokenWish
+from fuzzytime_cli.live import events as told
+from fuzzytime_cli.live.events import Event
+from fuzzytime_cli.live.inbox import Arrival, Outcome, Output
+from fuzzytime_cli.live.ledger import Ledger, Phase
+from fuzzytime_cli.live.messages import Read, Said, Told, Unreadable
+from fuzzytime_cli.live.outlook import Outlook, Waiting
+from fuzzytime_cli.live.pace import JUST, Pace
+from fuzzytime_cli.live.planning import Planning
+from fuzzytime_cli.live.progress import Progress
+
+_SAME = 1e-6
+"""Seconds between two moments that are one."""
+
+
+@dataclass(slots=True)
+class Dispatcher:
+    """A run: what lies ahead, and what goes on."""
+
+    outlook: Outlook
+    progress: Progress
+    _ready: float = field(default=-math.inf, init=False)
+
+    @property
+    def planning(self) -> Planning:
+        """What makes the plans."""
+        return self.outlook.planning
+
+    @property
+    def ledger(self) -> Ledger:
+        """What was started."""
+        return self.progress.ledger
+
+    @property
+    def pace(self) -> Pace:
+        """What counts as being in time."""
+        return self.outlook.pace
+
+    def step(self, now: float, arrivals: Iterable[Arrival] = ()) -> Iterator[Event]:
+        """Do what is to be done at a moment, and tell it as it is done; moments must not decrease."""
+        yield from self.progress.pass_ends(now)
+        for arrival in arrivals:
+            yield from self._take(arrival, now)
+        yield from self.progress.tell_late(now)
+        yield from self.outlook.tell_silent(now)
+        yield from self._tell_missed(now)
+        if not self.outlook.reasons:
+            yield from self.outlook.look(now, self.ledger)
+        if self.outlook.reasons:
+            yield from self.outlook.replan(now, self.ledger)
+        yield from self._start_due(now)
+
+    def ready(self, now: float) -> None:
+        """Note when a step is over: it takes time to plan, and nothing is missed by that."""
+        self._ready = now
+
+    def next_time(self) -> float:
+        """Give the moment at which there is something to do, if nothing comes in before."""
+        if self.outlook.reasons:
+            return -math.inf
+        starts = [one.start for one in self.outlook.waiting if not self._is_held_up(one)]
+        return min((*starts, self.outlook.next_time(), self.progress.next_time()))
+
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing goes on and nothing is to start."""
+        going_on = self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)
+        return not (self.outlook.reasons or self.outlook.waiting or going_on)
+
+    def stopped(self, now: float) -> told.Stopped:
+        """Tell what goes on, and what was not started."""
+        waiting = (*(one.identifier for one in self.outlook.waiting), *self.outlook.rejected)
+        if self.planning.plan is None:
+            waiting = tuple(wish.identifier for wish in self.planning.request.wishes)
+        return told.Stopped(at=now, running=self.ledger.names(Phase.RUNNING, Phase.RESTING), waiting=waiting)
+
+    def finished(self, now: float) -> told.Finished:
+        """Tell what became of every skill."""
+        tasks = self.ledger.tasks.values()
+        reached = [task.satisfaction for task in tasks if task.satisfaction is not None]
+        mean = math.prod(reached) ** (1 / len(reached)) if reached else 1.0
+        return told.Finished(
+            at=now,
+            done=self.ledger.names(Phase.DONE),
+            failed=self.ledger.names(Phase.FAILED),
+            dropped=self.ledger.names(Phase.DROPPED),
+            rejected=tuple(self.outlook.rejected),
+            unfinished=self.ledger.names(Phase.RUNNING, Phase.RESTING),
+            satisfaction={"geometric_mean": round(mean, 6), "least": round(min(reached, default=1.0), 6)},
+        )
+
+    # -- what comes in --------------------------------------------------------------------------------------
+
+    def _take(self, arrival: Arrival, now: float) -> Iterator[Event]:
+        match arrival:
+            case Read():
+                yield self.outlook.read(arrival, now)
+            case Said(wish=wish):
+                yield from self._instructed(wish, now)
+            case Told(identifier=identifier):
+                waiting = self.outlook.find(identifier)
+                yield from self.progress.take_word(arrival, waiting.name if waiting else None, now)
+            case Outcome():
+                yield from self.progress.take_outcome(arrival, now)
+            case Output(identifier, text):
+                yield told.Wrote(at=now, id=identifier, text=text)
+            case Unreadable(message=message, place=place):
+                yield told.Trouble(at=now, message=message, place=place or None)
+            case _:
+                return
+
+    def _instructed(self, wish: SpokenWish, now: float) -> Iterator[Event]:
+        try:
+            names, problems = self.planning.understands(wish, now, self.ledger.as_seen(now))
+        except FuzzytimeError as error:
+            yield told.Trouble(at=now, message=str(error), text=wish.text)
+            return
+        yield from self.outlook.troubles(problems, now)
+        if names:
+            yield told.Instructed(at=now, text=wish.text, ids=names)
+            self.outlook.reasons.append(f"{names[0]} was asked for")
+
+    # -- starting -------------------------------------------------------------------------------------------
+
+    def _tell_missed(self, now: float) -> Iterator[Event]:
+        for waiting in self.outlook.waiting:
+            if now - waiting.start <= self.pace.tolerance or self._is_held_up(waiting):
+                continue
+            slept = now - max(waiting.start, self._ready) > self.pace.tolerance
+            if slept or self._satisfaction(waiting, now) <= self.outlook.planning.solving.threshold:
+                self.outlook.reasons.append(f"the start of {waiting.identifier} was missed")
+                yield told.Missed(at=now, id=waiting.identifier, name=waiting.name, planned_s=waiting.start)
+
+    def _start_due(self, now: float) -> Iterator[Event]:
+        for waiting in list(self.outlook.waiting):
+            if waiting.start > now + _SAME:
+                return
+            late = now - waiting.start > self.pace.tolerance
+            if self._is_held_up(waiting):
+                if late:
+                    self.outlook.reasons.append(f"{waiting.identifier} is held up")
+                continue
+            if late:
+                self.outlook.reasons.append(f"{waiting.identifier} started late")
+            self.outlook.waiting.remove(waiting)
+            yield from self._start(waiting, now)
+            yield from self.progress.pass_ends(now)
+
+    def _is_held_up(self, waiting: Waiting) -> bool:
+        """Say whether what should be over before a skill starts still goes on, or has not begun."""
+        if any(task.agent == waiting.agent for task in self.ledger.in_phase(Phase.RUNNING)):
+            return True
+        for name in waiting.interpreted.follows:
+            task = self.ledger.tasks.get(name)
+            # What may overlap was planned to.
+            if task is not None and not task.is_over and task.planned_done <= waiting.start + JUST:
+                return True
+        return any(
+            one.identifier in waiting.interpreted.follows and one.end <= waiting.start + JUST
+            for one in self.outlook.waiting
+        )
+
+    def _satisfaction(self, waiting: Waiting, now: float) -> float:
+        return float(waiting.interpreted.skill.satisfaction(now - self.planning.planned_at))
+
+    def _start(self, waiting: Waiting, now: float) -> Iterator[Event]:
+        skill = waiting.interpreted.skill
+        start = told.Start(
+            at=now,
+            id=waiting.identifier,
+            name=waiting.name,
+            instruction=getattr(waiting.interpreted.wish, "text", None),
+            planned_s=waiting.start,
+            end_s=now + skill.duration,
+            done_s=now + skill.time_until_done,
+            agent=waiting.agent,
+            satisfaction=self._satisfaction(waiting, now),
+            parameters=dict(skill.parameters),
+            fuzzy_parameters=tuple(parameter.text for parameter in skill.fuzzy_parameters),
+        )
+        start = replace(start, command=self.progress.executor.command_for(start))
+        yield from self.progress.begin(start, skill.time_until_done - skill.duration)

@@ -1,0 +1,187 @@
+"""The plans of a run: made of everything known at a moment, and made anew only when something has changed."""
+
+import math
+from collections import deque
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+import numpy as np
+
+from fuzzytime.context import Context, Reading, Signal
+from fuzzytime.interpreter import (
+    Interpretation,
+    Interpreted,
+    Interpreter,
+    Plan,
+    Problem,
+    ProblemKind,
+    Request,
+    SpokenWish,
+    Started,
+    Wish,
+    scheduled,
+    understood,
+)
+from fuzzytime.scheduling import Limits, Solver
+from fuzzytime.skills import Busy
+from fuzzytime.times import instant_after
+from fuzzytime_cli.live.naming import bare, named
+
+MOST_READINGS = 5_000
+"""Readings of one signal that are remembered."""
+
+CHANGE = 0.05
+"""A wish has changed when its satisfaction differs by more than this at some start time."""
+
+_POINTS = 256
+
+
+@dataclass(frozen=True, slots=True)
+class Solving:
+    """How schedules are found."""
+
+    solver: Solver
+    threshold: float
+    limits: Limits
+
+
+class Planning:
+    """What is asked for and what was read, on the timeline of the run; and the plan that it leads to."""
+
+    def __init__(self, request: Request, interpreter: Interpreter, solving: Solving) -> None:
+        self.interpreter, self.solving = interpreter, solving
+        self.origin: datetime = request.now
+        skills = interpreter.interpret(bare(request)).skills
+        self.request = named(request, skills)
+        self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
+        self.readings: dict[str, deque[Reading]] = {}
+        for reading in request.context.readings:
+            self.note(reading)
+        self.plan: Plan | None = None
+        self.planned_at = 0.0
+
+    def note(self, reading: Reading) -> None:
+        """Remember a reading, by a time of the run."""
+        self.readings.setdefault(reading.signal, deque(maxlen=MOST_READINGS)).append(reading)
+
+    def signal(self, name: str) -> Signal:
+        """Give what is declared of a signal."""
+        return self.interpreter.rulebook.signals[name]
+
+    def last_read(self, signal: str) -> float:
+        """Give when a signal was last read; −inf where it never was."""
+        return max((reading.at for reading in self.readings.get(signal, ())), default=-math.inf)
+
+    def seen_from(self, now: float, started: tuple[Started, ...], *more: Wish) -> Request:
+        """Give the request as it is at a moment of the run."""
+        known = [replace(reading, at=reading.at - now) for kept in self.readings.values() for reading in kept]
+        return replace(
+            self.request,
+            now=instant_after(self.origin, now),
+            wishes=(*self.request.wishes, *more),
+            context=Context(tuple(known)),
+            busy=tuple(
+                Busy(max(0.0, busy.start - now), busy.end - now, busy.what, busy.agent)
+                for busy in self.request.busy
+                if busy.end > now
+            ),
+            started=started,
+        )
+
+    def make(self, now: float, started: tuple[Started, ...]) -> Plan:
+        """Plan from a moment of the run on.
+
+        Raises
+        ------
+        FuzzytimeError
+            If what is asked for contradicts itself.
+        """
+        request, interpretation = understood(self.seen_from(now, started), self.interpreter)
+        self.plan = scheduled(
+            request,
+            interpretation,
+            solver=self.solving.solver,
+            threshold=self.solving.threshold,
+            limits=self.solving.limits,
+        )
+        self.planned_at = now
+        return self.plan
+
+    def signals_of(self, interpreted: Interpreted) -> frozenset[str]:
+        """Give the signals that a skill's wishes depend on, read or not."""
+        operation = interpreted.instruction.operation if interpreted.instruction is not None else None
+        verb = operation.lemma if operation is not None else None
+        rulebook = self.interpreter.rulebook
+        found = [rulebook.signals_for(requirement, verb) for requirement in interpreted.requirements]
+        return frozenset[str]().union(*found)
+
+    def has_changed(self, now: float, started: tuple[Started, ...]) -> bool:
+        """Say whether what is known by now means other wishes than those that were planned.
+
+        Raises
+        ------
+        FuzzytimeError
+            As `make`.
+        """
+        if self.plan is None:
+            return True
+        _, interpretation = understood(self.seen_from(now, started), self.interpreter)
+        return differ(self.plan.interpretation, interpretation, now - self.planned_at)
+
+    def understands(
+        self, wish: SpokenWish, now: float, started: tuple[Started, ...]
+    ) -> tuple[tuple[str, ...], list[Problem]]:
+        """Keep an instruction that is understood; give its skills' identifiers, and what is wrong with it.
+
+        Raises
+        ------
+        FuzzytimeError
+            If it refers to an identifier that there is none of.
+        """
+        taken = {other.identifier for other in self.request.wishes}
+        if not wish.identifier:
+            number = len(self.request.wishes) + 1
+            while f"s{number}" in taken:
+                number += 1
+            wish = replace(wish, identifier=f"s{number}")
+        elif wish.identifier in taken:
+            message = f"ids must differ, got {wish.identifier!r} again"
+            return (), [_problem(message, wish)]
+        if wish.agent is not None and wish.agent > self.request.agents:
+            message = f"an agent must be one of 1 to {self.request.agents}, got {wish.agent}"
+            return (), [_problem(message, wish)]
+        _, interpretation = understood(self.seen_from(now, started, wish), self.interpreter)
+        own = tuple(
+            interpreted.identifier
+            for interpreted in interpretation.skills
+            if interpreted.wish.identifier == wish.identifier
+        )
+        if own:
+            self.request = replace(self.request, wishes=(*self.request.wishes, wish))
+        return own, [problem for problem in interpretation.problems if problem.text == wish.text]
+
+
+def differ(before: Interpretation, after: Interpretation, passed: float) -> bool:
+    """Say whether a later interpretation wishes for something else, beyond the time that has passed."""
+    earlier = {interpreted.identifier: interpreted for interpreted in before.skills}
+    if earlier.keys() != {interpreted.identifier for interpreted in after.skills}:
+        return True
+    # What is open is closed at the horizon, which is no wish of anybody's.
+    until = min(after.horizon, before.horizon - passed)
+    return any(
+        _differs(earlier[interpreted.identifier], interpreted, passed, until) for interpreted in after.skills
+    )
+
+
+def _differs(before: Interpreted, after: Interpreted, passed: float, until: float) -> bool:
+    if bool(before.reason) != bool(after.reason):
+        return True
+    was, now = before.skill.satisfaction, after.skill.satisfaction
+    kinks = [*now.kinks, *(kink - passed for kink in was.kinks)]
+    inside = [time for time in kinks if 0 <= time < until]
+    times = np.concatenate([np.linspace(0.0, max(until, 0.0), _POINTS, endpoint=False), inside])
+    return bool(np.max(np.abs(was(times + passed) - now(times))) > CHANGE)
+
+
+def _problem(message: str, wish: SpokenWish) -> Problem:
+    return Problem(kind=ProblemKind.UNREADABLE, message=message, text=wish.text)

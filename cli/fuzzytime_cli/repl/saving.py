@@ -1,0 +1,88 @@
+"""Files in the conversation: what is saved, what is loaded."""
+
+from dataclasses import replace
+from pathlib import Path
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.times import instant_after
+from fuzzytime_cli.choices import PlanFormat
+from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.repl.scene import Reply, Scene, said, step
+from fuzzytime_cli.session import KeptBusy, State
+
+
+def save(scene: Scene, text: str) -> Reply:
+    """Write the session, or the plan in another form, to a file.
+
+    Raises
+    ------
+    FuzzytimeError
+        If no file is named.
+    """
+    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.formats import written
+    from fuzzytime_cli.session import state_text
+
+    if not text.strip():
+        raise FuzzytimeError(
+            "a file must follow: .json keeps the session; .ics .csv .html .svg .jsonl export the plan"
+        )
+    path = Path(text.strip()).expanduser()
+    exports = {
+        f".{kind.value}": kind for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON}
+    }
+    kind = exports.get(path.suffix.lower())
+    replace_file(
+        path,
+        written(scene.plan, kind) if kind is not None else state_text(_shared(scene.conversation)) + "\n",
+    )
+    return said(f"written: {path}")
+
+
+def _shared(conversation: Conversation) -> State:
+    """Give the state as others may have it: ratings stay with the person."""
+    return replace(conversation.state, ratings=())
+
+
+def load(scene: Scene, text: str) -> Reply:
+    """Take a saved session, add a calendar's busy times, or add instructions from a file.
+
+    Raises
+    ------
+    FuzzytimeError
+        If no file is named, or it cannot be read.
+    """
+    from fuzzytime_cli.inputs.lines import wishes_of
+    from fuzzytime_cli.inputs.source import read_source
+    from fuzzytime_cli.session import state_of
+
+    if not text.strip():
+        raise FuzzytimeError("a file must follow: a saved session, a calendar (.ics), or instructions a line")
+    path = Path(text.strip()).expanduser()
+    if path.suffix.lower() == ".ics":
+        return _load_calendar(scene, path)
+    source = read_source(str(path))
+    if path.suffix.lower() == ".json":
+        loaded = state_of(source.text)
+        return step(scene, f":load {path}", lambda state: replace(loaded, ratings=state.ratings))
+    texts = [wish.text for wish in wishes_of(source, scene.now)]
+
+    def added(state: State) -> State:
+        for line in texts:
+            state = state.with_entry(line, scene.now)
+        return state
+
+    return step(scene, f":load {path}", added)
+
+
+def _load_calendar(scene: Scene, path: Path) -> Reply:
+    from fuzzytime_cli.inputs.calendar import busy_of_calendar
+
+    found = tuple(
+        KeptBusy(instant_after(scene.now, busy.start), instant_after(scene.now, busy.end), busy.what)
+        for busy in busy_of_calendar(path, scene.now)
+    )
+    reply = step(scene, f":load {path}", lambda state: replace(state, busy=(*state.busy, *found)))
+    return replace(reply, lines=(Text(f"{len(found)} busy times read"),))

@@ -1,0 +1,104 @@
+"""What commands of the conversation work with, and what they answer."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Plan
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.conversation import Conversation
+from fuzzytime_cli.session import State
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """What a command answers: lines to show, and what happens next.
+
+    ``changed`` asks for the schedule to be drawn again, ``edit`` puts words on the next prompt,
+    ``over`` ends the conversation.
+    """
+
+    lines: tuple[Text | str, ...] = ()
+    changed: bool = False
+    edit: str = ""
+    over: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width."""
+
+    conversation: Conversation
+    plan: Plan
+    now: datetime
+    width: int
+    unicode: bool = True
+
+
+def said(text: str) -> Reply:
+    """Answer with one line."""
+    return Reply((Text(plain(text)),))
+
+
+def number_of(text: str) -> int:
+    """Read an instruction's number.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is none.
+    """
+    digits = text.strip().removeprefix("s").partition(".")[0]
+    if not digits.isdigit():
+        raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()!r}")
+    return int(digits)
+
+
+def number_and_rest(text: str, what: str) -> tuple[int, str]:
+    """Read an instruction's number, and what follows it.
+
+    Raises
+    ------
+    FuzzytimeError
+        If one of them is missing.
+    """
+    first, _, rest = text.strip().partition(" ")
+    if not rest.strip():
+        raise FuzzytimeError(f"a number and {what} must follow, got {text.strip()!r}")
+    return number_of(first), rest.strip()
+
+
+def identifier_of(text: str) -> str:
+    """Give a skill's identifier, of which the number will do."""
+    return text.strip() if text.strip().startswith("s") else f"s{text.strip()}"
+
+
+def position_of(scene: Scene, text: str) -> int:
+    """Find a skill of the plan by its identifier, or by its instruction's number.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there is none.
+    """
+    wanted = identifier_of(text)
+    for position, interpreted in enumerate(scene.plan.skills):
+        if interpreted.identifier == wanted:
+            return position
+    known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
+    raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
+
+
+def step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:
+    """Take a step, after which the schedule is drawn again.
+
+    Raises
+    ------
+    FuzzytimeError
+        From the step, which then changes nothing.
+    """
+    scene.conversation.change(what, change)
+    return Reply(changed=True)

@@ -1,0 +1,26 @@
+"""A conversation that survives: its state as a value, kept in SQLite with every step undoable."""
+
+from fuzzytime_cli.session.state import (
+    Entry,
+    KeptBusy,
+    KeptRating,
+    KeptReading,
+    Started,
+    State,
+    state_of,
+    state_text,
+)
+from fuzzytime_cli.session.store import SessionStore, open_store
+
+__all__ = [
+    "Entry",
+    "KeptBusy",
+    "KeptRating",
+    "KeptReading",
+    "SessionStore",
+    "Started",
+    "State",
+    "open_store",
+    "state_of",
+    "state_text",
+]

@@ -1,0 +1,176 @@
+"""The state of a conversation as a value, and as JSON."""
+
+import json
+from dataclasses import asdict, dataclass, field, replace
+from datetime import datetime
+from typing import Any
+
+from fuzzytime.errors import FuzzytimeError
+
+SCHEMA = "fuzzytime-session/1"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Entry:
+    """One instruction of the conversation, with the moment it was given."""
+
+    number: int
+    text: str
+    given: datetime
+    hands_on: float | None = None
+    elapsed: float | None = None
+    priority: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class KeptReading:
+    """A reading with its instant; an event has no value."""
+
+    signal: str
+    at: datetime
+    value: float | None = None
+    unit: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class KeptBusy:
+    """A time that is taken, by instants."""
+
+    start: datetime
+    end: datetime
+    what: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Started:
+    """A skill that has started: it does not move any more."""
+
+    identifier: str
+    name: str
+    start: datetime
+    end: datetime
+    done: datetime
+    agent: int = 1
+    satisfaction: float = 1.0
+
+
+@dataclass(frozen=True, slots=True)
+class KeptRating:
+    """What a person thought of a start: of which skill at which instant, and the rating as JSON."""
+
+    identifier: str
+    name: str
+    start: datetime
+    rating: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class State:
+    """Everything that was said in a conversation, as a value."""
+
+    entries: tuple[Entry, ...] = ()
+    next_number: int = 1
+    readings: tuple[KeptReading, ...] = ()
+    busy: tuple[KeptBusy, ...] = ()
+    agents: int = 1
+    solver: str = ""
+    finished: tuple[str, ...] = field(default=())
+    ratings: tuple[KeptRating, ...] = ()
+
+    def with_entry(self, text: str, given: datetime) -> "State":
+        """Give the state with one more instruction."""
+        entry = Entry(number=self.next_number, text=text, given=given)
+        return replace(self, entries=(*self.entries, entry), next_number=self.next_number + 1)
+
+    def entry(self, number: int) -> Entry:
+        """Find an instruction by its number.
+
+        Raises
+        ------
+        FuzzytimeError
+            If there is none.
+        """
+        for entry in self.entries:
+            if entry.number == number:
+                return entry
+        known = ", ".join(str(entry.number) for entry in self.entries) or "none yet"
+        raise FuzzytimeError(f"a number must be one of the list ({known}), got {number}")
+
+    def with_changed(self, number: int, **changes: Any) -> "State":  # noqa: ANN401 - the fields of Entry
+        """Give the state with one instruction changed."""
+        self.entry(number)
+        entries = (replace(entry, **changes) if entry.number == number else entry for entry in self.entries)
+        return replace(self, entries=tuple(entries))
+
+    def without(self, number: int) -> "State":
+        """Give the state without one instruction."""
+        dropped = self.entry(number)
+        return replace(self, entries=tuple(entry for entry in self.entries if entry is not dropped))
+
+    def with_rating(self, kept: KeptRating) -> "State":
+        """Give the state with a rating, in the place of an earlier one of the same start."""
+        same = (kept.identifier, kept.start)
+        others = (one for one in self.ratings if (one.identifier, one.start) != same)
+        return replace(self, ratings=(*others, kept))
+
+
+def state_text(state: State) -> str:
+    """Write a state as JSON."""
+    return json.dumps({"schema": SCHEMA, **asdict(state)}, default=instant_text)
+
+
+def instant_text(value: object) -> str:
+    """Write an instant with its zone, as JSON is asked to write what it does not know."""
+    if isinstance(value, datetime):
+        zone = getattr(value.tzinfo, "key", "")
+        return value.isoformat() + (f"[{zone}]" if zone else "")
+    raise TypeError(type(value).__name__)
+
+
+def instant_of(text: str) -> datetime:
+    """Read an instant with its zone."""
+    from fuzzytime.times import parse_instant, parse_zone
+
+    plain, _, zone = text.partition("[")
+    instant = parse_instant(plain)
+    return instant.astimezone(parse_zone(zone.rstrip("]"))) if zone else instant
+
+
+def state_of(text: str) -> State:
+    """Read a state from JSON.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is not one.
+    """
+    try:
+        data = json.loads(text)
+        if data.pop("schema") != SCHEMA:
+            raise FuzzytimeError(f"a session must be of the form {SCHEMA}")
+        entries = tuple(
+            Entry(**{**entry, "given": instant_of(entry["given"])}) for entry in data.pop("entries")
+        )
+        readings = tuple(
+            KeptReading(**{**kept, "at": instant_of(kept["at"])}) for kept in data.pop("readings")
+        )
+        busy = tuple(
+            KeptBusy(instant_of(kept["start"]), instant_of(kept["end"]), str(kept["what"]))
+            for kept in data.pop("busy")
+        )
+        finished = tuple(map(str, data.pop("finished")))
+        ratings = tuple(
+            KeptRating(**{**kept, "start": instant_of(kept["start"])})
+            for kept in data.pop("ratings", ())  # sessions of earlier versions have none
+        )
+        return State(
+            entries=entries, readings=readings, busy=busy, finished=finished, ratings=ratings, **data
+        )
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
+
+
+def started_of(text: str) -> Started:
+    """Read a started skill from JSON."""
+    data = json.loads(text)
+    return Started(**{**data, **{key: instant_of(data[key]) for key in ("start", "end", "done")}})

@@ -1,0 +1,134 @@
+"""The verb that is meant, below "I want to" and "don't forget to", and which moment of it a time is about."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.requirement import Reference
+
+COMPLEMENTS = ("xcomp", "ccomp")
+SUBJECTS = ("nsubj", "nsubjpass")
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """The verb of an instruction in its tree, and what the words around it say."""
+
+    place: int
+    reference: Reference | None
+    negated: bool
+
+
+def is_doubtful(tree: Tree) -> bool:
+    """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
+    root = tree.root
+    if root is None or not tree.nodes[root].is_verb:
+        return True
+    return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
+
+
+def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
+    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start"."""
+    root = tree.root
+    if root is None:
+        return None
+    if not tree.nodes[root].is_verb:
+        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
+        if root is None:
+            return None
+    root = _order_before(tree, root)
+    negated = _is_negated(tree, root)
+    reference: Reference | None = None
+    for _ in range(4):
+        lemma = tree.nodes[root].lemma
+        below = _complement(tree, root, lemma)
+        if below is None:
+            break
+        if lemma in lexicon.forgetting:
+            negated = False
+        elif (
+            lemma in lexicon.wanting
+            or (lemma == "let" and _lets(tree, root))
+            or (lemma == "have" and _has_to(tree, below))
+        ):
+            pass
+        elif (named := lexicon.indicators.get(lemma)) is not None:
+            reference = Reference(named)
+        else:
+            break
+        root = below
+        negated = negated or _is_negated(tree, root)
+    if reference is None:
+        reference = reference_of(tree, root, lexicon)
+    return Action(root, reference, negated)
+
+
+def _order_before(tree: Tree, root: int) -> int:
+    """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
+    for place in tree.children(root, "csubj", "aux"):
+        node = tree.nodes[place]
+        bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
+        if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
+            return place
+    return root
+
+
+def _is_order(tree: Tree, place: int) -> bool:
+    node = tree.nodes[place]
+    return (
+        node.tag in {"VB", "VBP"}
+        and node.relation not in {"relcl", "acl", "advcl"}
+        and not tree.children(place, *SUBJECTS)
+    )
+
+
+def _complement(tree: Tree, place: int, lemma: str) -> int | None:
+    """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
+    for below in tree.children(place, *COMPLEMENTS):
+        node = tree.nodes[below]
+        if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
+            return below
+        if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
+            return below
+    return None
+
+
+def _lets(tree: Tree, place: int) -> bool:
+    """Whether it is "let us" or "lets", not "let me know"."""
+    following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _has_to(tree: Tree, below: int) -> bool:
+    """Whether it is "have to do", not "have it done"."""
+    marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
+    return "to" in marks and not tree.children(below, *SUBJECTS)
+
+
+def _is_negated(tree: Tree, place: int) -> bool:
+    return any(
+        tree.nodes[p].lower in {"not", "n't", "n’t", "never"} for p in tree.children(place, "neg", "advmod")
+    )
+
+
+def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
+    lemma = tree.nodes[place].lemma
+    named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
+    if named is not None:
+        return Reference(named)
+    if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
+        return Reference.FINISH
+    if lemma in lexicon.causing and any(
+        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
+    ):
+        return Reference.FINISH
+    return None
+
+
+def _results(tree: Tree, place: int) -> Iterator[int]:
+    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
+    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
+        yield below
+        yield from _results(tree, below)
