@@ -125,8 +125,14 @@ def readable(reply: Answer) -> list[str]:
 
 
 def _name(operation: Answer) -> str:
-    parts = {name: operation.get(name) for name in ("verb", "object", "place", "particle")}
-    return Operation(lemma=operation["verb"], span=tuple(operation["span"]), **parts).name
+    return Operation(
+        verb=operation["verb"],
+        lemma=operation["verb"],
+        span=operation["span"],
+        object=operation["object"],
+        place=operation["place"],
+        particle=operation.get("particle"),
+    ).name
 
 
 def _bounds(requirement: Answer) -> str:
