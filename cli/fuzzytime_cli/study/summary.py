@@ -101,7 +101,8 @@ def _groups(found: Analysis) -> Iterator[str]:
         )
         low, high = scale.interval
         yield f"    control question: modes {modes}; Mann-Whitney U = {scale.u:g},"
-        yield f"    p = {scale.p_value:.3f}, Cliff's delta {scale.delta:+.2f} (95 %: {low:+.2f} to {high:+.2f})"
+        interval = f"{low:+.2f} to {high:+.2f}"
+        yield f"    p = {scale.p_value:.3f}, Cliff's delta {scale.delta:+.2f} (95 %: {interval})"
         if scale.few:
             yield "    caution: with fewer than 20 answers in a group only large differences show"
 
