@@ -100,8 +100,13 @@ def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int,
 
 
 def _pinned(span: Interval, start: float) -> Interval:
-    """Keep a start where it is, if it could move next to nothing."""
-    return Interval(start, start) if start in span and span.length < FLAT else span
+    """Keep a start where it is, if it could move next to nothing; take back what the tolerance added else."""
+    if start not in span:
+        return span
+    if span.length < FLAT:
+        return Interval(start, start)
+    low, high = math.ceil(span.low / NAMED) * NAMED, math.floor(span.high / NAMED) * NAMED
+    return Interval(min(start, round(low, 6)), max(start, round(high, 6)))
 
 
 def _wishing(job: Job, wish: SatisfactionFunction) -> Job:

@@ -3,9 +3,12 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 from fuzzytime.scheduling.auto import Auto
+from fuzzytime.scheduling.clash import clash_of
 from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import Nearness, Objective
 from fuzzytime.scheduling.placement import place_rest
 from fuzzytime.scheduling.problem import problem_of
@@ -56,13 +59,31 @@ def solve(
     >>> schedule.start_times, schedule.satisfactions, str(schedule.certificate.status)
     ((105.0, 135.0), (0.75, 0.75), 'optimal')
     """
-    chosen = Auto() if solver is None else solver
     watch = Stopwatch(limits or Limits())
+    if threshold == 0:
+        quick = _scheduled(task, LocalSearch(), threshold, watch.share(0.3), objectives)
+        if any(quick.rejected):
+            clash = clash_of(task, partial(_is_impossible, task, watch.share(0.5)), watch.share(0.5))
+            if clash:
+                return replace(quick, clash=clash, certificate=_infeasible(quick.certificate))
+    return _scheduled(task, solver or Auto(), threshold, watch, objectives)
+
+
+def _is_impossible(task: FuzzyTask, watch: Stopwatch, members: tuple[int, ...]) -> bool:
+    """Tell whether it is proved that some skills cannot all be satisfied."""
+    schedule = _scheduled(task.select(members), Auto(), 0.0, watch, ())
+    return schedule.certificate.status is Status.INFEASIBLE
+
+
+def _scheduled(
+    task: FuzzyTask, solver: Solver, threshold: float, watch: Stopwatch, objectives: Sequence[Objective]
+) -> Schedule:
+    """Solve group by group, go by what counts among equals, and place the rest."""
     problem = problem_of(task, threshold)
     lower = math.fsum(job.rejection for job in problem.apart)
     draft = nothing(problem)
     for members in problem.groups():
-        found = chosen.search(problem.select(members), watch)
+        found = solver.search(problem.select(members), watch)
         lower += found.lower_cost
         draft.starts[members], draft.agents[members] = found.starts, found.agents
     draft = rearranged(problem, task.skills, draft, objectives, watch)
@@ -70,7 +91,7 @@ def solve(
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
         starts[job.position], agents[job.position] = start, agent
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
-    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, chosen.name, watch.seconds)
+    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, solver.name, watch.seconds)
     schedule = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
     return replace(schedule, certificate=_certificate(schedule, lower, open_end))
 
@@ -83,7 +104,7 @@ def _certificate(schedule: Schedule, lower: float, plain: Certificate) -> Certif
     if schedule.threshold == 0 and any(schedule.rejected):
         # Every schedule without a rejection costs at most this, so that a bound above it leaves none.
         if lower > worst:
-            return replace(plain, status=Status.INFEASIBLE, lower_cost=math.inf, gap=0.0)
+            return _infeasible(plain)
         return replace(plain, status=Status.BOUNDED, lower_cost=lower)
     cost = schedule.weighted_cost
     weight = math.fsum(skill.priority for skill in schedule.task.skills)
@@ -92,3 +113,8 @@ def _certificate(schedule: Schedule, lower: float, plain: Certificate) -> Certif
     return replace(
         plain, status=Status.OPTIMAL if gap <= OPTIMAL_GAP else Status.BOUNDED, lower_cost=lower, gap=gap
     )
+
+
+def _infeasible(plain: Certificate) -> Certificate:
+    """Say that the strict product of every schedule is 0."""
+    return replace(plain, status=Status.INFEASIBLE, lower_cost=math.inf, gap=0.0)
