@@ -106,7 +106,7 @@ def test_only_skills_that_are_there_can_be_dropped() -> None:
         replan(solve(FuzzyTask((SOUP,))), 0, dropped=[3])
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(st.integers(0, 100_000), st.floats(0, 150))
 def test_a_later_plan_is_valid_and_no_worse_for_what_is_left(seed: int, now: float) -> None:
     before = solve(random_task(seed))
@@ -120,7 +120,7 @@ def test_a_later_plan_is_valid_and_no_worse_for_what_is_left(seed: int, now: flo
         assert later.schedule.weighted_cost <= math.fsum(kept) + 1e-3
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(st.integers(0, 100_000))
 def test_a_hint_is_never_made_worse(seed: int) -> None:
     task = random_task(seed)
