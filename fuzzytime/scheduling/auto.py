@@ -1,13 +1,15 @@
 """The solver that picks: exact where it can be, else a sound heuristic."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from fuzzytime.scheduling import exact, small
+from fuzzytime.scheduling import small
+from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.solver import Draft
 
 EXACT_JOBS = 12
@@ -22,9 +24,15 @@ class Auto:
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Solve by the best method for the problem."""
-        quick = LocalSearch().search(problem, watch.share(0.3), warm)
-        if len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory):
-            return small.HeldKarp().search(problem, watch, quick)
-        if not exact.why_not(problem):
-            return exact.Labels().search(problem, watch, quick)
-        return Milp().search(problem, watch, quick)
+        best = replace(LocalSearch().search(problem, watch.share(0.3), warm), method=LocalSearch.name)
+        few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
+        if few:
+            best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
+        elif problem.agents == 1:
+            best = replace(Labels().search(problem, watch, best), method=Labels.name)
+        # Both relax what binds jobs otherwise than by their order.
+        is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
+        if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
+            other = Milp().search(problem, watch, best)
+            best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
+        return best

@@ -1,9 +1,9 @@
-"""The exact method for one agent and many skills: a Lagrangian bound, then labels where the bound leaves room.
+"""The exact method for one agent and many skills: a Lagrangian bound, and labels where it leaves room.
 
-On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses.
-A label program below a threshold just above the bound then either finds the best schedule of the grid, or
-proves that none is below, and the threshold rises. Where that takes too much room, labels in beams look for a better
-schedule, so that more starts can be deleted. The grid's costs lie below those in continuous time
+On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses. A
+label program below a threshold just above the bound then either finds the best schedule of the grid, or
+proves that none is below, and the threshold rises. Where that takes too much room, labels in beams look for
+a better schedule, so that more starts can be deleted. The grid's costs lie below those in continuous time
 (`fuzzytime.scheduling.grid`), so all its bounds hold there; the next grid is finer, until the gap closes.
 """
 
@@ -49,7 +49,10 @@ BEAM = 50
 
 @dataclass(frozen=True, slots=True)
 class Labels:
-    """Exact for one agent and many skills, as far as time and memory go; always with a bound."""
+    """Exact for one agent and many skills, as far as time and memory go; always with a bound.
+
+    Of lags it knows only which skill comes first: the rest is relaxed for the bound.
+    """
 
     name: ClassVar[str] = "labels"
 
@@ -59,11 +62,10 @@ class Labels:
         Raises
         ------
         RefusedError
-            If there are several agents, or lags that an order does not keep.
+            If there are several agents.
         """
-        fault = why_not(problem)
-        if fault:
-            raise RefusedError(f"the label program {fault}")
+        if problem.agents > 1:
+            raise RefusedError(f"the label program schedules one agent, got {problem.agents}")
         best = warm or LocalSearch().search(problem, watch.share(0.3))
         step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.rejection for job in problem.jobs)
         relaxation = Relaxation(problem, grid_of(problem, step), best.cost)
@@ -78,7 +80,7 @@ class Labels:
             attempt.close()
             best, lower = attempt.best, max(lower, attempt.lower)
             left = relaxation.narrowed(left)
-            if not attempt.solved:
+            if not attempt.solved or not problem.kept_by_order:
                 break
             step /= REFINEMENT
         return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
@@ -102,15 +104,6 @@ def fine_enough(problem: Problem, draft: Draft, step: float, error: float) -> fl
         step /= 2
 
 
-def why_not(problem: Problem) -> str:
-    """Say why the label program cannot solve a problem; nothing where it can."""
-    if len(problem.lanes) > 1 or len(problem.lanes[0].agents) > 1:
-        return f"schedules one agent, got {sum(len(lane.agents) for lane in problem.lanes)}"
-    if not all(problem.kept_by_order(lag) for lag in problem.lags):
-        return "knows no lags"
-    return ""
-
-
 class _Attempt:
     """One grid: the best schedule so far, and what is proved."""
 
@@ -118,10 +111,9 @@ class _Attempt:
         self.problem, self.relaxation, self.watch = problem, relaxation, watch
         self.grid: Grid = relaxation.grid
         self.best, self.lower, self.solved = best, -math.inf, False
-        self.before: list[list[int]] = [[] for _ in problem.jobs]
-        for lag in problem.lags:
-            if self.grid.durations[lag.first] and self.grid.durations[lag.second]:
-                self.before[lag.second].append(lag.first)
+        # Jobs shorter than a slot are no part of the program, and so cannot be waited for.
+        durations = self.grid.durations
+        self.before = [[first for first in firsts if durations[first]] for firsts in problem.before()]
 
     def close(self) -> None:
         """Raise the bound and better the schedule until they meet on this grid, or a limit is met."""

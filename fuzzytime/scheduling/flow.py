@@ -1,12 +1,13 @@
 """A grid as a mixed-integer program: agents flow through time, starts are arcs, idling is an arc too.
 
-At every slot where something starts or ends, as many agents leave as arrive; a lane of m agents sends m units
-through. Each job has at most one start. This is the time-indexed program in network form, whose rows are short
-and whose linear relaxation is the bound of `fuzzytime.scheduling.relaxation`; what it adds are whole numbers,
-and lags: the second job has started by slot s only if the first has by s − low, so with Z(s) the number of
-starts by s
+At every slot where something starts or ends, as many agents leave as arrive; a lane of m agents sends m
+units through. Each job has at most one start. This is the time-indexed program in network form, whose rows
+are short and whose linear relaxation is the bound of `fuzzytime.scheduling.relaxation`; what it adds are
+whole numbers, and lags: the second job has started by slot s only if the first has by s − low, so with Z(s)
+the number of starts by s
 
-    Z_second(s) ≤ Z_first(s − low),     Z_second(end) − Z_second(s − 1) ≤ Z_first(end) − Z_first(s − high − 1).
+    Z_second(s) ≤ Z_first(s − low),
+    Z_second(end) − Z_second(s − 1) ≤ Z_first(end) − Z_first(s − high − 1).
 
 Sousa and Wolsey, A time indexed formulation of non-preemptive single machine scheduling problems, Math.
 Programming 54 (1992) 353-367.
@@ -24,14 +25,13 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.paths import Arcs
 from fuzzytime.scheduling.problem import Lag
 
-
 TOLERANCE = 1e-6
 """What the solver may take for whole, and for equal, relative to the values."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solved:
-    """What a program gave: a bound on the gain of all starts, and the chosen arcs, None where none were found.
+    """What a program gave: a bound on the gain of all starts, and the arcs it chose, None if it found none.
 
     ``best`` says that the chosen arcs are proved the best.
     """
@@ -111,7 +111,7 @@ class Flow:
         )
 
     def _staircase(self, job: int) -> tuple[Ints, int]:
-        """Add Z of a job: give the slots where it may rise, and the variable before the first of its steps."""
+        """Add Z of a job: give the slots where it may rise, and the variable of its value before them."""
         mine = np.flatnonzero(self.arcs.job == job)
         slots, step = np.unique(self.arcs.start[mine], return_inverse=True)
         variables = self._variables(slots.size + 1, 1.0)
@@ -159,7 +159,7 @@ class Flow:
         row, column, value = (np.concatenate(part) for part in zip(*self._entries, strict=True))
         matrix = csr_array((value, (row, column)), shape=(self._count, self._size))
         low, high = (np.concatenate(part) for part in zip(*self._bounds, strict=True))
-        whole = np.zeros(self._size)
+        whole = np.zeros(self._size, np.int64)
         whole[: self.arcs.job.size] = 1
         answer = milp(
             np.append(self.arcs.gain, np.zeros(self._size - self.arcs.job.size)),

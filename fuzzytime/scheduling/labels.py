@@ -1,9 +1,9 @@
 """Labels: a dynamic program over time and the set of jobs done, pruned by a bound on what is to come.
 
 A label (t, S, cost) is a partial schedule that ends by slot t with the jobs S done. S knows a job only
-while its window is open: a job holds one of 64 bits from its first start to its last, or to that of the last
-job that must come after it. When it closes, its price λ is paid if it was not done, the bit is cleared, and labels that
-have become equal are one. With
+while its window is open: a job holds one of 64 bits from its first start to its last, or to that of the
+last job that must come after it. When it closes, its price λ is paid if it was not done, the bit is
+cleared, and labels that have become equal are one. With
 
     cost(label) = base + Σ over done jobs of (c + λ) + Σ over closed jobs not done of λ
 

@@ -1,10 +1,10 @@
 """Prices that make a bound as high as they can: a proximal bundle method.
 
-The bound D is concave in the prices λ, and each evaluation gives a plane above it. The next prices are the best
-by all planes so far, less a penalty stiffness/2·|λ − best|² for going far from the best prices yet. The dual of
-that quadratic program is over weights of the planes, and a few dozen exchanges of weight between two planes
-solve it well enough: the method needs promising prices, not the most promising ones. The stiffness rises when
-evaluations disappoint and falls when they please.
+The bound D is concave in the prices λ, and each evaluation gives a plane above it. The next prices are the
+best by all planes so far, less a penalty stiffness/2·|λ − best|² for going far from the best prices yet.
+The dual of that quadratic program is over weights of the planes, and a few dozen exchanges of weight
+between two planes solve it well enough: the method needs promising prices, not the most promising ones. The
+stiffness rises when evaluations disappoint and falls when they please.
 
 Kiwiel, Proximity control in bundle methods for convex nondifferentiable minimization, Math. Programming 46
 (1990) 105-122.

@@ -5,8 +5,8 @@ With prices λ, an arc of job i from slot t leads to slot t + d_i and costs c_i(
     V[0] = 0,   V[t] = min(V[t − 1],  min over arcs that end at t of V[t − d_i] + c_i(t − d_i) + λ_i).
 
 In a *block*, a stretch of slots no longer than the shortest job that ends in it, everything depends on
-earlier blocks only. So a block is one matrix (job × slot): take, add, minimum over jobs, then a running minimum for
-idling, and no loop over slots is left for the interpreter.
+earlier blocks only. So a block is one matrix (job × slot): take, add, minimum over jobs, then a running
+minimum for idling, and no loop over slots is left for the interpreter.
 """
 
 from collections.abc import Sequence

@@ -121,10 +121,30 @@ class Problem:
         ]
         return Problem(tuple(self.jobs[member] for member in members), self.lanes, tuple(lags))
 
-    def kept_by_order(self, lag: Lag) -> bool:
-        """Tell whether on one agent a lag only says which of two jobs comes first."""
-        behind = -self.jobs[lag.second].duration
-        return behind < lag.low <= self.jobs[lag.first].duration and lag.high == math.inf
+    @property
+    def agents(self) -> int:
+        """How many there are."""
+        return sum(len(lane.agents) for lane in self.lanes)
+
+    @property
+    def kept_by_order(self) -> bool:
+        """Whether lags only say which of two jobs comes first, on one agent."""
+        return not self.lags or (
+            self.agents == 1
+            and all(
+                -self.jobs[lag.second].duration < lag.low <= self.jobs[lag.first].duration
+                and lag.high == math.inf
+                for lag in self.lags
+            )
+        )
+
+    def before(self) -> list[list[int]]:
+        """Give for each job those that lags put before it on one agent; none where there are several."""
+        firsts: list[list[int]] = [[] for _ in self.jobs]
+        for lag in self.lags if self.agents == 1 else ():
+            if lag.low > -self.jobs[lag.second].duration:
+                firsts[lag.second].append(lag.first)
+        return firsts
 
     def groups(self) -> Iterator[list[int]]:
         """Give sets of jobs that cannot meet: their windows do not touch, and no lag joins them."""
@@ -157,7 +177,7 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
         raise FuzzytimeError(f"a threshold must be at least 0 and below 1, got {threshold}")
     floor = threshold or TINY
     lanes = _lanes(task)
-    horizon = _horizon(task, floor)
+    horizon = horizon_of(task, floor)
     leading = {precedence.first for precedence in task.precedences}
     bound = {precedence.second for precedence in task.precedences if precedence.maximum_lag < math.inf}
     # In the strict product any schedule without a rejection beats every one with: none may cost as much.
@@ -203,7 +223,7 @@ def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
     )
 
 
-def _horizon(task: FuzzyTask, floor: float) -> float:
+def horizon_of(task: FuzzyTask, floor: float) -> float:
     """Give a time after which no start is needed.
 
     After the last kink and the last appointment every ψ only falls, so that idle time can be closed by moving

@@ -1,14 +1,18 @@
 """Held–Karp for few jobs: over sets of jobs, with whole vectors of time.
 
-F[S, t] is the least cost of doing exactly the jobs S by slot t on one lane:
+F[S, t] is the least cost of doing exactly the jobs S by slot t on one agent:
 
     F[S, t] = min(F[S, t − 1],  min over i in S of F[S − i, t − d_i] + c_i(t − d_i)).
 
 A set is one row of a table, so that each of the n·2ⁿ⁻¹ transitions is one operation on a vector. Held and
 Karp, A dynamic programming approach to sequencing problems, J. SIAM 10 (1962) 196-210.
+
+Several agents share the jobs out: the least cost of doing exactly S by agents 1 to k is the least, over the
+subsets A of S that agent k does, of that of S − A by the others and of A by agent k. All subsets of all sets
+are 3ⁿ pairs.
 """
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -34,7 +38,10 @@ REFINEMENT = 4
 
 @dataclass(frozen=True, slots=True)
 class HeldKarp:
-    """Exact for one agent and few skills; the grid becomes finer until the gap closes or a limit is met."""
+    """Exact for few skills; the grid becomes finer until the gap closes or a limit is met.
+
+    Of lags it knows only the order of two skills on one agent: others are relaxed for the bound.
+    """
 
     name: ClassVar[str] = "held-karp"
 
@@ -44,27 +51,24 @@ class HeldKarp:
         Raises
         ------
         RefusedError
-            If there are several agents, too many skills for the memory, or lags that an order does not keep.
+            If there are too many skills for the memory.
         """
         fault = why_not(problem, watch.limits.memory)
         if fault:
             raise RefusedError(f"Held-Karp {fault}")
-        before: list[list[int]] = [[] for _ in problem.jobs]
-        for lag in problem.lags:
-            before[lag.second].append(lag.first)
-        best, lower = warm or nothing(problem), -math.inf
+        best, lower = warm or nothing(problem), 0.0
         step = step_for(problem, FIRST_SLOTS)
-        agents = np.full(len(problem.jobs), problem.lanes[0].agents[0], np.int64)
         while True:
             grid = grid_of(problem, step)
-            if table_bytes(grid) > watch.limits.memory:
+            if table_bytes(problem, grid) > watch.limits.memory:
                 break
-            cost, slots = held_karp(grid, before)
+            cost, slots, agents = held_karp(problem, grid)
             lower = max(lower, cost)
             hints = np.where(slots >= 0, grid.times(slots), np.nan)
             draft = settled(problem, hints, agents, 2 * step)
             best = draft if draft.cost <= best.cost + 1e-9 else best
-            if best.cost - lower <= OPTIMAL_GAP * problem.weight or watch.is_over():
+            closed = best.cost - lower <= OPTIMAL_GAP * problem.weight
+            if closed or not problem.kept_by_order or watch.is_over():
                 break
             step /= REFINEMENT
         return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
@@ -73,33 +77,48 @@ class HeldKarp:
 def why_not(problem: Problem, memory: int) -> str:
     """Say why Held–Karp cannot solve a problem; nothing where it can."""
     count = len(problem.jobs)
-    if len(problem.lanes) > 1 or len(problem.lanes[0].agents) > 1:
-        return f"schedules one agent, got {sum(len(lane.agents) for lane in problem.lanes)}"
-    if count > MOST_JOBS or 8 * FIRST_SLOTS << count > memory:
+    if count > MOST_JOBS or 8 * FIRST_SLOTS * len(problem.lanes) << count > memory:
         return f"needs a table of 2^skills rows, got {count} skills"
-    return "" if all(problem.kept_by_order(lag) for lag in problem.lags) else "knows no lags"
+    return ""
 
 
-def table_bytes(grid: Grid) -> int:
-    """Give the memory that the table takes."""
-    return 8 * (grid.slots + 1) << len(grid.durations)
+def table_bytes(problem: Problem, grid: Grid) -> int:
+    """Give the memory that the tables take."""
+    return 8 * (grid.slots + 1) * len(problem.lanes) << len(grid.durations)
 
 
-def held_karp(grid: Grid, before: list[list[int]]) -> tuple[float, Ints]:
-    """Give the least cost of a grid with one lane, and start slots that have it, −1 where rejected.
+def held_karp(problem: Problem, grid: Grid) -> tuple[float, Ints, Ints]:
+    """Give the least cost of a grid, start slots that have it, −1 where rejected, and who does what."""
+    count, before = len(problem.jobs), problem.before()
+    tables = [_table(grid, lane, before) for lane in range(len(problem.lanes))]
+    turns = [(lane, agent) for lane, team in enumerate(problem.lanes) for agent in team.agents]
+    # Of each set the least cost to do exactly that; the first agent's, then the first two agents', and so on.
+    shared = [tables[turns[0][0]][:, -1]]
+    # The first agent does whatever the others leave.
+    shares: list[Ints] = [np.arange(1 << count)]
+    for lane, _ in turns[1:]:
+        cost, share = _shared(shared[-1], tables[lane][:, -1])
+        shared.append(cost)
+        shares.append(share)
+    members = int(shared[-1].argmin())
+    total = float(shared[-1][members] + grid.rejections.sum())
+    slots, agents = np.full(count, -1, np.int64), np.ones(count, np.int64)
+    for (lane, agent), share in zip(reversed(turns), reversed(shares), strict=True):
+        mine = int(share[members])
+        for job, slot in _trace(grid, lane, tables[lane], mine).items():
+            slots[job], agents[job] = slot, agent
+        members ^= mine
+    return total, slots, agents
 
-    Parameters
-    ----------
-    grid
-        Its jobs may be done by one agent, or rejected.
-    before
-        For each job those that must have been done before it.
-    """
+
+def _table(grid: Grid, lane: int, before: Sequence[Sequence[int]]) -> Floats:
+    """Give F for one agent of a lane."""
     count = len(grid.durations)
     needed = [sum(1 << first for first in firsts) for firsts in before]
+    curves = [curves[lane] for curves in grid.curves]
     moves = [
         (curve.first, curve.stop, curve.gains, duration)
-        for (curve,), duration in zip(grid.curves, grid.durations.tolist(), strict=True)
+        for curve, duration in zip(curves, grid.durations.tolist(), strict=True)
     ]
     table = np.full((1 << count, grid.slots + 1), np.inf)
     table[0] = 0.0
@@ -111,19 +130,33 @@ def held_karp(grid: Grid, before: list[list[int]]) -> tuple[float, Ints]:
                 ends = row[first + duration : stop + duration]
                 np.minimum(ends, table[rest, first:stop] + gains, out=ends)
         np.minimum.accumulate(row, out=row)
-    best = int(table[:, -1].argmin())
-    return float(table[best, -1] + grid.rejections.sum()), _trace(grid, table, best)
+    return table
 
 
-def _trace(grid: Grid, table: Floats, members: int) -> Ints:
-    """Walk back along equal costs from the last slot of a set."""
-    starts = np.full(len(grid.durations), -1, np.int64)
+def _shared(others: Floats, mine: Floats) -> tuple[Floats, Ints]:
+    """Share every set out between some agents and one more: the least costs, and what the one more does."""
+    cost, share = others.copy(), np.zeros(others.size, np.int64)
+    subsets = [np.zeros(1, np.int64)]
+    for members in range(1, others.size):
+        # The subsets of a set are those without its highest job, and the same with it.
+        highest = 1 << (members.bit_length() - 1)
+        below = subsets[members ^ highest]
+        subsets.append(np.concatenate([below, below | highest]))
+        total = others[members ^ subsets[members]] + mine[subsets[members]]
+        least = int(total.argmin())
+        cost[members], share[members] = total[least], subsets[members][least]
+    return cost, share
+
+
+def _trace(grid: Grid, lane: int, table: Floats, members: int) -> dict[int, int]:
+    """Walk back along equal costs from the last slot of a set, and give the start slots."""
+    starts: dict[int, int] = {}
     slot = grid.slots
     while members:
         slot = int(np.argmax(table[members] == table[members, slot]))
         # Among equals the last in the task comes last.
-        for job in range(len(starts) - 1, -1, -1):
-            curve, rest, start = grid.curves[job][0], members ^ (1 << job), slot - int(grid.durations[job])
+        for job in range(len(grid.durations) - 1, -1, -1):
+            curve, rest, start = grid.curves[job][lane], members ^ (1 << job), slot - int(grid.durations[job])
             if rest > members or not curve.first <= start < curve.stop:
                 continue
             if table[rest, start] + curve.gains[start - curve.first] == table[members, slot]:

@@ -7,7 +7,7 @@ import pytest
 
 from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
-from fuzzytime.scheduling import HeldKarp, Limits, Status, solve
+from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
 from scheduling.random_tasks import faults, random_task
@@ -125,6 +125,12 @@ def test_a_skill_that_nobody_ever_has_time_for_is_an_error() -> None:
 
 
 def test_held_karp_says_what_it_cannot_do() -> None:
+    skills = tuple(FuzzySkill(str(k), Triangle(0, 50, 100), 10) for k in range(17))
+    with pytest.raises(RefusedError, match="17 skills"):
+        solve(FuzzyTask(skills), solver=HeldKarp())
+
+
+def test_the_label_program_says_what_it_cannot_do() -> None:
     skills = tuple(FuzzySkill(str(k), Triangle(0, 50, 100), 10) for k in range(3))
-    with pytest.raises(RefusedError, match="one agent"):
-        solve(FuzzyTask(skills, agents=2), solver=HeldKarp())
+    with pytest.raises(RefusedError, match="one agent, got 2"):
+        solve(FuzzyTask(skills, agents=2), solver=Labels())
