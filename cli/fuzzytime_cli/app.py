@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from fuzzytime_cli import study
-from fuzzytime_cli.commands import config, doctor, explain, parse, plan, repl, rules
+from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
 from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
@@ -22,6 +22,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command("plan")(plan.plan)
+app.command("batch")(batch.batch)
 app.command("parse")(parse.parse)
 app.command("explain")(explain.explain)
 app.command("repl")(repl.repl)

@@ -28,7 +28,7 @@ def test_a_start_that_was_too_late_moves_the_next_plans_earlier() -> None:
     talk.say(STEAK)
     before = sum(window(talk, "s1"))
     answer = talk.say(":rate 1 2 too late")
-    assert "rated: s1 fry the steak at 09:0" in answer
+    assert "rated: s1 fry the steak at 09:10:00" in answer
     assert ": 2 of 5, too late" in answer
     assert sum(window(talk, "s1")) < before - 10
     talk.say("Wash the apples in ten minutes")
