@@ -11,6 +11,7 @@ from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
+from fuzzytime.scheduling.replan import Move, Replan, replan
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
@@ -33,9 +34,11 @@ __all__ = [
     "Limits",
     "LocalSearch",
     "Milp",
+    "Move",
     "Nearness",
     "Neighbour",
     "Objective",
+    "Replan",
     "Schedule",
     "SimulatedAnnealing",
     "Solver",
@@ -44,5 +47,6 @@ __all__ = [
     "best_alone",
     "elsewhere",
     "explain",
+    "replan",
     "solve",
 ]

@@ -9,6 +9,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
@@ -20,8 +22,8 @@ from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing import Block, round_blocks
 from fuzzytime.skills import FuzzySkill
 
-TOLERANCE = 1e-10
-"""The share of its satisfaction, or of what an objective gave it, that a skill may lose."""
+AT_AN_END = 1e-6
+"""Seconds: a start so near to the end of the starts that are as good is that end, but for rounding."""
 
 FLAT = 1.0
 """Seconds: where a skill may move by less than this, it does not move at all."""
@@ -86,12 +88,12 @@ def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int,
     """Narrow all windows to the starts at which a job costs no more than at its own."""
     jobs = []
     for job, start, agent in zip(problem.jobs, starts.tolist(), agents.tolist(), strict=True):
-        level = float(job.function(start)) * (1 - TOLERANCE)
+        level = float(np.nextafter(float(job.function(start)), -1.0))
         good = above(job.function, level, max(job.latest, start))
         windows = []
         for index, lane in enumerate(job.windows):
             spans = [window.intersection(span) for window in lane for span in good]
-            spans = [_pinned(span, start) for span in spans if not span.empty]
+            spans = [_with(span, start) for span in spans if not span.empty]
             if index == lanes[agent] and not any(start in span for span in spans):
                 spans = sorted([*spans, Interval(start, start)], key=lambda span: span.low)
             windows.append(tuple(spans))
@@ -99,14 +101,11 @@ def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int,
     return replace(problem, jobs=tuple(jobs))
 
 
-def _pinned(span: Interval, start: float) -> Interval:
-    """Keep a start where it is, if it could move next to nothing; take back what the tolerance added else."""
-    if start not in span:
-        return span
-    if span.length < FLAT:
-        return Interval(start, start)
-    low, high = math.ceil(span.low / NAMED) * NAMED, math.floor(span.high / NAMED) * NAMED
-    return Interval(min(start, round(low, 6)), max(start, round(high, 6)))
+def _with(span: Interval, start: float) -> Interval:
+    """Let a span end at a start that is at its end; one without room to speak of is the start alone."""
+    low = start if abs(span.low - start) <= AT_AN_END else span.low
+    high = start if abs(span.high - start) <= AT_AN_END else span.high
+    return Interval(start, start) if low <= start <= high and high - low < FLAT else Interval(low, high)
 
 
 def _wishing(job: Job, wish: SatisfactionFunction) -> Job:
