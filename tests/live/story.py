@@ -25,11 +25,10 @@ from fuzzytime_cli.live.planning import Planning, Solving
 from fuzzytime_cli.live.progress import Ends, Executor, Nobody, Progress, without_limit
 
 SIX = datetime(2026, 3, 4, 18)  # noqa: DTZ001 - the stories are of no zone
-SCHEMA = jsonschema.Draft202012Validator(
-    json.loads((ROOT / "cli" / "fuzzytime_cli" / "schema" / "run-1.json").read_text())
-)
 Kind = TypeVar("Kind", bound=Event)
 Json = dict[str, Any]
+DOCUMENT: Json = json.loads((ROOT / "cli" / "fuzzytime_cli" / "schema" / "run-1.json").read_text())
+SCHEMA = jsonschema.Draft202012Validator(DOCUMENT)
 
 
 @cache
