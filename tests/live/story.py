@@ -11,7 +11,7 @@ import jsonschema
 
 from console import ROOT
 from fuzzytime.context import Context
-from fuzzytime.interpreter import Interpreter, Request, SpokenWish
+from fuzzytime.interpreter import Interpreter, Request, SpokenWish, Wish
 from fuzzytime.scheduling import THRESHOLD, Auto, Limits
 from fuzzytime_cli.live.clock import Clock, SimulatedClock
 from fuzzytime_cli.live.dispatcher import Dispatcher
@@ -112,7 +112,7 @@ def wish(text: str, identifier: str = "", **given: Any) -> SpokenWish:  # noqa: 
 
 
 def told(
-    wishes: Sequence[SpokenWish | str],
+    wishes: Sequence[Wish | str],
     lines: Sequence[Json] = (),
     *,
     context: Context = Context.empty,
