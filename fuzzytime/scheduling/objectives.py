@@ -13,6 +13,9 @@ from fuzzytime.skills import FuzzySkill
 GENTLE = 100.0
 """How many horizons away a wish is worth nothing: so far that a sum of wishes is as good as their product."""
 
+PATIENCE = 10.0
+"""How many seconds later a start that nobody named may be, for a second nearer to one that somebody did."""
+
 
 class Objective(Protocol):
     """Something to want among schedules that satisfy equally: a frozen value."""
@@ -39,14 +42,17 @@ class EarliestStart:
 
 @dataclass(frozen=True, slots=True)
 class Nearness:
-    """The least sum of distances to the starts that were named; where none was, of start times."""
+    """The least sum of distances to the starts that were named, and of start times where none was.
+
+    A second of the latter counts `PATIENCE` times less.
+    """
 
     name: ClassVar[str] = "nearness"
 
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Wish for the preferred start, linearly less away from it."""
         if skill.preferred is None:
-            return EarliestStart().wish(skill, reach)
+            return EarliestStart().wish(skill, PATIENCE * reach)
         return Triangle(skill.preferred - GENTLE * reach, skill.preferred, skill.preferred + GENTLE * reach)
 
 
