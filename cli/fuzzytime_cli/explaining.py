@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from collections.abc import Sequence
 from itertools import groupby
 
 import numpy as np
@@ -215,14 +216,16 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
         line for requirement in interpreted.requirements for line in requirement_lines(requirement, clock)
     ]
     lines += _section("left", left_lines(reading) if reading is not None else [])
-    lines += _section("time", asked or ["no words about time: any time from now on satisfies"])
+    inside = width - len(INDENT)
     lines += _section(
-        "rows and rules", [x for part in interpreted.resolutions for x in resolution_lines(part)]
+        "time", _wrapped(asked, inside) or ["no words about time: any time from now on satisfies"]
     )
+    rows = [line for part in interpreted.resolutions for line in resolution_lines(part)]
+    lines += _section("rows and rules", _wrapped(rows, inside))
     lines += _section("duration", [_duration_line(interpreted)])
     chart = chart_of(interpreted, plan, position)
-    lines += _section("satisfaction", chart_lines(chart, width - len(INDENT), unicode=unicode))
-    lines += _section("why then", _why_lines(plan, position, width - len(INDENT)))
+    lines += _section("satisfaction", chart_lines(chart, inside, unicode=unicode))
+    lines += _section("why then", _wrapped(why_sentences(plan, position), inside))
     return lines
 
 
@@ -234,9 +237,10 @@ def _duration_line(interpreted: Interpreted) -> str:
     return f"busy {busy}{until} ({origin})"
 
 
-def _why_lines(plan: Plan, position: int, width: int) -> list[str]:
-    text = why_sentences(plan, position)
-    return [line for sentence in text for line in textwrap.wrap(sentence, width, subsequent_indent=INDENT)]
+def _wrapped(lines: Sequence[str], width: int) -> list[str]:
+    return [
+        part for line in lines for part in textwrap.wrap(line, max(width, 20), subsequent_indent=INDENT * 2)
+    ]
 
 
 def _section(title: str, lines: list[str]) -> list[str]:
@@ -270,8 +274,8 @@ def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
     for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
         first, *others = occurrences
         for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
-            lines += requirement_lines(requirement, clock)
-            lines += [INDENT + line for line in resolution_lines(resolution)]
+            lines += _wrapped(requirement_lines(requirement, clock), width)
+            lines += [INDENT + line for line in _wrapped(resolution_lines(resolution), width - len(INDENT))]
         lines += chart_lines(chart_of(first, plan), width, unicode=unicode)
         lines += [f"and {len(others)} more occurrences like it"] * bool(others)
     return lines
