@@ -103,7 +103,11 @@ def written_by(command: str, folder: Path, working: Path = ROOT) -> str:
     with mock.patch.dict(os.environ, environment(folder), clear=True):
         os.chdir(working)
         try:
-            with contextlib.redirect_stdout(stream), contextlib.redirect_stderr(stream):
+            with (
+                contextlib.redirect_stdout(stream),
+                contextlib.redirect_stderr(stream),
+                mock.patch.object(sys, "stdin", io.TextIOWrapper(io.BytesIO(), encoding="utf-8")),
+            ):
                 run(words[1:])
         finally:
             os.chdir(here)

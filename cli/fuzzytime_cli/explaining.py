@@ -2,7 +2,7 @@
 
 import math
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Iterable
 from itertools import groupby
 
 import numpy as np
@@ -216,16 +216,15 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
         line for requirement in interpreted.requirements for line in requirement_lines(requirement, clock)
     ]
     lines += _section("left", left_lines(reading) if reading is not None else [])
-    inside = width - len(INDENT)
-    lines += _section(
-        "time", _wrapped(asked, inside) or ["no words about time: any time from now on satisfies"]
-    )
-    rows = [line for part in interpreted.resolutions for line in resolution_lines(part)]
-    lines += _section("rows and rules", _wrapped(rows, inside))
-    lines += _section("duration", [_duration_line(interpreted)])
+    behind = [line for part in interpreted.resolutions for line in resolution_lines(part)]
+    inner = width - len(INDENT)
+    asked = asked or ["no words about time: any time from now on satisfies"]
+    lines += _section("time", _wrapped(asked, inner))
+    lines += _section("rows and rules", _wrapped(behind, inner))
+    lines += _section("duration", _wrapped([_duration_line(interpreted)], inner))
     chart = chart_of(interpreted, plan, position)
-    lines += _section("satisfaction", chart_lines(chart, inside, unicode=unicode))
-    lines += _section("why then", _wrapped(why_sentences(plan, position), inside))
+    lines += _section("satisfaction", chart_lines(chart, inner, unicode=unicode))
+    lines += _section("why then", _wrapped(why_sentences(plan, position), inner))
     return lines
 
 
@@ -237,9 +236,16 @@ def _duration_line(interpreted: Interpreted) -> str:
     return f"busy {busy}{until} ({origin})"
 
 
-def _wrapped(lines: Sequence[str], width: int) -> list[str]:
+def _wrapped(lines: Iterable[str], width: int) -> list[str]:
+    """Break lines that are too long between words; what follows is indented."""
     return [
-        part for line in lines for part in textwrap.wrap(line, max(width, 20), subsequent_indent=INDENT * 2)
+        part
+        for line in lines
+        for part in (
+            [line]
+            if width_of(line) <= width
+            else textwrap.wrap(line, max(width, 20), subsequent_indent=2 * INDENT)
+        )
     ]
 
 
@@ -249,7 +255,6 @@ def _section(title: str, lines: list[str]) -> list[str]:
 
 def reading_lines(reading: Reading, width: int) -> list[str]:
     """Explain a text that gives no skill: its tree, what was found, and what was left."""
-    del width
     clock = Clock(reading.now, with_seconds=False) if reading.now is not None else None
     found = [
         line
@@ -262,7 +267,7 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
     return [
         *_section("tree", tree_lines(reading)),
         *_section("the paper's reading", [strict_line(reading)]),
-        *_section("time", found or ["no words about time"]),
+        *_section("time", _wrapped(found or ["no words about time"], width - len(INDENT))),
         *_section("left", left_lines(reading)),
     ]
 
