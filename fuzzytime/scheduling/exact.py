@@ -21,7 +21,7 @@ from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
@@ -125,7 +125,8 @@ class _Search:
         step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.weight for job in problem.jobs)
         if bytes_for(problem, step) > watch.limits.memory:
             return
-        relaxation = Relaxation(problem, grid_of(problem, step), self.best.cost)
+        grid = grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
         relaxation.improve(self.best.cost, STEPS, enough, watch)
         self.lower, left = relaxation.lower, relaxation.narrowed(problem)
         while self.best.cost - self.lower > goal and not watch.is_over():
