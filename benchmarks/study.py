@@ -10,12 +10,12 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from fuzzytime.satisfaction import SatisfactionFunction, Trapezoid
+from study_truth import truth
+
 from fuzzytime.study import (
     AnswerStore,
     Design,
     Model,
-    StudyInstruction,
     analyse,
     calibrate,
     compare,
@@ -29,17 +29,6 @@ from fuzzytime.study.plots import figures, rendered
 from fuzzytime.study.report import report
 
 RUNS = 5
-
-
-def truth(instruction: StudyInstruction, _group: str) -> SatisfactionFunction:
-    """Give shapes like the paper's."""
-    t = instruction.t_spec
-    w = (112.9 + 0.03406 * t) * (1.5 if instruction.fuzziness else 1.0)
-    if instruction.preposition == "in":
-        return Trapezoid(t - w, t - 0.4 * w, t + 0.4 * w, t + w)
-    if instruction.preposition == "before":
-        return Trapezoid(0.0, 0.0, t, t + 0.1 * w)
-    return Trapezoid(t - 10.09, t, t + 0.2 * w, t + 0.2 * w + 192.3)
 
 
 def timed(name: str, act: Callable[[], object], runs: int = RUNS) -> None:

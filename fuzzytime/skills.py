@@ -1,8 +1,8 @@
 """Skills and tasks: what is to be done (the paper's eqs. 1 and 2), before and after it is scheduled."""
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import SatisfactionFunction
@@ -168,6 +168,17 @@ class FuzzyTask:
                         f"a precedence must name skills 0 to {len(self.skills) - 1}, got {position}"
                     )
         self._refuse_circles()
+
+    def select(self, positions: Sequence[int]) -> "FuzzyTask":
+        """Give the task of some of the skills, in the given order; precedences with others are dropped."""
+        place = {position: index for index, position in enumerate(positions)}
+        precedences = tuple(
+            replace(entry, first=place[entry.first], second=place[entry.second])
+            for entry in self.precedences
+            if entry.first in place and entry.second in place
+        )
+        skills = tuple(self.skills[position] for position in positions)
+        return replace(self, skills=skills, precedences=precedences)
 
     def _refuse_circles(self) -> None:
         followers: dict[int, set[int]] = {}

@@ -1,10 +1,12 @@
 """Every command in the documents, and in the transcripts kept for tests, does what it is shown to do."""
 
+import doctest
+import importlib.util
 from pathlib import Path
 
 import pytest
 
-from console import ROOT, Example, compared, examples_of, fits, written_by
+from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_for
 
 DOCUMENTS = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("tests/transcripts/*.md")])
 EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in examples_of(path)]
@@ -12,9 +14,41 @@ EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in exampl
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=str)
 def test_a_command_writes_what_its_document_shows(example: Example, tmp_path: Path) -> None:
-    written = written_by(example.command, tmp_path)
+    written = written_for(example, tmp_path)
     assert fits(example.expected, written), f"{example}\n{compared(written)}"
 
 
 def test_the_documents_show_commands() -> None:
     assert {example.path.name for example in EXAMPLES} >= {"README.md"}
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in DOCUMENTS if blocks_of(path, "pycon")], ids=lambda p: p.name
+)
+def test_a_session_of_python_goes_as_its_document_shows(path: Path) -> None:
+    text = "\n".join(blocks_of(path, "pycon"))
+    session = doctest.DocTestParser().get_doctest(text, {}, path.name, str(path), 0)
+    runner = doctest.DocTestRunner()
+    runner.run(session)
+    assert runner.tries > 0
+    assert runner.failures == 0
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in DOCUMENTS if blocks_of(path, "python")], ids=lambda path: path.name
+)
+def test_the_python_of_a_document_runs(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for block in blocks_of(path, "python"):
+        exec(compile(block, str(path), "exec"), {})  # noqa: S102 - that is the test
+    assert capsys.readouterr().out
+
+
+def test_the_reference_of_the_json_is_that_of_its_schema() -> None:
+    specification = importlib.util.spec_from_file_location("reference", ROOT / "docs" / "reference.py")
+    assert specification is not None
+    assert specification.loader is not None
+    reference = importlib.util.module_from_spec(specification)
+    specification.loader.exec_module(reference)
+    shown, fresh = reference.PAGE.read_text(encoding="utf-8"), reference.written()
+    assert fresh.split("```")[0] == shown.split("```")[0]
+    assert fresh.split("```")[2] == shown.split("```")[2]

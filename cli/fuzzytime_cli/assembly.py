@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from datetime import datetime, tzinfo
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,6 +29,7 @@ class Assembly:
     settings: Settings
     now: datetime | None
     zone: tzinfo | None
+    begun: datetime | None = None
 
     @classmethod
     def of(cls, moment: Moment, understanding: Understanding, solving: Solving) -> "Assembly":
@@ -53,9 +54,17 @@ class Assembly:
             now = parse_instant(moment.now, zone) if moment.now is not None else None
         return cls(settings, now, zone)
 
+    def beginning(self, moment: datetime) -> "Assembly":
+        """Give the same where the clock stands: what says no now of its own has this one."""
+        return replace(self, begun=moment)
+
     def moment(self) -> datetime:
         """Give the plan's now: as said, or the clock's, to the second."""
-        return self.now or datetime.now(self.zone or local_zone()).replace(microsecond=0)
+        return self.now or self.begun or datetime.now(self.zone or local_zone()).replace(microsecond=0)
+
+    def rule_files(self) -> tuple[Path, ...]:
+        """Give the rule tables that go before the shipped ones: the user's, the project's, ``--rules``."""
+        return (*standing_rules(os.environ), *self.settings.paths("rules"))
 
     def rulebook(self) -> "Rulebook":
         """Load the rule tables: shipped, the user's, the project's, those of ``--rules``.
@@ -67,7 +76,7 @@ class Assembly:
         """
         from fuzzytime.rulebook import Actor, Profile, Rulebook
 
-        files = (*standing_rules(os.environ), *self.settings.paths("rules"))
+        files = self.rule_files()
         actor = self.settings.text("actor")
         with as_config():
             for path in files:
@@ -130,12 +139,17 @@ class Assembly:
         return context
 
     def solver(self, choice: SolverChoice | None = None) -> "Solver":
-        """Give a solver: the one asked for, or that of the settings."""
+        """Give a solver: the one asked for, or that of the settings, with their seed."""
         from fuzzytime import scheduling
 
+        seed = int(self.settings.number("seed"))
         solvers: dict[SolverChoice, Callable[[], Solver]] = {
             SolverChoice.AUTO: scheduling.Auto,
-            SolverChoice.EXACT: scheduling.HeldKarp,
+            SolverChoice.EXACT: scheduling.Auto,
+            SolverChoice.EXHAUSTIVE: scheduling.ExhaustiveSampling,
+            SolverChoice.HILL_CLIMBING: lambda: scheduling.HillClimbing(seed=seed),
+            SolverChoice.ANNEALING: lambda: scheduling.SimulatedAnnealing(seed=seed),
+            SolverChoice.GENETIC: lambda: scheduling.Genetic(seed=seed),
         }
         return solvers[choice or SolverChoice(self.settings.text("solver"))]()
 
@@ -198,9 +212,9 @@ def local_zone() -> tzinfo | None:
 
 def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
     """Give the user's and the project's own rule tables, where they are."""
-    from fuzzytime_cli.settings import user_file
+    from fuzzytime_cli.settings import PROJECT_RULES, user_file
 
-    candidates = (user_file(environment).parent / "rules.yaml", Path("fuzzytime-rules.yaml"))
+    candidates = (user_file(environment).parent / "rules.yaml", Path(PROJECT_RULES))
     return tuple(path for path in candidates if path.is_file())
 
 

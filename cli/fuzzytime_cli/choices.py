@@ -45,3 +45,12 @@ class RunFormat(StrEnum):
 
     TEXT = "text"
     JSONL = "jsonl"
+
+
+class BatchBackend(StrEnum):
+    """Where a batch is worked out, by joblib's names."""
+
+    LOKY = "loky"
+    THREADING = "threading"
+    DASK = "dask"
+    RAY = "ray"

@@ -69,33 +69,50 @@ def report(message: str) -> None:
 
 
 def exit_of(error: BaseException) -> Exit:
-    """Report an error and give its exit code; what is no `FuzzytimeError` is this program's defect."""
-    if isinstance(error, KeyboardInterrupt):
-        return Exit.INTERRUPT
-    if isinstance(error, BrokenPipeError):
-        return Exit.CLOSED_PIPE
+    """Report an error and give its exit code."""
+    if isinstance(error, KeyboardInterrupt | BrokenPipeError):
+        return code_of(error)  # whoever stopped it, or went away, knows
     if isinstance(error, InstructionError):
         report(f"fuzzytime: {error.message}\n{underlined(error.text, error.span)}")
-        return Exit.BAD_DATA
-    if isinstance(error, FuzzytimeError):
-        report(str(error) if isinstance(error, DocumentError) else f"fuzzytime: {error}")
-        return next((code for kind, code in _CODES if isinstance(error, kind)), Exit.BAD_DATA)
-    if isinstance(error, OSError):
-        where = f"{error.filename}: " if error.filename else ""
-        report(f"fuzzytime: {where}{error.strerror or error}")
-        return Exit.IO_ERROR
-    if isinstance(error, MemoryError):
-        report("fuzzytime: out of memory; a smaller task or a shorter horizon needs less")
-        return Exit.FAILURE
-    if os.environ.get("FUZZYTIME_DEBUG"):
+        return code_of(error)
+    if code_of(error) is Exit.FAILURE and os.environ.get("FUZZYTIME_DEBUG"):
         raise error
-    kind = type(error).__name__
-    report(f"fuzzytime: this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where")
-    return Exit.FAILURE
+    placed = isinstance(error, DocumentError)
+    report(message_of(error) if placed else f"fuzzytime: {message_of(error)}")
+    return code_of(error)
 
 
-_CODES: tuple[tuple[type[FuzzytimeError], Exit], ...] = (
+def message_of(error: BaseException) -> str:
+    """Say what an error is; what is no `FuzzytimeError` is this program's defect."""
+    match error:
+        case InstructionError():
+            return error.message
+        case FuzzytimeError():
+            return str(error)
+        case OSError():
+            return (
+                f"{error.filename}: {error.strerror or error}"
+                if error.filename
+                else str(error.strerror or error)
+            )
+        case MemoryError():
+            return "out of memory; a smaller task or a shorter horizon needs less"
+        case _:
+            kind = type(error).__name__
+            return f"this should not happen ({kind}: {error}); FUZZYTIME_DEBUG=1 shows where"
+
+
+def code_of(error: BaseException) -> Exit:
+    """Give the exit code of an error."""
+    return next((code for kind, code in _CODES if isinstance(error, kind)), Exit.FAILURE)
+
+
+_CODES: tuple[tuple[type[BaseException], Exit], ...] = (
+    (KeyboardInterrupt, Exit.INTERRUPT),
+    (BrokenPipeError, Exit.CLOSED_PIPE),
     (NoInputError, Exit.NO_INPUT),
     (ConfigError, Exit.BAD_CONFIG),
     (UsageError, Exit.USAGE),
+    (FuzzytimeError, Exit.BAD_DATA),
+    (OSError, Exit.IO_ERROR),
 )

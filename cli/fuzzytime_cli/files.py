@@ -3,11 +3,12 @@
 import os
 import sys
 import tempfile
+from collections.abc import Iterable
 from pathlib import Path
 
 
-def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
-    """Write a text beside the file, make it durable, then put it in the file's place.
+def replace_file(path: Path, text: str | Iterable[str], mode: int = 0o644) -> None:
+    """Write a text, or its pieces one after the other, beside the file, then put it durably in its place.
 
     Raises
     ------
@@ -15,8 +16,9 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
         If that is not possible; the file is then as it was.
     """
     target = path.resolve() if path.is_symlink() else path
+    pieces = (text,) if isinstance(text, str) else text
     if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
-        target.write_text(text, encoding="utf-8")
+        target.write_text("".join(pieces), encoding="utf-8")
         return
     try:
         descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
@@ -24,7 +26,7 @@ def replace_file(path: Path, text: str, mode: int = 0o644) -> None:
         raise OSError(error.errno, error.strerror, str(path)) from error
     try:
         with open(descriptor, "w", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - a descriptor
-            stream.write(text)
+            stream.writelines(pieces)
             stream.flush()
             os.fsync(stream.fileno())
         umask = os.umask(0)

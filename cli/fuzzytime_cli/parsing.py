@@ -8,8 +8,9 @@ from itertools import islice
 from typing import Any, BinaryIO
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.language import Language, answer
-from fuzzytime.times import parse_instant
+from fuzzytime.language import Language, Operation, answer
+from fuzzytime.times import format_duration, parse_instant
+from fuzzytime_cli.faults import underlined
 
 BATCH = 256
 """Lines read together: the model is faster on many, and memory stays bounded."""
@@ -104,19 +105,40 @@ def _failed(text: str, now: datetime, error: str) -> Answer:
 
 
 def readable(reply: Answer) -> list[str]:
-    """Give an answer as lines for a person."""
+    """Give an answer as lines for a person: what is asked for, when, and what was not understood."""
     lines = [f"{reply['text']}"]
     if reply["error"]:
         return [*lines, f"  error: {reply['error']}"]
-    for operation in reply.get("operations", [reply["operation"]]):
+    operations = reply.get("operations", [reply["operation"]])
+    for position, operation in enumerate(operations):
         if operation is not None:
-            words = " ".join(filter(None, (operation["verb"], operation.get("object"))))
-            lines.append(f"  do    {'not ' if operation.get('negated') else ''}{words}")
-    for requirement in reply["requirements"]:
-        span = " to ".join(requirement[side] or "…" for side in ("earliest", "latest"))
-        if requirement["earliest"] == requirement["latest"]:
-            span = requirement["earliest"] or "no single time"
-        lines.append(f"  time  {requirement['text']!r}: {requirement['constraint']} {span}")
+            lines.append(f"  do    {'not ' if operation.get('negated') else ''}{_name(operation)}")
+        for requirement in reply["requirements"]:
+            if requirement.get("instruction", 0) == position:
+                lines.append(f"  time  {requirement['text']!r}: {_bounds(requirement)}")
     if reply["duration_s"] is not None:
-        lines.append(f"  takes {reply['duration_s']:g} s")
+        lines.append(f"  takes {format_duration(reply['duration_s'])}")
+    for remark in reply.get("remarks", ()):
+        marked = underlined(reply["text"], tuple(remark["span"])).split("\n")
+        lines += [f"  note  {remark['message']}", *(f"    {line}" for line in marked)]
     return lines
+
+
+def _name(operation: Answer) -> str:
+    return Operation(
+        verb=operation["verb"],
+        lemma=operation["verb"],
+        span=operation["span"],
+        object=operation["object"],
+        place=operation["place"],
+        particle=operation.get("particle"),
+    ).name
+
+
+def _bounds(requirement: Answer) -> str:
+    """Say how a time binds: "at …", "before …", "between … and …"."""
+    constraint, low, high = (requirement[name] for name in ("constraint", "earliest", "latest"))
+    if constraint == "between" and low and high:
+        return f"between {low} and {high}"
+    named = low if constraint in {"at", "after", "every"} else high
+    return f"{constraint} {named}" if named else constraint

@@ -12,6 +12,7 @@ from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
 from fuzzytime_cli.faults import ConfigError, as_config
 
 PROJECT_FILE = "fuzzytime.yaml"
+PROJECT_RULES = "fuzzytime-rules.yaml"
 PREFIX = "FUZZYTIME_"
 Value = str | int | float | bool | tuple[str, ...] | None
 

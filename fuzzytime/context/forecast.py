@@ -196,6 +196,8 @@ def _width(signal: Signal, values: Floats) -> float:
 
 
 def _expected_noise(signal: Signal, values: Floats) -> float:
+    if signal.noise is not None:
+        return signal.noise
     return max(_NOISE_SHARE * _width(signal, values), 1e-9)
 
 

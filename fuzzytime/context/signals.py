@@ -65,6 +65,9 @@ class Signal:
         Seconds after its last reading from which it counts as unknown.
     max_gap
         Seconds between two readings beyond which what lies between them is unknown.
+    noise
+        The standard deviation of a reading, in the signal's unit, where it is known; readings add what they
+        show.
     words
         How a sentence names an event: "the timer rings".
     """
@@ -77,6 +80,7 @@ class Signal:
     max_gap: float = math.inf
     event: bool = False
     course: Course = Hold()
+    noise: float | None = None
     words: tuple[str, ...] = ()
 
     def admitted(self, value: float | None, unit: str | None) -> float | None:

@@ -63,7 +63,7 @@ class Maker:
         duration = self._duration(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
-        function = self._joined(wish, own, resolutions)
+        function = self._joined(wish, resolutions)
         reason = next((part.reason for part in resolutions if part.reason), "")
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
@@ -75,7 +75,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
-                preferred=self._preferred(wish, own, resolutions),
+                preferred=self._preferred(wish, resolutions),
             ),
             duration=duration,
             reading=reading,
@@ -97,20 +97,18 @@ class Maker:
             horizon=self.request.horizon or MAX_HORIZON,
         )
 
-    def _joined(
-        self, wish: Wish, requirements: list[TimeRequirement], resolutions: list[Resolution]
-    ) -> SatisfactionFunction:
+    def _joined(self, wish: Wish, resolutions: list[Resolution]) -> SatisfactionFunction:
         """Join ψ of all requirements on the request's timeline: the paper's logical AND.
 
         What the readings tell counts from their now; everything else from when it was said.
         """
         joined: SatisfactionFunction = (
             Rectangle(-math.inf, math.inf)
-            if requirements
+            if resolutions
             else ALWAYS.shifted(seconds_between(self.request.now, wish.given))
         )
-        for requirement, resolution in zip(requirements, resolutions, strict=True):
-            part = resolution.satisfaction.shifted(self._origin(wish, requirement))
+        for resolution in resolutions:
+            part = resolution.satisfaction.shifted(self._origin(wish, resolution))
             joined = (
                 part
                 if joined.model == "trapezoid" and joined.best.high == float("inf")
@@ -118,19 +116,16 @@ class Maker:
             )
         return joined
 
-    def _preferred(
-        self, wish: Wish, requirements: list[TimeRequirement], resolutions: list[Resolution]
-    ) -> float | None:
+    def _preferred(self, wish: Wish, resolutions: list[Resolution]) -> float | None:
         """Give the start that was named, on the request's timeline; None where no moment was."""
-        for requirement, resolution in zip(requirements, resolutions, strict=True):
+        for resolution in resolutions:
             if resolution.named is not None:
-                return self._origin(wish, requirement) + resolution.named
+                return self._origin(wish, resolution) + resolution.named
         return None
 
-    def _origin(self, wish: Wish, requirement: TimeRequirement) -> float:
-        """Give the time that a requirement counts from: the readings' now, or when it was said."""
-        from_readings = requirement.condition is not None or requirement.anchor is not None
-        return 0.0 if from_readings else seconds_between(self.request.now, wish.given)
+    def _origin(self, wish: Wish, resolution: Resolution) -> float:
+        """Give the time that a resolution counts from: the readings' now, or when it was said."""
+        return 0.0 if resolution.from_readings else seconds_between(self.request.now, wish.given)
 
     def _skill(
         self, wish: Wish, name: str, function: SatisfactionFunction, duration: OperationDuration

@@ -11,7 +11,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.meaning.requirements import Grounded, Moment, UngroundedError, grounded
+from fuzzytime.language.meaning.instants import UngroundedError
+from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.requirements import Grounded, grounded
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import TimeRequirement
 

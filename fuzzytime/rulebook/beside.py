@@ -3,15 +3,36 @@
 from dataclasses import replace
 from types import MappingProxyType
 
-from fuzzytime.requirement import Anchor, Condition, Constraint
+from fuzzytime.requirement import Anchor, Condition, Constraint, TimeRequirement
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.clauses import wait_for
 from fuzzytime.rulebook.extension import added
-from fuzzytime.rulebook.lookup import find
+from fuzzytime.rulebook.lookup import UNIT_LENGTHS, find
 from fuzzytime.rulebook.question import Question, Said
 from fuzzytime.rulebook.resolution import Share
-from fuzzytime.rulebook.sentences import event_named, understand
+from fuzzytime.rulebook.sentences import event_at_end, event_named, understand
+from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import NEVER, SatisfactionFunction, Trapezoid
+
+
+def measured_from_event(requirement: TimeRequirement, tables: Tables) -> TimeRequirement:
+    """Give a time of the day that is an event's name as well ("before lunch") as one measured from the event.
+
+    Any other requirement is given as it is.
+    """
+    of_the_day = requirement.condition is None and requirement.anchor is None and requirement.word is None
+    if not of_the_day or event_at_end(requirement.text, tables) is None:
+        return requirement
+    distance = 0.0
+    if requirement.number is not None and requirement.unit is not None:
+        distance = requirement.number * UNIT_LENGTHS[requirement.unit]
+    before = " before " in f" {requirement.text.lower()} "
+    anchor = Anchor(
+        text=requirement.text,
+        lag=-distance if before else distance,
+        exact=distance > 0 or requirement.constraint in (Constraint.AT, Constraint.BETWEEN),
+    )
+    return replace(requirement, t_spec=None, earliest=None, latest=None, grain=None, anchor=anchor)
 
 
 def on_one_side(question: Question, anchor: Anchor) -> Question | None:
@@ -58,7 +79,6 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
         requirement,
         question.tables,
     )
-    time = moment.best
     # The lag was adapted ahead of 0, where its width belongs; "five minutes before" lies behind 0.
     lag = adapted.satisfaction.shifted(min(2 * anchor.lag, 0.0))
     return Said(
@@ -68,7 +88,7 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
         shares=(Share(name=found.row.name, source=found.row.source, share=1.0),),
         hedges=adapted.hedges,
         notes=(*notes, *adapted.notes),
-        named=max(time.low, 0.0) + anchor.lag,
+        named=moment.best.low + anchor.lag,
     )
 
 

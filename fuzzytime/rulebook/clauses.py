@@ -62,7 +62,9 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
     elif comes_true is None:
         reason = why_never(formula, world, traced, horizon, NEVER_BELOW)
     elif model == "when":
-        times, degrees = _prompt(times, _saturated(degrees, _FULL), comes_true, core, fade)
+        # A moment without any leeway is t* itself, and counts in full.
+        share = _FULL if core + fade > 0 else _REACHED
+        times, degrees = _prompt(times, _saturated(degrees, share), comes_true, core, fade)
     else:
         degrees = _saturated(degrees, _REACHED)
     satisfaction = NEVER if reason is not None else Sampled(*thinned(times, degrees))

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement
+from fuzzytime.rulebook.beside import measured_from_event
 from fuzzytime.rulebook.formula import Formula
 from fuzzytime.rulebook.inference import matching, signals_of
 from fuzzytime.rulebook.sentences import understand
@@ -25,7 +26,7 @@ def _formulas(requirement: TimeRequirement, verb: str | None, tables: Tables) ->
         own = understand(requirement.condition, tables).formula
         if own is not None:
             yield own
-    anchor = requirement.anchor
+    anchor = measured_from_event(requirement, tables).anchor
     if anchor is not None and anchor.target is None:
         # A time beside an event or a state is resolved as the clause that names it.
         clause = Condition(text=anchor.text)

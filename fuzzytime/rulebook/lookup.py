@@ -6,7 +6,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.rulebook.tables import Model, Row, Tables
 from fuzzytime.times import DAY, HOUR, MINUTE
 
-GRAIN_LENGTHS = {
+UNIT_LENGTHS = {
     Unit.SECOND: 1.0,
     Unit.MINUTE: MINUTE,
     Unit.HOUR: HOUR,
@@ -88,7 +88,7 @@ def _interval(requirement: TimeRequirement) -> tuple[float, float] | None:
         return low, high
     grain, start = requirement.grain, _time(requirement)
     if requirement.constraint is Constraint.AT and start is not None and grain in _CALENDAR:
-        return start, start + GRAIN_LENGTHS[grain]
+        return start, start + UNIT_LENGTHS[grain]
     return None
 
 

@@ -37,6 +37,11 @@ class Question:
         names = [name for formula in formulas for name in signals_of(formula, self.tables)]
         return World.of(self.context, self.tables, dict.fromkeys(names))
 
+    def known(self, formula: Formula) -> bool:
+        """Tell whether something is known of every signal and event that a formula speaks of."""
+        world = self.world([formula])
+        return all(world.known(name) for name in signals_of(formula, self.tables))
+
     def heard(self, rules: Sequence[Rule]) -> tuple[Heard, ...]:
         """Ask rules what they say now."""
         return hear(rules, self.world([rule.condition for rule in rules if rule.condition is not None]))

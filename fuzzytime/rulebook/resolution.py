@@ -121,6 +121,8 @@ class Resolution:
         What a person should know: an unknown hedge, a rule whose readings are missing.
     trace
         For conditions, what there is to draw.
+    from_readings
+        Whether its times count from the readings' now, and not from when the words were said.
     named
         The start that the words name, where they name one: of equally good times the one that is meant.
     """
@@ -134,4 +136,5 @@ class Resolution:
     notes: tuple[str, ...] = ()
     trace: Trace | None = None
     reference: Reference = Reference.START
+    from_readings: bool = False
     named: float | None = None

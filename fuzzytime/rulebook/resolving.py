@@ -107,8 +107,11 @@ def _clause(question: Question) -> Said:
         if rule.effect.model not in CLAUSE_MODELS or _is_about(rule, condition, question)
     ]
     heard = question.heard(rules)
-    chosen = choose(_base(question, row, row.model), heard)
     notes = (*understood.notes, *notes_on(row.name, heard))
+    if understood.formula is not None and question.known(understood.formula):
+        # What the sentence says can be told; a rule that would say more waits for its readings.
+        heard = tuple(part for part in heard if not part.missing)
+    chosen = choose(_base(question, row, row.model), heard)
     if chosen.model not in CLAUSE_MODELS:
         found = find(replace(requirement, constraint=Constraint.VAGUE, word=chosen.model), tables)
         return _adapted(question, found, chosen, notes)

@@ -8,6 +8,7 @@ from types import MappingProxyType
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Condition, Reference, TimeRequirement
+from fuzzytime.rulebook.beside import measured_from_event
 from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
@@ -16,7 +17,7 @@ from fuzzytime.rulebook.profile import Actor, Profile
 from fuzzytime.rulebook.question import Question
 from fuzzytime.rulebook.resolution import Resolution
 from fuzzytime.rulebook.resolving import answer
-from fuzzytime.rulebook.sentences import understand
+from fuzzytime.rulebook.sentences import event_at_end, understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
@@ -115,6 +116,9 @@ class Rulebook:
             if not 0 <= value < float("inf"):
                 raise FuzzytimeError(f"a {name} must be finite and at least 0, got {value}")
         admitted = context.admitted(self.signals)
+        event = event_at_end(requirement.text, self.tables)
+        if event is not None and admitted.of_signal(event):
+            requirement = measured_from_event(requirement, self.tables)
         said = answer(Question(requirement, verb, admitted, horizon, self.tables, self.actor))
         until_done = duration if elapsed is None else elapsed
         reference = said.reference or requirement.reference
@@ -131,6 +135,7 @@ class Rulebook:
             notes=said.notes,
             trace=said.trace,
             reference=reference,
+            from_readings=requirement.condition is not None or requirement.anchor is not None,
             named=None if said.named is None else said.named - before,
         )
 

@@ -33,9 +33,14 @@ def understand(condition: Condition, tables: Tables) -> Understood:
         return Understood(condition, Happened(event))
     if not condition.negated and _denies(condition.text):
         condition = replace(condition, negated=True)
-    if condition.subject is not None and condition.word is not None:
-        return _by_parts(condition, condition.subject, condition.word, tables)
-    return _by_text(condition, tables)
+    if condition.subject is None or condition.word is None:
+        return _by_text(condition, tables)
+    if not _within(_plain(condition.subject), _plain(condition.text)):
+        # The subject was put for a pronoun, and "it rains" speaks of nothing that was named before.
+        impersonal = _by_text(condition, tables)
+        if impersonal.formula is not None:
+            return impersonal
+    return _by_parts(condition, condition.subject, condition.word, tables)
 
 
 def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> Understood:
@@ -44,6 +49,19 @@ def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> 
         for term in variable.terms.values():
             if _plain(word) in _ways_to_say(term):
                 return _atom(condition, variable, term, tables)
+    # Words of which the last alone says nothing: "al dente", "cooled down".
+    text = _plain(condition.text)
+    whole = [
+        (way, variable, term)
+        for variable in named
+        for term in variable.terms.values()
+        for way in _ways_to_say(term)
+        if _plain(word) in way.split() and _within(way, text)
+    ]
+    if whole:
+        way, variable, term = max(whole, key=lambda row: len(row[0]))
+        hedges = tuple(hedge for hedge in condition.hedges if hedge.lower() not in way.split())
+        return _atom(replace(condition, hedges=hedges), variable, term, tables)
     if named:
         terms = dict.fromkeys(term for variable in named for term in variable.terms)
         return Understood(condition, None, f"{subject!r} has no term {word!r} (known: {', '.join(terms)})")
@@ -88,6 +106,15 @@ def event_named(text: str, tables: Tables) -> str | None:
         if _within(word, plain)
     ]
     return max(found)[1] if found else None
+
+
+def event_at_end(text: str, tables: Tables) -> str | None:
+    """Find the event whose name a text ends with: "half an hour before lunch"."""
+    event, plain = event_named(text, tables), _plain(text)
+    if event is None:
+        return None
+    ways = map(_plain, tables.signals[event].words)
+    return event if any(plain == way or plain.endswith(f" {way}") for way in ways) else None
 
 
 def names(variable: Variable, subject: str) -> bool:

@@ -125,18 +125,13 @@ def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTa
         then = Rectangle(specific[position].start, specific[position].start)
         agent = specific[position].agent
         skills.append(replace(task.skills[position], satisfaction=then, priority=firm, agent=agent))
-    place = {position: index for index, position in enumerate([*members, *pinned])}
-    precedences = tuple(
-        replace(entry, first=place[entry.first], second=place[entry.second])
-        for entry in task.precedences
-        if entry.first in place and entry.second in place
-    )
     busy = [
         Busy(specific[position].start, specific[position].end, agent=specific[position].agent)
-        for position in range(len(specific))
-        if position not in place and not schedule.rejected[position]
+        for position in sorted(set(range(len(specific))) - {*members, *pinned})
+        if not schedule.rejected[position]
     ]
-    return FuzzyTask(tuple(skills), task.agents, precedences, (*task.busy, *busy))
+    part = task.select([*members, *pinned])
+    return replace(part, skills=tuple(skills), busy=(*task.busy, *busy))
 
 
 def _bound_to(task: FuzzyTask, members: Iterable[int]) -> set[int]:

@@ -177,7 +177,7 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
         raise FuzzytimeError(f"a threshold must be at least 0 and below 1, got {threshold}")
     floor = threshold or TINY
     lanes = _lanes(task)
-    horizon = _horizon(task, floor)
+    horizon = horizon_of(task, floor)
     leading = {precedence.first for precedence in task.precedences}
     bound = {precedence.second for precedence in task.precedences if precedence.maximum_lag < math.inf}
     # In the strict product any schedule without a rejection beats every one with: none may cost as much.
@@ -223,7 +223,7 @@ def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
     )
 
 
-def _horizon(task: FuzzyTask, floor: float) -> float:
+def horizon_of(task: FuzzyTask, floor: float) -> float:
     """Give a time after which no start is needed.
 
     After the last kink, or the best time where there is one peak only, and the last appointment every ψ only

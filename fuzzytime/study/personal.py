@@ -2,8 +2,8 @@
 
 A person is described by how wide they take all times (a factor of w), and how they hear times: as a factor of
 t for each preposition ("in ten minutes" is meant as nine) and for each word ("soon"). Each has the
-population's value as its prior, so that few ratings move little: their posterior mean, over a grid, is what the
-person's table says.
+population's value as its prior, so that few ratings move little: their posterior mean, over a grid, is what
+the person's table says.
 """
 
 import json
@@ -60,8 +60,9 @@ class PersonalTable:
             name = json.dumps(cue.text, ensure_ascii=False)
             # A clock time is heard as it is said: only spoken durations have these units.
             units = ", unit: [second, minute, hour]" if cue.kind is CueKind.PREPOSITION else ""
+            title = json.dumps(f"personal time of the {cue.kind} {cue.text!r}", ensure_ascii=False)
             lines += [
-                f"  - name: {json.dumps(f'personal time of the {cue.kind} {cue.text!r}', ensure_ascii=False)}",
+                f"  - name: {title}",
                 f"    on: {{{cue.kind}: {name}{units}}}",
                 f"    then: {{scale: {{t: {factor:.4g}}}}}",
                 f"    source: {json.dumps(f'personal: {_counted(self.ratings[cue])}')}",

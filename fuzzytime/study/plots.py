@@ -4,7 +4,7 @@ Only matplotlib's objects are used, never pyplot, so that nothing global changes
 """
 
 import io
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -12,9 +12,10 @@ import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Floats
-from fuzzytime.study.analysis import Analysis, Described
+from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.characteristics import histogram
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Model
 from fuzzytime.times import MINUTE
 
@@ -30,6 +31,9 @@ TIME_BINS = 100
 
 COLUMNS = 3
 """Panels beside each other where every instruction has one."""
+
+NOTED = 1.28
+"""Upper end of the axis of satisfaction in panels with a note above the curves."""
 
 _GREEN, _RED, _VIOLET, _GREY = "#2e7d4f", "#c0272d", "#6a4c93", "#5f6368"
 _GROUPS = ("#1f77b4", "#e07b00", "#2e7d4f", "#6a4c93")
@@ -106,8 +110,8 @@ def _grid(analysis: Analysis, draw: Callable[["Axes", Analysis, Described], None
     axes: list[Axes] = []
     for position, entry in enumerate(entries):
         panel = figure.add_subplot(rows, COLUMNS, position + 1)
+        _frame(panel, entry, _short(entry.instruction.text))
         draw(panel, analysis, entry)
-        _frame(panel, entry, f"{_short(entry.instruction.text)}")
         if position % COLUMNS:
             panel.set_yticklabels([])
         else:
@@ -129,7 +133,7 @@ def _fit_panel(axes: "Axes", analysis: Analysis, entry: Described) -> None:
             fitted = entry.fits[model].function(times)
             axes.plot(times / MINUTE, fitted, style, color=colour, lw=1.0, label=model.value)
     shown = [model for model in (Model.TRAPEZOID, Model.BELL) if model in entry.fits]
-    _note(axes, entry, [f"{model.value} {entry.fits[model].sse:.3f}" for model in shown])
+    _note(axes, "SSE: " + ", ".join(f"{model.value} {entry.fits[model].sse:.3f}" for model in shown))
 
 
 def _group_panel(axes: "Axes", analysis: Analysis, entry: Described) -> None:
@@ -141,8 +145,8 @@ def _group_panel(axes: "Axes", analysis: Analysis, entry: Described) -> None:
         low, high = found.lower_quartile[shown], found.upper_quartile[shown]
         axes.fill_between(minutes, low, high, color=colour, alpha=0.18, lw=0)
         axes.plot(minutes, found.median[shown], color=colour, label=f"{group}: median and quartiles")
-        notes.append(f"σ² {group} {own.variance / SQUARE_MINUTE:.3g}")
-    _note(axes, entry, notes)
+        notes.append(f"{group} {own.variance / SQUARE_MINUTE:.3g}")
+    _note(axes, "variance [min²]: " + ", ".join(notes))
 
 
 def _start_times(analysis: Analysis) -> "Figure":
@@ -226,13 +230,10 @@ def _distribution(axes: "Axes", entry: Described, colour: str) -> None:
     axes.plot(minutes, found.median[shown], color=colour, lw=2.4, alpha=0.75, label="median")
 
 
-def _note(axes: "Axes", entry: Described, lines: Sequence[str]) -> None:
-    """Write figures where the curve leaves room: above its end, or below its plateau where that is late."""
-    low, high = _window(entry)
-    late = entry.median[entry.subjective.times / MINUTE > low + 0.75 * (high - low)]
-    over = bool(late.size and late.max() > 0.5)
-    x, y, across, up = (0.03, 0.06, "left", "bottom") if over else (0.99, 0.97, "right", "top")
-    axes.text(x, y, "\n".join(lines), transform=axes.transAxes, ha=across, va=up, fontsize=7, color=_GREY)
+def _note(axes: "Axes", text: str) -> None:
+    """Write figures in a strip above the curves."""
+    axes.set_ylim(top=NOTED)
+    axes.text(0.995, 0.985, text, transform=axes.transAxes, ha="right", va="top", fontsize=7, color=_GREY)
 
 
 def _window(entry: Described) -> tuple[float, float]:
@@ -259,7 +260,8 @@ def _frame(axes: "Axes", entry: Described, title: str) -> None:
     axes.set_xlim(*_window(entry))
     axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
     axes.set_ylim(-0.03, 1.05)
-    axes.axvline(entry.instruction.t_spec / MINUTE, color=_GREY, lw=0.7, ls=(0, (2, 3)))
+    axes.set_yticks([0.0, 0.5, 1.0])
+    axes.vlines(entry.instruction.t_spec / MINUTE, -0.03, 1.05, color=_GREY, lw=0.7, ls=(0, (2, 3)))
     axes.set_title(title, loc="left")
 
 

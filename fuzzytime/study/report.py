@@ -1,62 +1,19 @@
 """An analysis as one HTML file that needs nothing else: tables, figures, methods."""
 
-import base64
 import html
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from fuzzytime.satisfaction import Trapezoid
-from fuzzytime.study.analysis import Analysis, Described
+from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.assets import asset
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Model
+from fuzzytime.study.report_page import Page, between, number
 from fuzzytime.times import MINUTE, format_duration
-
-
-@dataclass(slots=True)
-class _Page:
-    """The parts written so far, and how many tables and figures are among them."""
-
-    parts: list[str] = field(default_factory=list)
-    tables: int = 0
-    figures: int = 0
-
-    def heading(self, text: str, level: int = 2) -> None:
-        self.parts.append(f"<h{level}>{html.escape(text)}</h{level}>")
-
-    def paragraph(self, text: str, kind: str = "") -> None:
-        self.parts.append(f"<p{f' class={kind}' if kind else ''}>{html.escape(text)}</p>")
-
-    def table(self, caption: str, head: Sequence[str], rows: Iterable[Sequence[str]]) -> None:
-        """Add a table; a cell that is a number stands on the right."""
-        self.tables += 1
-        listed = list(rows)
-        numeric = [all(_is_number(cell) for cell in column) for column in zip(*listed, strict=True)]
-        columns = zip(head, numeric or [False] * len(head), strict=True)
-        cells = "".join(
-            f"<th scope=col{' class=n' * number}>{html.escape(cell)}</th>" for cell, number in columns
-        )
-        body = "".join(f"<tr>{''.join(map(_cell, row))}</tr>" for row in listed)
-        self.parts.append(
-            "<figure class=table><table>"
-            f"<caption><b>Table {self.tables}.</b> {html.escape(caption)}</caption>"
-            f"<thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></figure>"
-        )
-
-    def figure(self, name: str, caption: str, pictures: Mapping[str, bytes]) -> None:
-        """Add a picture, where there is one of that name."""
-        if name not in pictures:
-            return
-        self.figures += 1
-        data = base64.b64encode(pictures[name]).decode("ascii")
-        label = f"<b>Figure {self.figures}.</b> {html.escape(caption)}"
-        self.parts.append(
-            f'<figure><img alt="{html.escape(caption)}" src="data:image/svg+xml;base64,{data}">'
-            f"<figcaption>{label}</figcaption></figure>"
-        )
 
 
 def report(analysis: Analysis, pictures: Mapping[str, bytes]) -> str:
@@ -70,7 +27,7 @@ def report(analysis: Analysis, pictures: Mapping[str, bytes]) -> str:
         SVG by the names of `fuzzytime.study.plots.figures`; those that are missing are left out.
     """
     design = analysis.answers.design
-    page = _Page()
+    page = Page()
     page.heading(f"{design.title} – analysis", 1)
     page.paragraph(design.source)
     _participants(page, analysis)
@@ -85,16 +42,16 @@ def report(analysis: Analysis, pictures: Mapping[str, bytes]) -> str:
     return (
         f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<style>{asset('report.css')}</style></head><body><main>{''.join(page.parts)}</main></body></html>\n"
+        f"<style>{asset('report.css')}</style></head><body><main>{page.html}</main></body></html>\n"
     )
 
 
-def _participants(page: _Page, analysis: Analysis) -> None:
+def _participants(page: Page, analysis: Analysis) -> None:
     answers = analysis.answers
     page.heading("Participants")
     groups = ", ".join(f"{len(answers.members(group))} {group}" for group in answers.design.groups)
     page.paragraph(
-        f"{len(answers.counted)} participants count ({groups}); {len(answers.set_aside)} are set aside."
+        f"{len(answers.counted)} participants count ({groups}), {len(answers.set_aside)} set aside."
     )
     if answers.set_aside:
         page.table("Participants set aside.", ("participant", "reason"), map(_pair, answers.set_aside))
@@ -121,35 +78,29 @@ def _summary(answers: Sequence[str]) -> str:
     return ", ".join(f"{text} {count} ({count / len(answers):.1%})" for text, count in counts)
 
 
-def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
     page.heading("F1: which continuous functions model the instructions")
     page.table(
         "Prediction errors (sum of squared residuals over the samples) of fits to the medians, smallest to "
         "largest over a preposition's instructions.",
+        ("function", *analysis.models),
         (
-            "preposition",
-            *(model.value for model in Model),
-            "trapezoid better than bell",
-            "plateau encloses time",
-        ),
-        (
-            (
-                found.preposition,
-                *(f"{low:.3f}–{high:.3f}" for low, high in (found.errors[model] for model in Model)),
-                f"{found.best[0]} of {found.best[1]}",
-                f"{found.encloses} of {found.best[1]}",
-            )
-            for found in analysis.models.values()
+            (model.value, *(between(*found.errors[model], 3) for found in analysis.models.values()))
+            for model in Model
         ),
     )
     page.table(
-        "Flanks of the fitted trapezoids: mean absolute gradients per minute, and where the plateau starts.",
-        ("preposition", "left", "right", "start of plateau − specified time"),
+        "The fitted trapezoids: in how many instructions their error is below the bell's and their plateau "
+        "encloses the time said, mean absolute gradients of their flanks per minute, and where the plateau "
+        "starts.",
+        ("preposition", "below bell", "encloses", "left", "right", "start of plateau − time said"),
         (
             (
                 found.preposition,
-                _figure(found.left * MINUTE, 3),
-                _figure(found.right * MINUTE, 3),
+                f"{found.best[0]} of {found.best[1]}",
+                f"{found.encloses} of {found.best[1]}",
+                number(found.left * MINUTE, 3),
+                number(found.right * MINUTE, 3),
                 _range_of_times(found.left_edges),
             )
             for found in analysis.models.values()
@@ -157,7 +108,8 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
     )
     page.figure(
         "fits",
-        "Medians with their distribution, and trapezoid and bell fitted to them; prediction errors in grey.",
+        "Medians with their distribution, and trapezoid and bell fitted to them; prediction errors in grey, "
+        "the time said dotted.",
         pictures,
     )
     page.table(
@@ -172,7 +124,7 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
             (
                 (
                     analysis.overall[key].instruction.text,
-                    *(f"{low / MINUTE:.2f}–{high / MINUTE:.2f}" for low, high in intervals),
+                    *(between(low / MINUTE, high / MINUTE, 2) for low, high in intervals),
                 )
                 for key, intervals in analysis.intervals.items()
             ),
@@ -187,18 +139,18 @@ def _models(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
 def _trapezoid_row(entry: Described) -> tuple[str, ...]:
     fit = entry.fits[Model.TRAPEZOID]
     corners = fit.function.corners if isinstance(fit.function, Trapezoid) else ()
-    shown = (f"{corner / MINUTE:.2f}" for corner in corners)
+    shown = (number(corner / MINUTE, 2) for corner in corners)
     return entry.instruction.text, *shown, f"{fit.sse:.3f}", f"{fit.rmse:.4f}", f"{fit.r_squared:.4f}"
 
 
 def _bell_row(entry: Described) -> tuple[str, ...]:
     fit = entry.fits[Model.BELL]
     centre, width, slope = (fit.parameters[name] for name in ("centre", "width", "slope"))
-    shown = f"{centre / MINUTE:.2f}", f"{width / MINUTE:.2f}", f"{slope:.2f}"
+    shown = number(centre / MINUTE, 2), number(width / MINUTE, 2), number(slope, 2)
     return entry.instruction.text, *shown, f"{fit.sse:.3f}", f"{fit.rmse:.4f}", f"{fit.r_squared:.4f}"
 
 
-def _groups(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
     if analysis.compared is None:
         return
     first, second = analysis.compared
@@ -206,11 +158,11 @@ def _groups(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
     found = analysis.comparison
     if found is not None:
         smaller = int((found.differences < 0).sum())
+        mean = number(found.mean_difference / SQUARE_MINUTE, 3)
         page.paragraph(
             f"The variance of the median is smaller for {first} in {smaller} of {found.differences.size} "
-            f"instructions; the mean difference {first} − {second} is "
-            f"{found.mean_difference / SQUARE_MINUTE:.3f} min² (permutation test over all instructions: "
-            f"p = {found.p_value:.3f})."
+            f"instructions; the mean difference {first} − {second} is {mean} min² (permutation test over all "
+            f"instructions: p = {found.p_value:.3f})."
         )
         page.table(
             f"Variances of the groups' medians as densities, in min²; p-values of {found.p_values.size} "
@@ -219,7 +171,7 @@ def _groups(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
             (
                 (
                     entry.instruction.text,
-                    *(f"{value / SQUARE_MINUTE:.3f}" for value in row[:3]),
+                    *(number(value / SQUARE_MINUTE, 3) for value in row[:3]),
                     f"{row[3]:.3f}",
                 )
                 for entry, *row in zip(
@@ -232,15 +184,19 @@ def _groups(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
                 )
             ),
         )
-    page.figure("groups", "Medians and quartiles of the groups; variances of the medians in grey.", pictures)
+    page.figure(
+        "groups",
+        "Medians and quartiles of the groups; variances of the medians in grey, the time said dotted.",
+        pictures,
+    )
     scale = analysis.scale
     if scale is not None:
         modes = (", ".join(map(str, mode)) for mode in (scale.first_mode, scale.second_mode))
         low, high = scale.interval
         page.paragraph(
             f"Control question: modes {first} {next(modes)}, {second} {next(modes)}; "
-            f"Mann-Whitney U = {scale.u:g}, p = {scale.p_value:.3f}; Cliff's delta {scale.delta:.2f} "
-            f"(95 % interval {low:.2f} to {high:.2f}), above 0 where {first} answers higher."
+            f"Mann-Whitney U = {scale.u:g}, p = {scale.p_value:.3f}; Cliff's delta {number(scale.delta, 2)} "
+            f"(95 % interval {between(low, high, 2)}), above 0 where {first} answers higher."
         )
         if scale.few:
             page.paragraph(
@@ -250,7 +206,7 @@ def _groups(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> N
             )
 
 
-def _start_times(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+def _start_times(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
     if not analysis.start_times:
         return
     page.heading("F3: the influence of the start time")
@@ -276,7 +232,7 @@ def _start_times(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes])
     page.figure("start-times", "Variance of the median over the specified start time.", pictures)
 
 
-def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+def _each(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
     page.heading("Each instruction")
     if analysis.divergent:
         texts = "; ".join(analysis.overall[key].instruction.text for key in analysis.divergent)
@@ -293,9 +249,9 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
             (
                 entry.instruction.text,
                 f"{entry.characteristics.disagreement:.3f}",
-                _figure(entry.variance / SQUARE_MINUTE, 3),
-                _figure(entry.flanks.left * MINUTE, 2),
-                _figure(entry.flanks.right * MINUTE, 2),
+                number(entry.variance / SQUARE_MINUTE, 3),
+                number(entry.flanks.left * MINUTE, 2),
+                number(entry.flanks.right * MINUTE, 2),
                 f"{entry.subgroups.silhouette:.2f}",
                 f"{int((~entry.subgroups.second).sum())}/{int(entry.subgroups.second.sum())}",
             )
@@ -316,17 +272,5 @@ def _each(page: _Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> Non
         )
 
 
-def _cell(text: str) -> str:
-    return f"<td{' class=n' * _is_number(text)}>{html.escape(text)}</td>"
-
-
-def _is_number(text: str) -> bool:
-    return text == "–" or text.lstrip("-−").replace(".", "", 1).replace(",", "").isdigit()
-
-
-def _figure(value: float, digits: int) -> str:
-    return f"{value:.{digits}f}" if np.isfinite(value) else "–"
-
-
 def _range_of_times(times: Sequence[float]) -> str:
-    return f"{min(times):.1f} to {max(times):.1f} s" if times else "–"
+    return between(min(times), max(times), 1, "s") if times else "–"

@@ -7,19 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.language.meaning.calendar import (
-    Calendar,
-    Cycle,
-    Feast,
-    Fields,
-    Reckoning,
-    Season,
-    Today,
-    Weekend,
-    easter,
-    moved,
-)
-from fuzzytime.language.meaning.relations import Away, Nth, Share, WeekOf, Within, narrowed
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Today, Weekend, moved
+from fuzzytime.language.meaning.feasts import Feast, Reckoning, Season, easter
+from fuzzytime.language.meaning.nested import Nth, Share, WeekOf, Within
+from fuzzytime.language.meaning.relations import Away, narrowed
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit
 

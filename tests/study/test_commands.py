@@ -82,7 +82,7 @@ def test_the_analysis_is_a_summary_or_json(fine: Run, simulated: Path) -> None:
     text = fine("analyse", simulated, "--permutations", 9).out
     for word in ("F1", "F2", "F3", "person against robot", "caution"):
         assert word in text
-    assert all(len(line) <= 110 for line in text.splitlines())
+    assert all(len(line) <= 80 for line in text.splitlines())
     document = json.loads(fine("analyse", simulated, "--json", "--permutations", 9).out)
     assert document["participants"]["counted"] == 8
 

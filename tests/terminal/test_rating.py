@@ -28,7 +28,7 @@ def test_a_start_that_was_too_late_moves_the_next_plans_earlier() -> None:
     talk.say(STEAK)
     before = sum(window(talk, "s1"))
     answer = talk.say(":rate 1 2 too late")
-    assert "rated: s1 fry the steak at 09:0" in answer
+    assert "rated: s1 fry the steak at 09:10:00" in answer
     assert ": 2 of 5, too late" in answer
     assert sum(window(talk, "s1")) < before - 10
     talk.say("Wash the apples in ten minutes")
@@ -74,6 +74,18 @@ def test_a_start_that_has_passed_is_rated_as_it_was() -> None:
     ]
 
 
+def test_a_rating_says_the_same_when_its_times_have_passed() -> None:
+    talk = Talk()
+    talk.say(STEAK)
+    kept = []
+    for minutes in (0, 10, 60):
+        talk.wait(minutes=minutes)
+        talk.say(":rate 1 4")
+        kept.append(talk.turns.conversation.ratings[-1])
+    assert kept[0] == kept[1] == kept[2]
+    assert json.loads(kept[0].rating)["start_s"] == 600
+
+
 def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None:
     talk = Talk()
     talk.say(STEAK)
@@ -94,7 +106,7 @@ def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None
         (STEAK, "1 6", "1 to 5"),
         (STEAK, "1", "1 to 5"),
         (STEAK, "1 lovely", "1 to 5"),
-        (STEAK, "7 4", "one of the list (s1)"),
+        (STEAK, "7 4", "one of the list (1)"),
         ("Fry the steak", "1 4", "by one time"),
         ("Fry the steak this evening", "1 4", "'this evening' of s1 has none"),
     ],
@@ -111,13 +123,14 @@ def test_a_person_who_wants_the_populations_plans_gets_them(tmp_path: Path) -> N
     moment = ("--now", "2026-03-04T09:00")
     assert ran("repl", *moment, folder=tmp_path, stdin=lines.encode()).code == Exit.FINE
 
-    def corners(**variables: str) -> dict[str, float]:
-        done = ran("plan", "-i", STEAK, *moment, "--format", "json", folder=tmp_path, stdin=b"", **variables)
+    def corners(personal: str = "true") -> dict[str, float]:
+        words = ("plan", "-i", STEAK, *moment, "--format", "json")
+        done = ran(*words, folder=tmp_path, FUZZYTIME_PERSONAL=personal)
         found = json.loads(done.out)["skills"][0]["satisfaction_function"]["parameters"]
         assert isinstance(found, dict)
         return found
 
-    assert corners()["full_end"] < corners(FUZZYTIME_PERSONAL="false")["full_end"] - 5
+    assert corners()["full_end"] < corners("false")["full_end"] - 5
 
 
 def test_ratings_are_exported_as_lines_and_as_a_rule_file(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ import pytest
 from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.skills import Busy
-from fuzzytime_cli.formats.reasons import loss_lines, why_sentences
+from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, why_sentences
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the tests' moment is of no zone
 WISH = Triangle(60, 180, 300)
@@ -96,3 +96,20 @@ def test_the_whole_is_not_told_apart_from_a_single_skill(interpreter: Interprete
 def test_a_minute_for_which_nobody_is_free_is_said_to_be_taken(interpreter: Interpreter) -> None:
     made = planned(interpreter, wish("flip", WISH), busy=(Busy(240, 600, "call"),))
     assert "a minute later is not free" in why_sentences(made, 0)[-1]
+
+
+def clash_of(interpreter: Interpreter, *wishes: DirectWish) -> str:
+    return clash_sentence(plan(Request(now=NOW, wishes=wishes), interpreter, threshold=0))
+
+
+def test_a_clash_is_named(interpreter: Interpreter) -> None:
+    then, room = Rectangle(180, 180), Rectangle(0, 90)
+    assert clash_of(interpreter, wish("stir", ALWAYS), wish("toast", then), wish("flip", then)) == (
+        "no schedule satisfies everyone: toast and flip exclude each other"
+    )
+    assert clash_of(interpreter, wish("toast", then), wish("fry", NEVER)).endswith(
+        "everyone: fry cannot be satisfied at all"
+    )
+    assert clash_of(interpreter, wish("stir", room), wish("fry", room), wish("mix", room)).endswith(
+        "stir, fry and mix cannot all be had, though any 2 of them can"
+    )

@@ -22,7 +22,17 @@ HEAVY = {
 }
 
 
-@pytest.mark.parametrize("arguments", [["--version"], ["--help"], ["plan", "--help"], ["study", "--help"]])
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--version"],
+        ["--help"],
+        ["plan", "--help"],
+        ["run", "--help"],
+        ["batch", "--help"],
+        ["study", "--help"],
+    ],
+)
 def test_help_and_version_import_nothing_heavy(arguments: list[str], tmp_path: Path) -> None:
     code = (
         "import sys\nfrom fuzzytime_cli.app import run\n"

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from fuzzytime.context import Signal
     from fuzzytime.interpreter import Plan, Problem, Request
     from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.inputs.source import Source
 
 
 @flattened
@@ -60,20 +61,32 @@ def request_of(
     signals: "Mapping[str, Signal]",
 ) -> "Request":
     """Read a file and ``-i`` instructions into a request; flags win over the file."""
+    from fuzzytime_cli.faults import UsageError
+    from fuzzytime_cli.inputs.source import read_source
+
+    if file is None and not instructions:
+        raise UsageError("say what to plan: a file, - for standard input, or -i TEXT")
+    source = read_source(file) if file is not None else None
+    return request_from(source, instructions, assembly, understanding, signals)
+
+
+def request_from(
+    source: "Source | None",
+    instructions: list[str],
+    assembly: "Assembly",
+    understanding: Understanding,
+    signals: "Mapping[str, Signal]",
+) -> "Request":
+    """Make a request of a source, read before, and of instructions; flags win over what it says."""
     from dataclasses import replace
 
     from fuzzytime.interpreter import Request, SpokenWish
-    from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.inputs.lines import wishes_of
-    from fuzzytime_cli.inputs.source import read_source
     from fuzzytime_cli.inputs.task_file import Surroundings, is_task_file, read_task_file
 
     now = assembly.moment()
     request = Request(now=now, wishes=(), agents=int(assembly.settings.number("agents")))
-    if file is None and not instructions:
-        raise UsageError("say what to plan: a file, - for standard input, or -i TEXT")
-    if file is not None:
-        source = read_source(file)
+    if source is not None:
         if is_task_file(source):
             from fuzzytime_cli.inputs.calendar import busy_of_calendar
 

@@ -11,7 +11,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import loss_lines
+from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -215,8 +215,7 @@ class PlanView:
             case Status.HEURISTIC:
                 return "a good schedule, without proof"
             case Status.INFEASIBLE:
-                names = ", ".join(self.labels[position] for position in self.schedule.clash)
-                return "no schedule satisfies everyone" + (f": {names} clash" if names else "")
+                return clash_sentence(self.plan)
 
     def _losses(self) -> Iterator[Text]:
         for position, sentence in loss_lines(self.plan):

@@ -35,7 +35,15 @@ def read_source(where: str) -> Source:
     DocumentError
         If it is not UTF-8 text, or larger than `MAX_BYTES`.
     """
-    source = read_exactly(where, MAX_BYTES)
+    return _with_instructions(read_exactly(where, MAX_BYTES))
+
+
+def source_of(raw: bytes, path: Path) -> Source:
+    """Take a file's bytes, read before; errors are those of `read_source`."""
+    return _with_instructions(_source(raw, str(path), path, MAX_BYTES))
+
+
+def _with_instructions(source: Source) -> Source:
     if not source.text.strip():
         raise NoInputError(f"{source.name}: the input must hold at least one instruction, and it is empty")
     return Source(source.name, source.text.replace("\r\n", "\n").replace("\r", "\n"), source.path)
@@ -52,8 +60,22 @@ def read_exactly(where: str, limit: int) -> Source:
         If it is not UTF-8 text, or larger than ``limit`` bytes.
     """
     name, path = ("<stdin>", None) if where == STDIN else (where, Path(where))
+    return _source(bytes_of(where, limit), name, path, limit)
+
+
+def bytes_of(where: str, limit: int = MAX_BYTES) -> bytes:
+    """Read a file by its path, or standard input by ``-``: all, or one byte more than may be.
+
+    Raises
+    ------
+    NoInputError
+        If there is no such file, or it is a folder.
+    """
     with open_stream(where) as stream:
-        raw = stream.read(limit + 1)
+        return stream.read(limit + 1)
+
+
+def _source(raw: bytes, name: str, path: Path | None, limit: int) -> Source:
     if len(raw) > limit:
         raise DocumentError((Mistake(name, 1, 1, "", f"input must not be larger than {limit:,} bytes"),))
     return Source(name, _decoded(name, raw), path)

@@ -29,7 +29,7 @@ class Dispatcher:
 
     outlook: Outlook
     progress: Progress
-    _ready: float | None = field(default=None, init=False)
+    _ready: float = field(default=-math.inf, init=False)
 
     @property
     def planning(self) -> Planning:
@@ -48,8 +48,6 @@ class Dispatcher:
 
     def step(self, now: float, arrivals: Iterable[Arrival] = ()) -> Iterator[Event]:
         """Do what is to be done at a moment, and tell it as it is done; moments must not decrease."""
-        if self._ready is None:
-            self._ready = now  # a plan takes time to make: what it has for now is not missed by that
         yield from self.progress.pass_ends(now)
         for arrival in arrivals:
             yield from self._take(arrival, now)
@@ -59,9 +57,12 @@ class Dispatcher:
         if not self.outlook.reasons:
             yield from self.outlook.look(now, self.ledger)
         if self.outlook.reasons:
-            self._ready = None
             yield from self.outlook.replan(now, self.ledger)
         yield from self._start_due(now)
+
+    def ready(self, now: float) -> None:
+        """Note when a step is over: it takes time to plan, and nothing is missed by that."""
+        self._ready = now
 
     def next_time(self) -> float:
         """Give the moment at which there is something to do, if nothing comes in before."""
@@ -79,6 +80,8 @@ class Dispatcher:
     def stopped(self, now: float) -> told.Stopped:
         """Tell what goes on, and what was not started."""
         waiting = (*(one.identifier for one in self.outlook.waiting), *self.outlook.rejected)
+        if self.planning.plan is None:
+            waiting = tuple(wish.identifier for wish in self.planning.request.wishes)
         return told.Stopped(at=now, running=self.ledger.names(Phase.RUNNING, Phase.RESTING), waiting=waiting)
 
     def finished(self, now: float) -> told.Finished:
@@ -131,8 +134,10 @@ class Dispatcher:
 
     def _tell_missed(self, now: float) -> Iterator[Event]:
         for waiting in self.outlook.waiting:
-            due = max(waiting.start, now if self._ready is None else self._ready)
-            if now - due > self.pace.tolerance and not self._is_held_up(waiting):
+            if now - waiting.start <= self.pace.tolerance or self._is_held_up(waiting):
+                continue
+            slept = now - max(waiting.start, self._ready) > self.pace.tolerance
+            if slept or self._satisfaction(waiting, now) <= self.outlook.planning.solving.threshold:
                 self.outlook.reasons.append(f"the start of {waiting.identifier} was missed")
                 yield told.Missed(at=now, id=waiting.identifier, name=waiting.name, planned_s=waiting.start)
 
@@ -165,6 +170,9 @@ class Dispatcher:
             for one in self.outlook.waiting
         )
 
+    def _satisfaction(self, waiting: Waiting, now: float) -> float:
+        return float(waiting.interpreted.skill.satisfaction(now - self.planning.planned_at))
+
     def _start(self, waiting: Waiting, now: float) -> Iterator[Event]:
         skill = waiting.interpreted.skill
         start = told.Start(
@@ -176,7 +184,7 @@ class Dispatcher:
             end_s=now + skill.duration,
             done_s=now + skill.time_until_done,
             agent=waiting.agent,
-            satisfaction=float(skill.satisfaction(now - self.planning.planned_at)),
+            satisfaction=self._satisfaction(waiting, now),
             parameters=dict(skill.parameters),
             fuzzy_parameters=tuple(parameter.text for parameter in skill.fuzzy_parameters),
         )

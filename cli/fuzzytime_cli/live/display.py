@@ -1,5 +1,6 @@
 """Events as a person reads them on a terminal."""
 
+import shlex
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Protocol, TextIO
@@ -7,7 +8,7 @@ from typing import Protocol, TextIO
 from rich.text import Text
 
 from fuzzytime.times import format_duration, instant_after
-from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.faults import report, underlined
 from fuzzytime_cli.formats.table import PlanView, bar, style_of
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
@@ -32,9 +33,11 @@ class EventLines:
     origin: datetime
 
     def tell(self, event: Event) -> None:
-        """Write an event."""
+        """Write an event; a problem is said on standard error as well, where a person may see it."""
         import json
 
+        if isinstance(event, told.Trouble):
+            report(f"{event.place or 'fuzzytime'}: {event.message}")
         self.stream.write(json.dumps(told.document_of(event, self.origin), allow_nan=False) + "\n")
         self.stream.flush()
 
@@ -74,7 +77,9 @@ class EventScreen:
             case told.Start():
                 line = self._line(at, kind, f"{_who(event)}, until {self._clock(event.end_s)} ", "bold green")
                 drawn = bar(event.satisfaction, unicode=self.screen.unicode).rstrip()
-                return [line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))]
+                line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))
+                ran = [] if event.command is None else [plain(shlex.join(event.command))]
+                return [line, *(self._line(at, "command", words, "dim") for words in ran)]
             case told.End() | told.Done():
                 return [self._line(at, kind, _who(event), "green" if kind == "done" else "")]
             case told.Moved(before_s=before, after_s=after):

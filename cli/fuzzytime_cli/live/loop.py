@@ -32,6 +32,7 @@ def carry_out(
             return False
         for event in dispatcher.step(now, arrivals):
             tell(event)
+        dispatcher.ready(clock.now)
         until = min(dispatcher.next_time(), inbox.next_time)
         if _is_over(dispatcher, inbox, stay=stay) or (until == math.inf and not inbox.is_open):
             tell(dispatcher.finished(now))

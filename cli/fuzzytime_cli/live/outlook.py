@@ -16,6 +16,9 @@ from fuzzytime_cli.live.planning import Planning
 NOTICEABLE = 20.0
 """Seconds by which a planned start must move, since it was last told, to be told again."""
 
+NOTICEABLE_SHARE = 0.1
+"""A start further ahead must move by so much of the time until then."""
+
 
 @dataclass(frozen=True, slots=True)
 class Waiting:
@@ -27,6 +30,7 @@ class Waiting:
     end: float
     agent: int
     satisfaction: float
+    signals: frozenset[str]
 
     @property
     def identifier(self) -> str:
@@ -79,9 +83,15 @@ class Outlook:
 
     def next_time(self) -> float:
         """Give when to look at readings, or to miss one."""
-        return min(
-            (self.look_at, *(self._falls_silent(name) for name in self.planning.relevant - self.silent))
-        )
+        return min((self.look_at, *(self._falls_silent(name) for name in self.relevant - self.silent)))
+
+    @property
+    def relevant(self) -> frozenset[str]:
+        """The signals that skills depend on which have not started, read or not."""
+        if self.planning.plan is None:
+            return self.planning.relevant_at_first
+        everything = (*self.waiting, *self.rejected.values())
+        return frozenset[str]().union(*(one.signals for one in everything))
 
     @property
     def has_hope(self) -> bool:
@@ -99,7 +109,7 @@ class Outlook:
         """Take a reading."""
         reading = message.reading
         self.planning.note(reading)
-        matters = reading.signal in self.planning.relevant
+        matters = reading.signal in self.relevant
         if matters:
             self.look_at = min(self.look_at, max(now, self.looked + self.pace.patience))
             if now < self._falls_silent(reading.signal):
@@ -119,14 +129,15 @@ class Outlook:
             return
         self.look_at, self.looked = math.inf, now
         try:
-            if self.planning.has_changed(now, ledger.as_seen(now)):
-                self.reasons.append("readings changed what is wished for")
+            changed = self.planning.changed(now, ledger.as_seen(now))
+            if changed:
+                self.reasons.append(f"readings changed the time for {', '.join(changed)}")
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error))
 
     def tell_silent(self, now: float) -> Iterator[Event]:
         """Tell which sensors that matter were read too long ago."""
-        for name in sorted(self.planning.relevant - self.silent):
+        for name in sorted(self.relevant - self.silent):
             if now < self._falls_silent(name):
                 continue
             self.silent.add(name)
@@ -190,6 +201,7 @@ class Outlook:
                 now + specific.end,
                 specific.agent,
                 schedule.satisfactions[position],
+                self.planning.signals_of(interpreted),
             )
             for position, (interpreted, specific) in enumerate(zip(plan.skills, schedule.skills, strict=True))
         ]
@@ -212,7 +224,7 @@ class Outlook:
             known = one.identifier in self.announced
             before = self.announced.get(one.identifier)
             after = None if one.identifier in self.rejected else one.start
-            if known and not _is_news(before, after):
+            if known and not _is_news(before, after, now):
                 continue
             self.announced[one.identifier] = after
             if after is None:
@@ -224,7 +236,7 @@ class Outlook:
                 yield told.Moved(at=now, id=one.identifier, name=one.name, before_s=before, after_s=after)
 
 
-def _is_news(before: float | None, after: float | None) -> bool:
+def _is_news(before: float | None, after: float | None, now: float) -> bool:
     if before is None or after is None:
         return before is not after
-    return abs(after - before) >= NOTICEABLE
+    return abs(after - before) >= max(NOTICEABLE, NOTICEABLE_SHARE * (min(before, after) - now))

@@ -25,6 +25,7 @@ from fuzzytime.interpreter import (
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
 from fuzzytime.times import instant_after
+from fuzzytime_cli.live.naming import bare, named
 
 MOST_READINGS = 5_000
 """Readings of one signal that are remembered."""
@@ -50,13 +51,14 @@ class Planning:
     def __init__(self, request: Request, interpreter: Interpreter, solving: Solving) -> None:
         self.interpreter, self.solving = interpreter, solving
         self.origin: datetime = request.now
-        self.request = _named(request, interpreter)
+        skills = interpreter.interpret(bare(request)).skills
+        self.request = named(request, skills)
+        self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
         self.readings: dict[str, deque[Reading]] = {}
         for reading in request.context.readings:
             self.note(reading)
         self.plan: Plan | None = None
         self.planned_at = 0.0
-        self.relevant: frozenset[str] = frozenset()
 
     def note(self, reading: Reading) -> None:
         """Remember a reading, by a time of the run."""
@@ -103,9 +105,6 @@ class Planning:
             limits=self.solving.limits,
         )
         self.planned_at = now
-        self.relevant = frozenset(
-            name for interpreted in self.plan.skills for name in self.signals_of(interpreted)
-        )
         return self.plan
 
     def signals_of(self, interpreted: Interpreted) -> frozenset[str]:
@@ -116,8 +115,8 @@ class Planning:
         found = [rulebook.signals_for(requirement, verb) for requirement in interpreted.requirements]
         return frozenset[str]().union(*found)
 
-    def has_changed(self, now: float, started: tuple[Started, ...]) -> bool:
-        """Say whether what is known by now means other wishes than those that were planned.
+    def changed(self, now: float, started: tuple[Started, ...]) -> tuple[str, ...]:
+        """Give the skills whose wishes, by what is known now, are others than those that were planned.
 
         Raises
         ------
@@ -125,9 +124,9 @@ class Planning:
             As `make`.
         """
         if self.plan is None:
-            return True
+            return ()
         _, interpretation = understood(self.seen_from(now, started), self.interpreter)
-        return differ(self.plan.interpretation, interpretation, now - self.planned_at)
+        return differing(self.plan.interpretation, interpretation, now - self.planned_at)
 
     def understands(
         self, wish: SpokenWish, now: float, started: tuple[Started, ...]
@@ -162,15 +161,16 @@ class Planning:
         return own, [problem for problem in interpretation.problems if problem.text == wish.text]
 
 
-def differ(before: Interpretation, after: Interpretation, passed: float) -> bool:
-    """Say whether a later interpretation wishes for something else, beyond the time that has passed."""
+def differing(before: Interpretation, after: Interpretation, passed: float) -> tuple[str, ...]:
+    """Give the skills that a later interpretation wishes otherwise, beyond the time that has passed."""
     earlier = {interpreted.identifier: interpreted for interpreted in before.skills}
-    if earlier.keys() != {interpreted.identifier for interpreted in after.skills}:
-        return True
     # What is open is closed at the horizon, which is no wish of anybody's.
     until = min(after.horizon, before.horizon - passed)
-    return any(
-        _differs(earlier[interpreted.identifier], interpreted, passed, until) for interpreted in after.skills
+    return tuple(
+        interpreted.identifier
+        for interpreted in after.skills
+        if interpreted.identifier not in earlier
+        or _differs(earlier[interpreted.identifier], interpreted, passed, until)
     )
 
 
@@ -182,40 +182,6 @@ def _differs(before: Interpreted, after: Interpreted, passed: float, until: floa
     inside = [time for time in kinks if 0 <= time < until]
     times = np.concatenate([np.linspace(0.0, max(until, 0.0), _POINTS, endpoint=False), inside])
     return bool(np.max(np.abs(was(times + passed) - now(times))) > CHANGE)
-
-
-def _named(request: Request, interpreter: Interpreter) -> Request:
-    """Give every wish the name that its first skill has in a plan, so that names stay when wishes are added.
-
-    What "after" names by a plan's numbers is named anew.
-    """
-    bare = tuple(
-        replace(wish, identifier=wish.identifier or f"#{position}", after=())
-        for position, wish in enumerate(request.wishes)
-    )
-    taken = {wish.identifier for wish in request.wishes}
-    own: dict[str, str] = {}
-    names: dict[str, str] = {}
-    for number, interpreted in enumerate(interpreter.interpret(replace(request, wishes=bare)).skills, 1):
-        key, _, further = interpreted.identifier.partition(".")
-        if not key.startswith("#"):  # no name that a person may give
-            continue
-        planned = f"s{number}"
-        while planned in taken:
-            planned += "'"
-        first = own.setdefault(key, planned)
-        names[planned] = f"{first}.{further}" if further else first
-    return replace(
-        request,
-        wishes=tuple(
-            replace(
-                wish,
-                identifier=wish.identifier or own.get(f"#{position}", ""),
-                after=tuple(names.get(name, name) for name in wish.after),
-            )
-            for position, wish in enumerate(request.wishes)
-        ),
-    )
 
 
 def _problem(message: str, wish: SpokenWish) -> Problem:

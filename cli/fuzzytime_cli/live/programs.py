@@ -159,8 +159,8 @@ class Programs:
     def _read(self, identifier: str, process: "subprocess.Popen[bytes]") -> None:
         if process.stdout is None:
             return
-        descriptor = process.stdout.fileno()
-        with contextlib.suppress(OSError):
+        with process.stdout as stream, contextlib.suppress(OSError):
+            descriptor = stream.fileno()
             for line in lines_of(lambda: os.read(descriptor, CHUNK)):
                 self.inbox.put(Output(identifier, line.decode("utf-8", "replace").rstrip("\r")))
 

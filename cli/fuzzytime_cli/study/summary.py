@@ -41,10 +41,10 @@ def analysis(found: Analysis) -> Iterator[str]:
     yield ""
     yield "F1  Which functions fit: prediction errors (SSE) of the medians"
     yield from table(
-        ("preposition", *(model.value for model in Model)),
+        ("function", *found.models),
         (
-            (name, *(f"{low:.3f} to {high:.3f}" for low, high in (models.errors[model] for model in Model)))
-            for name, models in found.models.items()
+            (model.value, *("{:.3f} to {:.3f}".format(*of.errors[model]) for of in found.models.values()))
+            for model in Model
         ),
     )
     yield from _groups(found)
@@ -100,8 +100,9 @@ def _groups(found: Analysis) -> Iterator[str]:
             for name, mode in ((first, scale.first_mode), (second, scale.second_mode))
         )
         low, high = scale.interval
-        yield f"    control question: modes {modes}; Mann-Whitney U = {scale.u:g}, p = {scale.p_value:.3f},"
-        yield f"    Cliff's delta {scale.delta:+.2f} (95 %: {low:+.2f} to {high:+.2f})"
+        yield f"    control question: modes {modes}; Mann-Whitney U = {scale.u:g},"
+        interval = f"{low:+.2f} to {high:+.2f}"
+        yield f"    p = {scale.p_value:.3f}, Cliff's delta {scale.delta:+.2f} (95 %: {interval})"
         if scale.few:
             yield "    caution: with fewer than 20 answers in a group only large differences show"
 

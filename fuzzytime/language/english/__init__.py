@@ -10,6 +10,8 @@ from fuzzytime.language.english import (
     durations,
     goals,
     numbers,
+    parts,
+    periods,
     prepositions,
     ranges,
     repetitions,
@@ -17,7 +19,21 @@ from fuzzytime.language.english import (
 )
 from fuzzytime.language.grammar.chart import Grammar
 
-_ROOMS = (numbers, durations, clocks, days, dates, stacks, goals, prepositions, counted, ranges, repetitions)
+_ROOMS = (
+    numbers,
+    durations,
+    clocks,
+    days,
+    parts,
+    dates,
+    periods,
+    stacks,
+    goals,
+    prepositions,
+    counted,
+    ranges,
+    repetitions,
+)
 
 
 @cache

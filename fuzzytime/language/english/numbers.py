@@ -37,10 +37,16 @@ def one_fraction(fraction: float) -> float:
     return fraction
 
 
-@grammar.rule("fraction", "<integer> quarters|quarter|thirds|halves", weight=0.1)
-def fractions(number: Integer) -> float | None:
-    """Three quarters, two quarters."""
+@grammar.rule("fraction", "<integer> quarters|quarter", weight=0.1)
+def quarters(number: Integer) -> float | None:
+    """Three quarters."""
     return number.value / 4 if number.value < 4 else None
+
+
+@grammar.rule("fraction", "<integer> thirds", weight=0.1)
+def thirds(number: Integer) -> float | None:
+    """Two thirds."""
+    return number.value / 3 if number.value < 3 else None
 
 
 @grammar.rule("quantity", "<fraction>")
@@ -61,10 +67,10 @@ def added(quantity: Quantity) -> Quantity:
     return quantity
 
 
-@grammar.rule("quantity", "another")
-def another() -> Quantity:
-    """Another hour."""
-    return Quantity(1, indefinite=True)
+@grammar.rule("quantity", "another <integer>?")
+def another(number: Integer | None) -> Quantity:
+    """Another hour, another five minutes."""
+    return Quantity(1, indefinite=True) if number is None else Quantity(number.value)
 
 
 @grammar.rule("quantity", "<hedge> <quantity>", weight=-0.1)

@@ -42,6 +42,14 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
     return _said(goal, preposition.name)
 
 
+@grammar.rule(
+    "said", "when|once|whenever it's|its <wall>", "when|once|whenever it is|gets <wall>", weight=0.5
+)
+def when_it_is(wall: Wall) -> Said | None:
+    """When it is three p.m., once it's noon."""
+    return Said(wall, None, "at") if wall.clock is not None else None
+
+
 @grammar.rule("said", "at <clock>|<clock behind at>", weight=0.3)
 def at_clock(clock: Clock) -> Said:
     """At 1030, at 7h, at 2.30."""

@@ -127,8 +127,8 @@ def after_and_before(after: Preposition, first: Goal, before: Preposition, last:
 
 @grammar.rule(
     "said",
-    "from|starting|beginning|at? at? the? <goal> ,? for <duration>",
-    "for <duration> ,? from|starting|beginning|at from|at|on? the? <goal>",
+    "from|starting|beginning at? the? <goal> ,? for <duration>",
+    "for <duration> ,? from|starting|beginning from|at|on? the? <goal>",
     "<duration> starting|beginning from|at|on|in? the? <goal>",
     weight=0.9,
 )

@@ -18,7 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     UnitWord,
     Wall,
 )
-from fuzzytime.language.meaning.relations import Nth
+from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

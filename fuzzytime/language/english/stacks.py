@@ -20,6 +20,8 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
     if (first.bare and second.bare) or (first.weak and first.part is not None):
         return None
+    if second.weak and second.part is not None and second.part.place:
+        return None
     # "The first twenty minutes" is no day at eight in the evening.
     if (first.weak and second.bare) or (first.bare and second.weak):
         return None

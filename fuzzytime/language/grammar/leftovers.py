@@ -2,9 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.requirement import Unit
 
 TELLING = frozenset(
     {
@@ -50,7 +53,16 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
+                if _is_share(piece, scanned):
+                    continue
                 yield from range(start, piece.end)
+
+
+def _is_share(piece: Piece, scanned: Scanned) -> bool:
+    """Whether it is a part of a thing: "three quarters of the flour"."""
+    unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
+    behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
+    return unit is Unit.QUARTER and behind == "of"
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

@@ -9,33 +9,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
+from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Said, Wall
-from fuzzytime.requirement import Constraint, Unit
-
-POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
-BINDING = frozenset(
-    {
-        "at",
-        "by",
-        "until",
-        "till",
-        "before",
-        "after",
-        "from",
-        "around",
-        "about",
-        "since",
-        "for",
-        "no later than",
-        "not before",
-        "between",
-    }
-)
-NEAR = 8
-"""Words before a number that decide whether it is an amount."""
+from fuzzytime.language.meaning.expressions import Phrase
 
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
@@ -93,7 +71,7 @@ def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
 
 def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     """Choose the times of a text."""
-    judge = _Judge(scanned.words, lexicon)
+    judge = Judge(scanned.words, lexicon)
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
     chosen = _best(kept, len(scanned.words))
     chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
@@ -131,174 +109,3 @@ def _phrase(scanned: Scanned, piece: Piece) -> Phrase:
     if words[-1].text == "." and len(words) > 1 and len(words[-2].text) > 1:
         end = words[-2].end
     return Phrase(piece.value, piece.start, piece.end, (start, end), piece.rule)
-
-
-class _Judge:
-    """What stands around a reading, and whether it makes it doubtful."""
-
-    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
-        self.words = words
-        self.lexicon = lexicon
-        self.texts = [word.text for word in words]
-
-    def accepts(self, piece: Piece) -> bool:
-        """Whether a reading is a time here."""
-        said: Said = piece.value
-        if self._runs_on(piece) or self._is_excepted(piece):
-            return False
-        if self._is_whole(piece):
-            return self._accepts_alone(said)
-        time = said.time
-        if isinstance(time, Duration):
-            return self._accepts_duration(piece, said, time)
-        if isinstance(time, Wall):
-            return self._accepts_wall(piece, said, time)
-        if isinstance(time, Range):
-            ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
-            if ends and all(end.bare or end.weak for end in ends):
-                between = said.preposition == "between" and self._binds(piece)
-                return between and not self._measured(piece) and self._may_end(piece)
-        return True
-
-    def _is_excepted(self, piece: Piece) -> bool:
-        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
-        before = self.texts[max(0, piece.start - 3) : piece.start]
-        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
-            ["except", "for"],
-            ["except", "on"],
-            ["but", "not"],
-        )
-
-    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
-        time = piece.value.time
-        place = piece.end + 1
-        if not isinstance(time, Wall) or time.clock is None or place >= len(self.words):
-            return []
-        joint = self.texts[piece.end]
-        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
-            return []
-        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
-        found = [p for p in numbers if p.value.time.bare and self._may_end(p) and not self._runs_on(p)][:1]
-        if joint == "," and found and self._follower(found[0]) not in {",", "and", "or"}:
-            return []
-        return found + [more for one in found for more in self.continued(one, cells, chosen)]
-
-    def _runs_on(self, piece: Piece) -> bool:
-        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
-        if piece.end < len(self.words):
-            word = self.words[piece.end]
-            last = self.words[piece.end - 1]
-            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
-                return True
-            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
-                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                return word.text in {"%", "°"} or (after is not None and after.glued)
-        first = self.words[piece.start]
-        if piece.start and first.glued and first.is_digits:
-            before = self.words[piece.start - 1]
-            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
-        return (
-            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
-        )
-
-    def _is_whole(self, piece: Piece) -> bool:
-        """Whether it is all that is said."""
-        outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
-        return all(text in POLITE for text in outside)
-
-    def _accepts_alone(self, said: Said) -> bool:
-        time = said.time
-        if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
-            return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
-        return True
-
-    def _follower(self, piece: Piece) -> str:
-        return self.texts[piece.end] if piece.end < len(self.texts) else ""
-
-    def _may_end(self, piece: Piece) -> bool:
-        """Whether what follows does not make its last word count or describe something."""
-        follower = self._follower(piece)
-        if not follower or not follower[0].isalnum():
-            return follower not in {"%", "°", "€", "$"}
-        if follower in self.lexicon.function_words:
-            return True
-        return any(e.category in _TIMELY for e in self.lexicon.entries.get(follower, ()))
-
-    def _describes(self, piece: Piece) -> bool:
-        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
-        before = self.texts[piece.start - 1] if piece.start else ""
-        return before in {"a", "an", "the", "my", "our", "your"} and not self._may_end(piece)
-
-    def _measured(self, piece: Piece) -> bool:
-        """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
-        for text in reversed(self.texts[max(0, piece.start - NEAR) : piece.start]):
-            if text in {".", ";", "!", "?", "then"}:
-                return False
-            if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
-                return True
-        return False
-
-    def _binds(self, piece: Piece) -> bool:
-        return self.texts[piece.start] in BINDING
-
-    def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
-        last = duration.until or duration
-        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
-            # A quarter of what, is not said: hardly of a year.
-            return False
-        if last.ordinal_end or last.bare_end:
-            return self._may_end(piece) and not (said.preposition is None and last.bare_end)
-        if said.constraint is Constraint.FOR and said.preposition is None:
-            # "a ten minute walk", "five minutes of fame"
-            return self._may_end(piece) and self._follower(piece) != "of"
-        return True
-
-    def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if said.preposition is None and self._describes(piece):
-            return False
-        if wall.bare:
-            return self._accepts_number(piece, said, wall)
-        if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
-            return self._may_end(piece) and said.preposition is not None
-        if wall.weak:
-            unbinding = {None, "to", "at", "for", "of", "on"} if wall.part is not None else {None, "to", "at"}
-            bound = said.preposition not in unbinding or bool(said.hedges)
-            return bound and self._may_end(piece)
-        if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
-            return False
-        # "The sun", "in the sun": a weekday never stands with "in".
-        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        return not (
-            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        )
-
-    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
-        if not self._may_end(piece):
-            return False
-        sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
-        if not sure and self._measured(piece):
-            return False
-        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
-            return said.preposition is None and bool(said.hedges)
-        return True
-
-
-_TIMELY = frozenset(
-    {
-        "preposition_at",
-        "preposition_before",
-        "preposition_after",
-        "part",
-        "day",
-        "weekday",
-        "month",
-        "word",
-        "day_part",
-        "unit",
-        "zone",
-        "hedge",
-        "hedge_after",
-    }
-)

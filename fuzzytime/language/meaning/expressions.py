@@ -144,7 +144,8 @@ class Clock:
 class Part:
     """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.
 
-    ``late`` is where its late half begins; None for its middle.
+    ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
+    instructions can be about, ``place`` that it is one where people are.
     """
 
     name: str
@@ -153,6 +154,7 @@ class Part:
     half: Half
     meal: bool = False
     late: int | None = None
+    place: bool = False
 
     @property
     def is_point(self) -> bool:

@@ -2,16 +2,13 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from datetime import date, datetime, time, timedelta
+from datetime import date, datetime, timedelta
 from itertools import islice
 
-from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today, moved
+from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import (
-    DAY_SECONDS,
     Clock,
     Coming,
-    Duration,
     Edge,
     Ending,
     Half,
@@ -22,46 +19,16 @@ from fuzzytime.language.meaning.expressions import (
     Rest,
     SameTime,
     Time,
-    TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
+from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
-SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
-CALENDAR_UNITS = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
-
-
-class UngroundedError(FuzzytimeError):
-    """Words that name no time: a date that does not exist, a time of day when no clock is known."""
-
-
-@dataclass(frozen=True, slots=True)
-class Instants:
-    """Wall-clock time, from ``start`` to before ``end``; a moment where the two are one.
-
-    ``choices`` are the starts that the words may mean, ascending, where the policy had to decide; ``zone``
-    is that of the clock that the words named.
-    """
-
-    start: datetime
-    end: datetime
-    grain: Unit
-    choices: tuple[datetime, ...] = ()
-    zone: str | None = None
-
-    @property
-    def is_point(self) -> bool:
-        """Whether it is a moment."""
-        return self.start == self.end
-
-
-def midnight(day: date) -> datetime:
-    """Give the moment a day begins on the wall clock."""
-    return datetime.combine(day, time())
 
 
 @dataclass(frozen=True, slots=True)
@@ -110,7 +77,7 @@ class Grounding:
         if isinstance(said, Coming):
             return self._coming(said)
         if isinstance(said, Range):
-            return self._range(said)
+            return range_instants(self, said)
         if isinstance(said, Rest):
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
@@ -203,7 +170,7 @@ class Grounding:
     def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
         """Give the next occurrence; without am or pm, the next plausible one."""
         if wall.part is not None:
-            clock = _halved(clock, wall.part.half)
+            clock = halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
         return self._decided(moments, clock, wall)
 
@@ -228,7 +195,7 @@ class Grounding:
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
         night = wall.part is not None and wall.part.half is Half.NIGHT
         if wall.part is not None:
-            clock = _halved(clock, wall.part.half)
+            clock = halved(clock, wall.part.half)
         for days in islice(self.days(calendar), 3):
             moments = [midnight(days.first) + timedelta(seconds=seconds) for seconds in clock.candidates()]
             if night:
@@ -286,130 +253,3 @@ class Grounding:
         if said.direction < 0:
             return Instants(shifted(self.now, said.duration, -1), self.now, Unit.SECOND)
         return Instants(self.now, shifted(self.now, said.duration, 1), Unit.SECOND)
-
-    def _range(self, said: Range) -> Instants:
-        first, last = said.first, said.last
-        if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
-            return self._clock_range(first, last)
-        if (
-            isinstance(first, Wall)
-            and isinstance(last, Wall)
-            and first.days is not None
-            and last.days is not None
-        ):
-            return self._day_range(first, last)
-        start = self._instants(first)
-        end = self._instants(last)
-        if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
-            return self._since(start)
-        if end.start < start.start and isinstance(last, Wall):
-            end = self._after(start.start).instants(last)
-        return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
-
-    def _since(self, start: Instants) -> Instants:
-        """Ground a range up to now: it began at the last such clock time."""
-        choices = start.choices or (start.start,)
-        begun = max(choice - timedelta(days=1) for choice in choices)
-        return Instants(begun, self.now, start.grain)
-
-    def _day_range(self, first: Wall, last: Wall) -> Instants:
-        """Ground a range of days, which lend each other the month or the year that only one names."""
-        first_days, last_days = first.days, last.days
-        lent = False
-        if isinstance(first_days, Fields) and isinstance(last_days, Fields):
-            lent = first_days.year is None and last_days.year is not None
-            first_days = first_days.filled(last_days)
-            if last_days.month is None and last_days.weekday is None:
-                last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
-            elif last_days.year is None and first_days.year is not None and last_days.month is not None:
-                last_days = replace(last_days, year=first_days.year)
-        first, last = replace(first, days=first_days), replace(last, days=last_days)
-        start = self.wall(first)
-        if last_days is not None and last_days.fixed:
-            end = self.wall(last)
-            if end.end < start.start and lent and isinstance(first_days, Fields):
-                # "November to february 2017" begins the year before.
-                year = (first_days.year or 1) - 1
-                start = self.wall(replace(first, days=replace(first_days, year=year)))
-        else:
-            start = self._begun(first, last, start)
-            end = self._after(start.start).wall(last)
-        if end.end < start.start:
-            raise UngroundedError("a range must not end before it starts")
-        return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
-
-    def _after(self, moment: datetime) -> "Grounding":
-        """Give the grounding of what comes after a moment."""
-        return Grounding(moment, replace(self.policy, same_weekday=SameWeekday.NEXT))
-
-    def _begun(self, first: Wall, last: Wall, start: Instants) -> Instants:
-        """Give the start of a range of dates that is not over: "august to october", said in september."""
-        days = first.days
-        if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
-            return start
-        before = next(days.past(self.today, self.now.date()), None)
-        if before is None:
-            return start
-        end = Grounding(midnight(before.first), self.policy).wall(last)
-        return (
-            Instants(midnight(before.first), midnight(before.end), days.grain)
-            if end.end > self.now
-            else start
-        )
-
-    def _clock_range(self, first: Wall, last: Wall) -> Instants:
-        """Ground a range of clock times: without am or pm, the shortest that they can mean."""
-        start_clock, end_clock = first.clock, last.clock
-        if start_clock is None or end_clock is None:
-            raise UngroundedError("a range of clock times must have two")
-        if first.part is not None:
-            start_clock = _halved(start_clock, first.part.half)
-        if last.part is not None:
-            end_clock = _halved(end_clock, last.part.half)
-        known_end = not end_clock.is_open
-        if start_clock.is_open and known_end:
-            begins = min(
-                start_clock.candidates(),
-                key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS,
-            )
-            settled = _settled(start_clock, begins)
-            start = self.wall(replace(first, clock=settled, part=None))
-        else:
-            start = self.wall(replace(first, clock=start_clock, part=None))
-        grounded = replace(start, choices=start.choices if not known_end else ())
-        if last.days is not None:
-            end = self.wall(replace(last, clock=end_clock, part=None))
-            return replace(grounded, end=end.start)
-        ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
-        later = [e if e > start.start else e + timedelta(days=1) for e in ends]
-        return replace(grounded, end=min(later), zone=first.zone)
-
-
-def _last_of(said: Time, found: Instants) -> datetime:
-    """Where a range ends that ends in an interval: at its end, for days; at its start, for parts of a day."""
-    return found.start if isinstance(said, Wall) and said.part is not None else found.end
-
-
-def _clocked(said: Time) -> bool:
-    return isinstance(said, Wall) and said.clock is not None
-
-
-def _halved(clock: Clock, half: Half) -> Clock:
-    return replace(clock, half=half) if clock.is_open else clock
-
-
-def _settled(clock: Clock, seconds: int) -> Clock:
-    """Give a clock time whose half of the day is decided."""
-    return replace(clock, half=Half.AM if seconds < DAY_SECONDS // 2 else Half.PM)
-
-
-def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:
-    """Give the moment a duration away: months and years by the calendar, all else by the clock."""
-    found = moment
-    for amount, unit in duration.terms:
-        if unit in CALENDAR_UNITS and amount == int(amount):
-            day = moved(found.date(), unit, int(amount) * direction)
-            found = datetime.combine(day, found.time())
-        else:
-            found += timedelta(seconds=direction * Duration(((amount, unit),)).seconds)
-    return found

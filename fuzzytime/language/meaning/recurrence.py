@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Today
 from fuzzytime.language.meaning.expressions import DAY_SECONDS, Half, Repeat, Time, Wall
-from fuzzytime.language.meaning.grounding import SUB_DAY, UngroundedError, midnight
+from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, midnight
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:
-    from fuzzytime.language.meaning.requirements import Moment
+    from fuzzytime.language.meaning.moment import Moment
 
 MOST = 10_000
 """Occurrences that are given at most."""

@@ -1,9 +1,8 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime, timedelta, timezone, tzinfo
+from datetime import datetime, timedelta
 
-from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -20,19 +19,11 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.grounding import (
-    CALENDAR_UNITS,
-    SUB_DAY,
-    Grounding,
-    Instants,
-    UngroundedError,
-    shifted,
-)
+from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.meaning.relations import Away
-from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
-from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
 UPPER = frozenset({"at most", "less than"})
 LOWER = frozenset({"at least", "more than"})
@@ -47,79 +38,6 @@ class Grounded:
     recurrence: Recurrence | None = None
     remarks: tuple[Remark, ...] = ()
     questions: tuple[Question, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Moment:
-    """When an instruction was given: with a zone, without, or not known."""
-
-    now: datetime | None
-    policy: Policy
-
-    def grounding(self, zone: str | None = None) -> Grounding:
-        """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
-
-        Raises
-        ------
-        UngroundedError
-            If no clock is known.
-        """
-        if self.now is None:
-            raise UngroundedError("a time of day needs a clock: say what time it is now")
-        if zone is not None and self.now.tzinfo is not None:
-            return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
-        return Grounding(self.now.replace(tzinfo=None), self.policy)
-
-    def seconds(self, wall: datetime, zone: str | None = None) -> float:
-        """Give the seconds from now to a wall-clock time, in our zone or another.
-
-        A wall-clock time that a change of clocks skips is the moment that long after the change; of one
-        that comes twice, it is the first.
-        """
-        if self.now is None:
-            raise UngroundedError("a time of day needs a clock: say what time it is now")
-        if self.now.tzinfo is None:
-            return seconds_between(self.now, wall)
-        there = zone_of(zone) if zone is not None else self.now.tzinfo
-        try:
-            return seconds_between(self.now, wall.replace(tzinfo=there, fold=self._fold(wall, there)))
-        except (OverflowError, ValueError) as error:
-            raise UngroundedError("a time must lie in the years 1 to 9999") from error
-
-    def skips(self, wall: datetime, zone: str | None = None) -> bool:
-        """Whether a change of clocks skips a wall-clock time."""
-        if self.now is None or self.now.tzinfo is None:
-            return False
-        there = wall.replace(tzinfo=zone_of(zone) if zone is not None else self.now.tzinfo)
-        return there.astimezone(UTC).astimezone(there.tzinfo).replace(tzinfo=None) != wall
-
-    def _fold(self, wall: datetime, zone: tzinfo) -> int:
-        """Give the second of two equal wall-clock times, where the first is over."""
-        if self.now is None or self.now.tzinfo is None:
-            return 0
-        first, second = (wall.replace(tzinfo=zone, fold=fold).astimezone(UTC) for fold in (0, 1))
-        return 1 if first < self.now.astimezone(UTC) <= second else 0
-
-    def later(self, duration: Duration, direction: int = 1) -> float:
-        """Give the seconds to a duration from now: days and longer by the wall clock, the rest as elapsed."""
-        days = tuple(term for term in duration.terms if term[1] not in SUB_DAY)
-        rest = sum(Duration((term,)).seconds for term in duration.terms if term[1] in SUB_DAY)
-        if not days or (self.now is None and not any(unit in CALENDAR_UNITS for _, unit in days)):
-            return direction * duration.seconds
-        try:
-            wall = shifted(self.grounding().now, Duration(days), direction)
-            return self.seconds(wall) + direction * rest
-        except (OverflowError, ValueError) as error:
-            raise UngroundedError("a time must lie in the years 1 to 9999") from error
-
-
-def zone_of(name: str) -> tzinfo:
-    """Give the zone of a name from the word tables: an IANA name or an offset."""
-    if name[0] in "+-":
-        offset = parse_clock(name[1:])
-        minutes = (offset.hour * 60 + offset.minute) * (-1 if name[0] == "-" else 1)
-        return timezone(timedelta(minutes=minutes))
-    return parse_zone(name)
 
 
 def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
@@ -343,6 +261,3 @@ def _zone_in(time: Time) -> str | None:
 def phrase_of(span: Span, said: Said) -> Phrase:
     """Give a phrase for words that were joined outside the grammar."""
     return Phrase(said, 0, 0, span, "joined")
-
-
-__all__ = ["FuzzytimeError", "Grounded", "Moment", "UngroundedError", "grounded", "phrase_of", "zone_of"]

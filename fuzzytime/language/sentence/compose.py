@@ -17,7 +17,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.requirements import Moment
+from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.drafts import Draft

@@ -10,6 +10,10 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.tree import Node, Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
+ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
+"""Connectives that open an instruction only where it begins."""
+
+OPENED = frozenset({"and", "but", "please", "then"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
@@ -62,9 +66,11 @@ def _end_of(words: Sequence[Word], place: int, length: int) -> int:
 
 
 def _opens(words: Sequence[Word], place: int, inside: set[int]) -> bool:
-    """Whether a connective here opens an instruction: at the start, behind a mark, or before more words."""
-    following = place + 1 < len(words)
-    return following and place not in inside
+    """Whether a connective here opens an instruction: no time, and no word inside one ("the next step")."""
+    if place + 1 >= len(words) or place in inside:
+        return False
+    before = words[place - 1].text if place else ","
+    return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
 
 
 def _is_end(text: str, words: Sequence[Word], place: int) -> bool:

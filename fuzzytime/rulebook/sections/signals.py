@@ -19,8 +19,10 @@ _COURSES: Mapping[str, tuple[str, ...]] = {
 }
 """The models of forecasts, and the keys of each beside its horizon."""
 
-_FOR_VALUES = ("unit", "range", "max_age", "max_gap", "forecast")
+_FOR_VALUES = ("unit", "range", "noise", "max_age", "max_gap", "forecast")
 """What only signals with values have."""
+
+_KEYS = (*_FOR_VALUES, "event", "words", "source")
 
 
 def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
@@ -31,8 +33,7 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
         path = f"{key}.{name}"
         if not name.isidentifier():
             scope.reader.mistake(keys[name], path, f"a signal's name must be one word, got {name!r}")
-        allowed = ("unit", "range", "max_age", "max_gap", "forecast", "event", "words", "source")
-        found = scope.reader.mapping(value, path, allowed)
+        found = scope.reader.mapping(value, path, _KEYS)
         event = scope.reader.boolean(found["event"], f"{path}.event") if "event" in found else False
         if event:
             scope.reader.refuse_keys(value, path, _FOR_VALUES, "an event has no value")
@@ -46,6 +47,9 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
             for limit in ("max_age", "max_gap")
             if limit in found
         }
+        noise: float | None = None
+        if "noise" in found:
+            noise = scope.reader.number(found["noise"], f"{path}.noise", 1e-9, LARGEST) or 1.0
         words = scope.reader.strings(found["words"], f"{path}.words") if "words" in found else ()
         read[name] = Signal(
             name=name,
@@ -54,6 +58,7 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
             high=high,
             event=event,
             course=course,
+            noise=noise,
             words=tuple(text.lower() for text in words),
             **limits,
         )

@@ -1,0 +1,141 @@
+"""Parts of the day and of longer periods: "tomorrow morning", "late tonight", "end of the month"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import (
+    Edge,
+    Ending,
+    Half,
+    Part,
+    Rest,
+    Wall,
+)
+from fuzzytime.language.meaning.nested import Share, WeekOf
+from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("parted", "<part>")
+def part(found: Part) -> Part | None:
+    """Morning, evening, lunchtime."""
+    return None if found.is_point else found
+
+
+@grammar.rule("parted", "<share> the? <part>|<parts>", "<share> this|that <part>", weight=0.1)
+def part_share(share: tuple[float, float], found: Part) -> Part | None:
+    """Early morning, late in the evening."""
+    return None if found.is_point else found.share(*share)
+
+
+@grammar.rule("wall", "<parted>", "in|during|at|for|over? the? <parted>", weight=-0.05)
+def wall_of_part(found: Part) -> Wall:
+    """Morning, in the evening, at lunch."""
+    return Wall(part=found)
+
+
+@grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
+def all_part(found: Part) -> Wall | None:
+    """All morning, through the night."""
+    return None if found.is_point else Wall(part=found)
+
+
+@grammar.rule("wall", "at|during|over the? <meal>")
+def at_meal(found: Part) -> Wall | None:
+    """At lunch, during dinner; "at school" is where."""
+    return None if found.place else Wall(part=found)
+
+
+@grammar.rule("wall", "<meal>", weight=-0.1)
+def meal(found: Part) -> Wall:
+    """Lunch: a thing, unless a preposition makes it a time."""
+    return Wall(part=found, weak=True)
+
+
+@grammar.rule("wall", "<deictic> <parted>", "<share> <deictic> <part>", weight=0.1)
+def deictic_part(first: object, second: object, third: Part | None = None) -> Wall | None:
+    """This morning, next evening, late this morning."""
+    which, found = (first, second) if third is None else (second, third)
+    if not isinstance(which, Which) or not isinstance(found, Part) or found.is_point:
+        return None
+    if third is not None and isinstance(first, tuple):
+        found = found.share(*first)
+    return Wall(Relative(which.offset), found)
+
+
+@grammar.rule("wall", "<share>? <day_part>", weight=0.1)
+def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> Wall:
+    """Tonight, late last night."""
+    days, part_of_day = found
+    return Wall(days, part_of_day if share is None else part_of_day.share(*share))
+
+
+@grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
+def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
+    """Later today, early tomorrow."""
+    low, high = share
+    whole = Part("day", 0, 24 * 3600, Half.DAY)
+    return Wall(days or Relative(0), whole.share(low, high))
+
+
+@grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
+def day_half(days: Calendar, half: Part) -> Wall:
+    """Tuesday am."""
+    return Wall(days, half)
+
+
+@grammar.rule("wall", "<share> <days> <part>", weight=0.3)
+def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -> Wall | None:
+    """Early tomorrow morning, first thing monday morning."""
+    return None if found.is_point else Wall(days, found.share(*share))
+
+
+@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", weight=0.3)
+def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
+    """Early next week, mid november."""
+    whole = Fields(month=days) if isinstance(days, int) else days
+    return None if whole.grain is Unit.DAY else Share(*share, whole)
+
+
+@grammar.rule("days", "the week before <days>|<date>", weight=0.4)
+def week_before(days: Calendar) -> Calendar | None:
+    """The week before christmas."""
+    return WeekOf(Away(-1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the week after <days>|<date>", weight=0.4)
+def week_after(days: Calendar) -> Calendar | None:
+    """The week after easter."""
+    return WeekOf(Away(1, Unit.WEEK, days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("end", "the? <edge> of? the? <days>|<series>|<date>|<weak date>", "the? <ending>", weight=0.2)
+def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
+    """End of the month, the beginning of next week, eod."""
+    if isinstance(first, Ending):
+        return replace(first, days=Deictic(Which.THIS, first.days))
+    if isinstance(days, Cycle):
+        return Ending(first, Deictic(Which.THIS, days))
+    return Ending(first, days or Relative(0))
+
+
+@grammar.rule(
+    "rest",
+    "rest|remainder|remaining of? the|my? <days>|<series>",
+    "the rest of? the|my? <days>|<series>",
+    weight=0.2,
+)
+def rest(days: Calendar) -> Rest:
+    """The rest of the day."""
+    return Rest(Wall(Deictic(Which.THIS, days) if isinstance(days, Cycle) else days))
+
+
+@grammar.rule(
+    "rest", "rest|remainder of? the|this|my? <part>", "the rest of? the|this|my? <part>", weight=0.25
+)
+def rest_of_part(part: Part) -> Rest:
+    """The rest of the morning."""
+    return Rest(Wall(Relative(0), part))

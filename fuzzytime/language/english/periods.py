@@ -1,0 +1,161 @@
+"""Periods counted in others: "first monday of march", "week 27", "Q3 2018", "the weekend after easter"."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.feasts import Yearly
+from fuzzytime.language.meaning.nested import Nth, WeekOf
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Which
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("whole", "<date>|<weak date>|<days>")
+def whole(days: Calendar) -> Calendar:
+    """What can hold weeks and days."""
+    return days
+
+
+@grammar.rule("whole", "the? <series>")
+def present_whole(series: Calendar) -> Calendar | None:
+    """The month, in "first monday of the month"."""
+    return series if isinstance(series, Cycle) else None
+
+
+@grammar.rule("date", "the? <ordinal> <series> of|in <whole>", "the? <ordinal> <series> <days>", weight=0.4)
+def nth(number: int, series: Calendar, outer: Calendar) -> Calendar | None:
+    """First monday of march, third day of october."""
+    return (
+        None if series.grain is outer.grain and series.grain is not Unit.DAY else Nth(number, series, outer)
+    )
+
+
+@grammar.rule("date", "the? last <series> of|in <whole>", "the? last <series> <weak date>", weight=0.45)
+def last(series: Calendar, outer: Calendar) -> Calendar:
+    """Last monday of march, last day of october 2015."""
+    return Nth(-1, series, outer)
+
+
+@grammar.rule("date", "the? <ordinal> last <series> of|in <whole>", weight=0.45)
+def nth_last(number: int, series: Calendar, outer: Calendar) -> Calendar:
+    """Third last week of 2018."""
+    return Nth(-number, series, outer)
+
+
+@grammar.rule("date", "the? first <integer> <unit> of|in <whole>", weight=0.45)
+def first_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
+    """The first two weeks of 2021."""
+    return (
+        Nth(1, Cycle(unit.unit, unit.count), outer, count.value)
+        if 0 < count.value < 1000 and _is_days(unit)
+        else None
+    )
+
+
+@grammar.rule("date", "the? last <integer> <unit> of|in <whole>", weight=0.45)
+def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None:
+    """The last three weeks of this year."""
+    return (
+        Nth(-1, Cycle(unit.unit, unit.count), outer, count.value)
+        if 0 < count.value < 1000 and _is_days(unit)
+        else None
+    )
+
+
+def _is_days(unit: UnitWord) -> bool:
+    return unit.unit not in {Unit.SECOND, Unit.MINUTE, Unit.HOUR}
+
+
+@grammar.rule("date", "<month day> of the month", weight=0.5)
+def day_of_the_month(day: int) -> Calendar:
+    """The first of the month: the next one."""
+    return Fields(day=day)
+
+
+@grammar.rule("date", "<month day> of <days>", weight=0.2)
+def day_of_month(day: int, month: Calendar) -> Calendar | None:
+    """20th of next month."""
+    return Nth(day, Cycle(Unit.DAY), month) if month.grain is Unit.MONTH else None
+
+
+@grammar.rule("date", "week <integer> of? <whole>?", weight=0.1)
+def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
+    """Week 27 of last year."""
+    if not 1 <= number.value <= 53:
+        return None
+    return Nth(number.value, Cycle(Unit.WEEK), outer or Deictic(Which.THIS, Cycle(Unit.YEAR)))
+
+
+@grammar.rule("date", "the? week of|starting|beginning|commencing on? <whole>", "w / c <whole>", weight=0.3)
+def week_of(days: Calendar) -> Calendar | None:
+    """The week of october 7th."""
+    return WeekOf(days) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("date", "the? <ordinal> quarter|qtr of? <whole>?", weight=0.3)
+def quarter(number: int, outer: Calendar | None) -> Calendar | None:
+    """Third quarter of 2016."""
+    return _quarter(number, outer)
+
+
+@grammar.rule("date", "q <integer> of|-? <whole>?", weight=0.3)
+def short_quarter(number: Integer, outer: Calendar | None) -> Calendar | None:
+    """Q3 2018."""
+    return _quarter(number.value, outer)
+
+
+@grammar.rule("date", "<year> -? q <integer>", weight=0.3)
+def short_quarter_after(outer: int, number: Integer) -> Calendar | None:
+    """2018Q4."""
+    return _quarter(number.value, Fields(year=outer))
+
+
+def _quarter(number: int, outer: Calendar | None) -> Calendar | None:
+    if not 1 <= number <= 4 or (outer is not None and outer.grain is not Unit.YEAR):
+        return None
+    return Nth(number, Cycle(Unit.QUARTER), outer or Cycle(Unit.YEAR))
+
+
+@grammar.rule("date", "h <integer> of|-? <whole>?", weight=0.2)
+def half_year(number: Integer, outer: Calendar | None) -> Calendar | None:
+    """H1 2016."""
+    if number.value not in {1, 2} or outer is None or outer.grain is not Unit.YEAR:
+        return None
+    return Nth(6 * number.value - 5, Cycle(Unit.MONTH), outer, 6)
+
+
+@grammar.rule("date", "<year> -? h <integer>", weight=1.2)
+def half_of_year(outer: int, number: Integer) -> Calendar | None:
+    """2019 H2."""
+    return half_year(number, Fields(year=outer))
+
+
+@grammar.rule("date", "the? <ordinal> <series> after <whole>", weight=0.4)
+def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
+    """Third tuesday after christmas 2014."""
+    return Following(number, series, anchor)
+
+
+@grammar.rule("date", "<feast> of|in|,? <year>", weight=0.3)
+def feast_of_year(feast: Yearly, number: int) -> Calendar:
+    """Easter 2018."""
+    return Nth(1, feast, Fields(year=number))
+
+
+@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of <feast>", weight=0.3)
+def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
+    """Labor day weekend."""
+    anchor: Calendar = feast if number is None else Nth(1, feast, Fields(year=number))
+    return Following(1, Weekend(), _six_days_before(anchor))
+
+
+def _six_days_before(anchor: Calendar) -> Calendar:
+    return Away(-5, Unit.DAY, anchor)
+
+
+@grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)
+def eve(feast: Yearly) -> Calendar:
+    """The day before christmas."""
+    return Away(-1, Unit.DAY, feast)

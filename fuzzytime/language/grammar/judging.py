@@ -1,0 +1,248 @@
+"""Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.requirement import Constraint, Unit
+
+POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
+BINDING = frozenset(
+    {
+        "at",
+        "by",
+        "until",
+        "till",
+        "before",
+        "after",
+        "from",
+        "around",
+        "about",
+        "since",
+        "for",
+        "no later than",
+        "not before",
+        "between",
+    }
+)
+UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
+"""Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
+
+SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
+BEHIND_VERBS = frozenset(
+    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "this", "these", "those", "it", "them"}
+    | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
+)
+"""Words that may follow a verb, and hardly a noun that is counted."""
+
+NEAR = 8
+"""Words before a number that decide whether it is an amount."""
+
+
+class Judge:
+    """What stands around a reading, and whether it makes it doubtful."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+
+    def accepts(self, piece: Piece) -> bool:
+        """Whether a reading is a time here."""
+        said: Said = piece.value
+        if self._runs_on(piece) or self._is_excepted(piece):
+            return False
+        if self._is_whole(piece):
+            return self._accepts_alone(said)
+        time = said.time
+        if isinstance(time, Duration):
+            return self._accepts_duration(piece, said, time)
+        if isinstance(time, Wall):
+            return self._accepts_wall(piece, said, time)
+        if isinstance(time, (Repeat, TimeWord)):
+            return said.preposition is not None or not self._describes(piece)
+        if isinstance(time, Range):
+            ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+            if ends and all(end.bare or end.weak for end in ends):
+                between = said.preposition == "between" and self._binds(piece)
+                return between and not self._measured(piece) and self._may_end(piece)
+        return True
+
+    def _is_excepted(self, piece: Piece) -> bool:
+        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
+        before = self.texts[max(0, piece.start - 3) : piece.start]
+        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
+            ["except", "for"],
+            ["except", "on"],
+            ["but", "not"],
+        )
+
+    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
+        time = piece.value.time
+        place = piece.end + 1
+        if not isinstance(time, Wall) or time.clock is None or place >= len(self.words):
+            return []
+        joint = self.texts[piece.end]
+        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
+            return []
+        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        found = [p for p in numbers if p.value.time.bare and self._may_end(p) and not self._runs_on(p)][:1]
+        if joint == "," and found and self._follower(found[0]) not in {",", "and", "or"}:
+            return []
+        return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _runs_on(self, piece: Piece) -> bool:
+        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
+        if piece.end < len(self.words):
+            word = self.words[piece.end]
+            last = self.words[piece.end - 1]
+            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
+                return True
+            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
+                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
+                return word.text in {"%", "°"} or (after is not None and after.glued)
+        first = self.words[piece.start]
+        if piece.start and first.glued and first.is_digits:
+            before = self.words[piece.start - 1]
+            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
+        return (
+            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        )
+
+    def _is_whole(self, piece: Piece) -> bool:
+        """Whether it is all that is said."""
+        outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
+        return all(text in POLITE for text in outside)
+
+    def _accepts_alone(self, said: Said) -> bool:
+        time = said.time
+        if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
+            return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
+        return True
+
+    def _follower(self, piece: Piece) -> str:
+        return self.texts[piece.end] if piece.end < len(self.texts) else ""
+
+    def _may_end(self, piece: Piece) -> bool:
+        """Whether what follows does not make its last word count or describe something."""
+        follower = self._follower(piece)
+        if not follower or not follower[0].isalnum():
+            return follower not in {"%", "°", "€", "$"}
+        return follower in self.lexicon.function_words or self._is_in_front(piece) or self._timely(piece.end)
+
+    def _is_in_front(self, piece: Piece) -> bool:
+        """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
+        before = self.texts[piece.start - 1] if piece.start else "."
+        behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
+        plural = self._follower(piece).endswith("s") and not self._follower(piece).endswith("ss")
+        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
+
+    def _describes(self, piece: Piece) -> bool:
+        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
+        before = self.texts[piece.start - 1] if piece.start else ""
+        if before not in {"a", "an", "the", "my", "our", "your"}:
+            return False
+        # "A monday morning call": times behind it describe the same noun.
+        last = replace(
+            piece, end=next(p for p in range(piece.end, len(self.texts) + 1) if not self._timely(p))
+        )
+        return not self._may_end(last)
+
+    def _timely(self, place: int) -> bool:
+        """Whether the word at a place begins a time."""
+        found = self.lexicon.entries.get(self.texts[place], ()) if place < len(self.texts) else ()
+        return any(entry.category in _TIMELY for entry in found)
+
+    def _measured(self, piece: Piece) -> bool:
+        """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
+        for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
+            text = self.texts[place]
+            if text in {".", ";", "!", "?", "then"} or self._is_amount(place):
+                return False
+            if place and self._is_amount(place - 1):
+                return False
+            if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
+                return True
+        return False
+
+    def _is_amount(self, place: int) -> bool:
+        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
+        beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
+        amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
+        return amount and self._is_number(place)
+
+    def _is_number(self, place: int) -> bool:
+        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
+
+    def _binds(self, piece: Piece) -> bool:
+        return self.texts[piece.start] in BINDING
+
+    def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
+        last = duration.until or duration
+        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
+            # A quarter of what, is not said: hardly of a year.
+            return False
+        if last.ordinal_end or last.bare_end:
+            return self._may_end(piece) and not (said.preposition is None and last.bare_end)
+        if said.constraint is Constraint.FOR and said.preposition is None:
+            # "a ten minute walk", "five minutes of fame"
+            return self._may_end(piece) and self._follower(piece) != "of"
+        return True
+
+    def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        if said.preposition is None and self._describes(piece):
+            return False
+        if wall.bare:
+            return self._accepts_number(piece, said, wall)
+        if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
+            return self._may_end(piece) and said.preposition is not None
+        if wall.weak:
+            unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
+            # "Ask about lunch": what a meal is asked about.
+            bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
+            return bound and self._may_end(piece)
+        if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
+            return False
+        # "The sun", "in the sun": a weekday never stands with "in".
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
+        return not (
+            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        )
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
+        if not self._may_end(piece):
+            return False
+        before = piece.start - 1
+        if said.preposition == "by" and self._is_number(before) and not self._is_amount(before):
+            # "Two by four"
+            return False
+        sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
+        if not sure and self._measured(piece):
+            return False
+        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
+            return said.preposition is None and bool(said.hedges)
+        return True
+
+
+_TIMELY = frozenset(
+    {
+        "preposition_at",
+        "preposition_before",
+        "preposition_after",
+        "part",
+        "day",
+        "weekday",
+        "month",
+        "word",
+        "day_part",
+        "unit",
+        "zone",
+        "hedge",
+        "hedge_after",
+    }
+)

@@ -1,0 +1,93 @@
+"""Reading the word tables: YAML to a `Lexicon`, with every mistake at its line and column."""
+
+from pathlib import Path
+
+from fuzzytime.errors import DocumentError
+from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
+from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
+from fuzzytime.language.grammar.word_tables.feasts import read_feasts
+from fuzzytime.language.grammar.word_tables.policies import read_policy
+from fuzzytime.language.grammar.word_tables.speech import (
+    read_amounts,
+    read_hedges,
+    read_prepositions,
+    read_words,
+)
+from fuzzytime.language.grammar.word_tables.tables import Tables, by_form, numbers
+
+
+def read_lexicon(words: Path, calendar: Path) -> Lexicon:
+    """Read both files.
+
+    Raises
+    ------
+    OSError
+        If a file cannot be read.
+    DocumentError
+        If a table breaks rules.
+    """
+    speech = Tables(words, _SPEECH)
+    days = Tables(calendar, _CALENDAR)
+    read_prepositions(speech)
+    read_hedges(speech)
+    read_words(speech)
+    read_units(days)
+    read_days(days)
+    read_parts(days)
+    read_feasts(days)
+    read_clocks(days)
+    amounts = dict(read_amounts(speech))
+    clauses = by_form(speech, "clauses")
+    connectives = by_form(speech, "connectives")
+    indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
+    policy = read_policy(days)
+    mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
+    if mistakes:
+        raise DocumentError(mistakes)
+    entries: dict[str, list[Entry]] = {}
+    for entry in (*speech.entries, *days.entries):
+        entries.setdefault(entry.words[0], []).append(entry)
+    return Lexicon(
+        entries={first: tuple(found) for first, found in entries.items()},
+        numbers=numbers(days, "numbers"),
+        magnitudes={
+            form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")
+        },
+        ordinals=numbers(days, "ordinals"),
+        ambiguous=frozenset(form[0] for form in days.words("ambiguous")),
+        indicators=indicators,
+        connectives=connectives,
+        clauses=clauses,
+        corrections=frozenset(speech.words("corrections")),
+        addresses=frozenset(form[0] for form in speech.words("addresses")),
+        amounts=amounts,
+        results=frozenset(" ".join(form) for form in speech.words("results")),
+        wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
+        forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
+        causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        particles={
+            form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
+            for name, node in speech.rows("particles")
+            for form in (form_of(name.text),)
+        },
+        places=frozenset(form[0] for form in speech.words("places")),
+        persons=frozenset(form[0] for form in speech.words("persons")),
+        addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
+        measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
+        measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
+        function_words=frozenset(form[0] for form in speech.words("function_words")),
+        policy=policy,
+    )
+
+
+_SPEECH = (
+    "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
+    "clauses", "corrections", "particles", "places", "persons",
+    "amounts", "measures", "function_words",
+)  # fmt: skip
+_CALENDAR = (
+    "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
+    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
+    "holidays",
+    "meridiem", "zones", "policy",
+)  # fmt: skip

@@ -1,0 +1,164 @@
+"""Days inside others: the nth of a period, a part of it, the week around a day."""
+
+from abc import abstractmethod
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import date, timedelta
+from itertools import islice
+
+from fuzzytime.language.meaning.calendar import (
+    Calendar,
+    Cycle,
+    Days,
+    Today,
+)
+from fuzzytime.requirement import Unit
+
+SEARCHED_PERIODS = 400
+"""How many outer periods are searched for one that holds what is asked for."""
+
+MOST_INSIDE = 40_000
+"""Inner periods that are counted in one outer period at most: a century of days."""
+
+
+class _Inside(Calendar):
+    """Periods of one series that lie inside those of another: at most one of each."""
+
+    __slots__ = ()
+    inner: Calendar
+    outer: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """That of the inner."""
+        return self.inner.grain
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the outer is."""
+        return self.outer.fixed
+
+    @abstractmethod
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the one inside a period of the outer series, None where there is none."""
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the one of each outer period."""
+        for outer in islice(self.outer.upcoming(today, since), SEARCHED_PERIODS):
+            found = self.inside(today, outer)
+            if found is not None and (self.fixed or found.end > since):
+                yield found
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the one of each outer period."""
+        for outer in islice(self.outer.past(today, until), SEARCHED_PERIODS):
+            found = self.inside(today, outer)
+            if found is not None and (self.fixed or found.first < until):
+                yield found
+
+
+@dataclass(frozen=True, slots=True)
+class Within(_Inside):
+    """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
+
+    inner: Calendar
+    outer: Calendar
+
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the first whose middle lies inside."""
+        for days in islice(self.inner.upcoming(today, outer.first), 64):
+            if outer.first <= days.middle < outer.end:
+                return days
+            if days.first >= outer.end:
+                return None
+        return None
+
+
+@dataclass(frozen=True, slots=True)
+class Nth(_Inside):
+    """The nth of one series inside another, from its end where negative; ``count`` of them from there.
+
+    A week belongs to the month or year that holds its middle day, as in ISO 8601.
+    """
+
+    number: int
+    inner: Calendar
+    outer: Calendar
+    count: int = 1
+
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the nth of those whose middle lies inside, and as many more as wanted."""
+        needed = min((outer.end - outer.first).days, MOST_INSIDE) + 2
+        upcoming = islice(self.inner.upcoming(today, outer.first), needed)
+        inside = [days for days in upcoming if outer.first <= days.middle < outer.end]
+        place = self.number - 1 if self.number > 0 else len(inside) + self.number
+        stop = place + self.count if self.number > 0 else place + 1
+        start = place if self.number > 0 else place - self.count + 1
+        if start < 0 or stop > len(inside):
+            return None
+        return Days(inside[start].first, inside[stop - 1].end)
+
+
+@dataclass(frozen=True, slots=True)
+class Share(Calendar):
+    """A part of each period, from one share of its days to another: "early next week", "mid november"."""
+
+    low: float
+    high: float
+    of: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """A day."""
+        return Unit.DAY
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the whole is."""
+        return self.of.fixed
+
+    def _part(self, whole: Days) -> Days:
+        days = (whole.end - whole.first).days
+        first, end = int(days * self.low), max(int(days * self.high + 0.5), 1)
+        return Days(whole.first + timedelta(days=min(first, end - 1)), whole.first + timedelta(days=end))
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the part of each period."""
+        for whole in self.of.upcoming(today, since):
+            part = self._part(whole)
+            if self.fixed or part.end > since:
+                yield part
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the part of each period."""
+        for whole in self.of.past(today, until):
+            part = self._part(whole)
+            if self.fixed or part.first < until:
+                yield part
+
+
+@dataclass(frozen=True, slots=True)
+class WeekOf(Calendar):
+    """The week that holds a day: "the week of october 7th"."""
+
+    day: Calendar
+
+    @property
+    def grain(self) -> Unit:
+        """A week."""
+        return Unit.WEEK
+
+    @property
+    def fixed(self) -> bool:
+        """Whether the day is."""
+        return self.day.fixed
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the week of each such day."""
+        for days in self.day.upcoming(today, since):
+            yield Cycle(Unit.WEEK).holding(today, days.first)
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the week of each such day."""
+        for days in self.day.past(today, until):
+            yield Cycle(Unit.WEEK).holding(today, days.first)

@@ -1,0 +1,137 @@
+"""From one time to another: ends that lend each other a day, a month, a half of the day."""
+
+from dataclasses import replace
+from datetime import datetime, timedelta
+from typing import TYPE_CHECKING
+
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import DAY_SECONDS, Clock, Half, Range, Time, TimeWord, Wall
+from fuzzytime.language.meaning.instants import Instants, UngroundedError, halved, midnight
+from fuzzytime.language.policy import SameWeekday
+
+if TYPE_CHECKING:
+    from fuzzytime.language.meaning.grounding import Grounding
+
+
+def range_instants(clock: "Grounding", said: Range) -> Instants:
+    """Ground a range.
+
+    Raises
+    ------
+    UngroundedError
+        If it would end before it starts.
+    """
+    first, last = said.first, said.last
+    if isinstance(first, Wall) and isinstance(last, Wall) and first.clock and last.clock:
+        return _clock_range(clock, first, last)
+    if (
+        isinstance(first, Wall)
+        and isinstance(last, Wall)
+        and first.days is not None
+        and last.days is not None
+    ):
+        return _day_range(clock, first, last)
+    start = clock.instants(first)
+    end = clock.instants(last)
+    if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
+        return _since(clock, start)
+    if end.start < start.start and isinstance(last, Wall):
+        end = _after(clock, start.start).instants(last)
+    return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def _since(clock: "Grounding", start: Instants) -> Instants:
+    """Ground a range up to now: it began at the last such clock time."""
+    choices = start.choices or (start.start,)
+    begun = max(choice - timedelta(days=1) for choice in choices)
+    return Instants(begun, clock.now, start.grain)
+
+
+def _day_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
+    """Ground a range of days, which lend each other the month or the year that only one names."""
+    first_days, last_days = first.days, last.days
+    lent = False
+    if isinstance(first_days, Fields) and isinstance(last_days, Fields):
+        lent = first_days.year is None and last_days.year is not None
+        first_days = first_days.filled(last_days)
+        if last_days.month is None and last_days.weekday is None:
+            last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
+        elif last_days.year is None and first_days.year is not None and last_days.month is not None:
+            last_days = replace(last_days, year=first_days.year)
+    first, last = replace(first, days=first_days), replace(last, days=last_days)
+    start = clock.wall(first)
+    if last_days is not None and last_days.fixed:
+        end = clock.wall(last)
+        if end.end < start.start and lent and isinstance(first_days, Fields):
+            # "November to february 2017" begins the year before.
+            year = (first_days.year or 1) - 1
+            start = clock.wall(replace(first, days=replace(first_days, year=year)))
+    else:
+        start = _begun(clock, first, last, start)
+        end = _after(clock, start.start).wall(last)
+    if end.end < start.start:
+        raise UngroundedError("a range must not end before it starts")
+    return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def _after(clock: "Grounding", moment: datetime) -> "Grounding":
+    """Give the grounding of what comes after a moment."""
+    return replace(
+        clock, now=moment, policy=replace(clock.policy, same_weekday=SameWeekday.NEXT), lasting=0.0
+    )
+
+
+def _begun(clock: "Grounding", first: Wall, last: Wall, start: Instants) -> Instants:
+    """Give the start of a range of dates that is not over: "august to october", said in september."""
+    days = first.days
+    if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
+        return start
+    before = next(days.past(clock.today, clock.now.date()), None)
+    if before is None:
+        return start
+    end = replace(clock, now=midnight(before.first), lasting=0.0).wall(last)
+    return (
+        Instants(midnight(before.first), midnight(before.end), days.grain) if end.end > clock.now else start
+    )
+
+
+def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
+    """Ground a range of clock times: without am or pm, the shortest that they can mean."""
+    start_clock, end_clock = first.clock, last.clock
+    if start_clock is None or end_clock is None:
+        raise UngroundedError("a range of clock times must have two")
+    if first.part is not None:
+        start_clock = halved(start_clock, first.part.half)
+    if last.part is not None:
+        end_clock = halved(end_clock, last.part.half)
+    known_end = not end_clock.is_open
+    if start_clock.is_open and known_end:
+        begins = min(
+            start_clock.candidates(),
+            key=lambda s: (end_clock.candidates()[0] - s) % DAY_SECONDS or DAY_SECONDS,
+        )
+        settled = _settled(start_clock, begins)
+        start = clock.wall(replace(first, clock=settled, part=None))
+    else:
+        start = clock.wall(replace(first, clock=start_clock, part=None))
+    grounded = replace(start, choices=start.choices if not known_end else ())
+    if last.days is not None:
+        end = clock.wall(replace(last, clock=end_clock, part=None))
+        return replace(grounded, end=end.start)
+    ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in end_clock.candidates())
+    later = [e if e > start.start else e + timedelta(days=1) for e in ends]
+    return replace(grounded, end=min(later), zone=first.zone)
+
+
+def _last_of(said: Time, found: Instants) -> datetime:
+    """Where a range ends that ends in an interval: at its end, for days; at its start, for parts of a day."""
+    return found.start if isinstance(said, Wall) and said.part is not None else found.end
+
+
+def _clocked(said: Time) -> bool:
+    return isinstance(said, Wall) and said.clock is not None
+
+
+def _settled(clock: Clock, seconds: int) -> Clock:
+    """Give a clock time whose half of the day is decided."""
+    return replace(clock, half=Half.AM if seconds < DAY_SECONDS // 2 else Half.PM)
