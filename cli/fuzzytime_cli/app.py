@@ -22,13 +22,9 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 app.command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
-app.command("explain", short_help="Show what was understood, which rules apply, why then.")(
-    explain.explain
-)
+app.command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
 app.command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
-app.command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(
-    live.run
-)
+app.command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
 app.command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
 app.command("parse", short_help="Show the operations and times of each text.")(parse.parse)
 app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
