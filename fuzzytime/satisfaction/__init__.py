@@ -2,6 +2,7 @@
 
 from fuzzytime.satisfaction.algebra import ALWAYS, NEVER, averaged, points_of, product
 from fuzzytime.satisfaction.chord import cell_chord_errors
+from fuzzytime.satisfaction.clipped import Clipped
 from fuzzytime.satisfaction.protocol import EMPTY, EVERYWHERE, Floats, Interval, SatisfactionFunction
 from fuzzytime.satisfaction.shapes import Bell, Floored, Rectangle, Sampled, Trapezoid, Triangle
 
@@ -11,6 +12,7 @@ __all__ = [
     "EVERYWHERE",
     "NEVER",
     "Bell",
+    "Clipped",
     "Floats",
     "Floored",
     "Interval",

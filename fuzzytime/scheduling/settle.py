@@ -44,6 +44,7 @@ def settled(problem: Problem, hints: Floats, agents: Ints, radius: float) -> Dra
         Seconds.
     """
     hints = hints.copy()
+    _reject_followers(problem, hints)
     while True:
         rows = sequences(problem, hints, agents)
         bound = [lag for lag in problem.lags if not math.isnan(hints[lag.first] + hints[lag.second])]
@@ -128,13 +129,20 @@ def nearest(windows: Sequence[Sequence[Interval]], hints: Floats) -> list[Interv
 
 def _give_up_one(problem: Problem, rows: dict[int, list[int]], hints: Floats) -> None:
     """Reject the first job that cannot start in time after those before it, and what must come after it."""
-    rejected = {_too_late(problem, rows)}
-    while True:
-        hints[list(rejected)] = np.nan
-        more = {lag.second for lag in problem.lags if lag.first in rejected} - rejected
-        if not more:
-            return
-        rejected |= more
+    hints[_too_late(problem, rows)] = np.nan
+    _reject_followers(problem, hints)
+
+
+def _reject_followers(problem: Problem, hints: Floats) -> None:
+    """Reject, in place, what must come after a rejected job."""
+    followers = [True]
+    while any(followers):
+        followers = [
+            bool(np.isnan(hints[lag.first]) and not np.isnan(hints[lag.second])) for lag in problem.lags
+        ]
+        for lag, follows in zip(problem.lags, followers, strict=True):
+            if follows:
+                hints[lag.second] = np.nan
 
 
 def _too_late(problem: Problem, rows: dict[int, list[int]]) -> int:

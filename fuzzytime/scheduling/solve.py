@@ -5,16 +5,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.clash import clash_of
 from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.objectives import Nearness, Objective
+from fuzzytime.scheduling.objectives import DEFAULT, Objective
 from fuzzytime.scheduling.placement import place_rest
 from fuzzytime.scheduling.problem import problem_of
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP, THRESHOLD, TINY, Certificate, Schedule, Status
 from fuzzytime.scheduling.secondary import rearranged
 from fuzzytime.scheduling.solver import Solver, nothing
+from fuzzytime.scheduling.warm import remembered
 from fuzzytime.skills import FuzzyTask
 
 
@@ -24,7 +26,8 @@ def solve(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
-    objectives: Sequence[Objective] = (Nearness(),),
+    objectives: Sequence[Objective] = DEFAULT,
+    hints: Sequence[float] = (),
 ) -> Schedule:
     """Find start times that satisfy most, and prove how good they are.
 
@@ -43,11 +46,14 @@ def solve(
         Time and memory; out of either the best schedule so far comes back, with its gap.
     objectives
         What counts among schedules that satisfy equally, the first most.
+    hints
+        Starts to begin the search with, such as those of a schedule for nearly the same task; NaN where none
+        is known.
 
     Raises
     ------
     FuzzytimeError
-        If the threshold is not in [0, 1), or no agent ever has time for some skill.
+        If the threshold is not in [0, 1), hints are not one a skill, or no agent ever has time for one.
     RefusedError
         If the solver cannot solve such a task at all.
 
@@ -59,14 +65,16 @@ def solve(
     >>> schedule.start_times, schedule.satisfactions, str(schedule.certificate.status)
     ((105.0, 135.0), (0.75, 0.75), 'optimal')
     """
+    if hints and len(hints) != len(task.skills):
+        raise FuzzytimeError(f"hints must be one for each of {len(task.skills)} skills, got {len(hints)}")
     watch = Stopwatch(limits or Limits())
     if threshold == 0:
-        quick = _scheduled(task, LocalSearch(), threshold, watch.share(0.3), objectives)
+        quick = _scheduled(task, LocalSearch(), threshold, watch.share(0.3), objectives, hints)
         if any(quick.rejected):
             clash = clash_of(task, partial(_is_impossible, task, watch.share(0.5)), watch.share(0.5))
             if clash:
                 return replace(quick, clash=clash, certificate=_infeasible(quick.certificate))
-    return _scheduled(task, solver or Auto(), threshold, watch, objectives)
+    return _scheduled(task, solver or Auto(), threshold, watch, objectives, hints)
 
 
 def _is_impossible(task: FuzzyTask, watch: Stopwatch, members: tuple[int, ...]) -> bool:
@@ -76,22 +84,31 @@ def _is_impossible(task: FuzzyTask, watch: Stopwatch, members: tuple[int, ...]) 
 
 
 def _scheduled(
-    task: FuzzyTask, solver: Solver, threshold: float, watch: Stopwatch, objectives: Sequence[Objective]
+    task: FuzzyTask,
+    solver: Solver,
+    threshold: float,
+    watch: Stopwatch,
+    objectives: Sequence[Objective],
+    hints: Sequence[float] = (),
 ) -> Schedule:
     """Solve group by group, go by what counts among equals, and place the rest."""
     problem = problem_of(task, threshold)
     lower = math.fsum(job.rejection for job in problem.apart)
     draft = nothing(problem)
+    methods: dict[str, None] = {}  # in the order of their first use
     for members in problem.groups():
-        found = solver.search(problem.select(members), watch)
+        group = problem.select(members)
+        found = solver.search(group, watch, remembered(group, hints) if hints else None)
         lower += found.lower_cost
+        methods[found.method or solver.name] = None
         draft.starts[members], draft.agents[members] = found.starts, found.agents
     draft = rearranged(problem, task.skills, draft, objectives, watch)
     starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
         starts[job.position], agents[job.position] = start, agent
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
-    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, solver.name, watch.seconds)
+    method = " + ".join(methods) or solver.name
+    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, method, watch.seconds)
     schedule = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
     return replace(schedule, certificate=_certificate(schedule, lower, open_end))
 

@@ -128,7 +128,7 @@ def explain(
     >>> pour = FuzzySkill("pour the coffee", Triangle(60, 120, 180), duration=30)
     >>> _, why = explain(solve(FuzzyTask((flip, pour))))
     >>> round(why.alone, 2), round(why.lost, 2), why.neighbours[0].position, str(why.neighbours[0].bond)
-    (1.0, 0.37, 0, 'overlap')
+    (1.0, 0.5, 0, 'overlap')
     """
     watch = Stopwatch(limits or Limits(seconds=3.0))
     chosen = range(len(schedule.start_times)) if positions is None else positions

@@ -1,10 +1,14 @@
 """Strategies that draw satisfaction functions of every shape."""
 
+import math
+
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import (
     Bell,
+    Clipped,
     Floored,
+    Interval,
     Rectangle,
     Sampled,
     SatisfactionFunction,
@@ -43,6 +47,12 @@ linear: st.SearchStrategy[SatisfactionFunction] = st.one_of(
     points,
 )
 plain: st.SearchStrategy[SatisfactionFunction] = st.one_of(linear, bells)
+windows = st.one_of(
+    _ascending(2).map(lambda ends: Interval(*ends)),
+    times.map(lambda time: Interval(time, math.inf)),
+    times.map(lambda time: Interval(-math.inf, time)),
+)
+clipped = st.builds(Clipped, plain, windows)
 functions: st.SearchStrategy[SatisfactionFunction] = st.one_of(
-    plain, st.builds(Floored, plain, st.floats(1e-4, 1.0))
+    plain, clipped, st.builds(Floored, plain, st.floats(1e-4, 1.0))
 )

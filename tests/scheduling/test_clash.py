@@ -50,6 +50,11 @@ def test_an_order_can_be_what_clashes() -> None:
     assert clash_of(task) == (0, 1)
 
 
+def test_of_two_agents_three_can_clash() -> None:
+    one = (Rectangle(0, 3), 6.0)
+    assert clash_of(task_of(one, one, (ALWAYS, 9), one, agents=2)) == (0, 1, 3)
+
+
 def test_a_lag_can_be_what_clashes() -> None:
     task = task_of(
         (Rectangle(0, 5), 5),
@@ -91,7 +96,7 @@ def fits(task: FuzzyTask, order: tuple[int, ...]) -> bool:
     return True
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.integers(0, 100_000))
 def test_a_clash_is_as_small_as_trying_all_sets_finds(seed: int) -> None:
     generator = np.random.default_rng(seed)

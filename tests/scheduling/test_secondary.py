@@ -79,7 +79,7 @@ def test_of_two_objectives_the_first_counts_most() -> None:
     assert solve(task, objectives=(Nearness(), EarliestStart())).start_times == (240,)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.integers(0, 100_000))
 def test_nothing_is_lost_and_the_sum_of_distances_never_grows(seed: int) -> None:
     task, generator = random_task(seed), np.random.default_rng(seed)

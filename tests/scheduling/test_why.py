@@ -112,7 +112,7 @@ def test_out_of_time_those_in_the_way_are_named_without_what_they_would_lose() -
     assert [(neighbour.position, neighbour.instead) for neighbour in why.neighbours] == [(0, None)]
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=30, deadline=None)
 @given(st.integers(0, 100_000))
 def test_no_other_time_is_better_than_a_proved_schedule(seed: int) -> None:
     schedule = solve(random_task(seed))
