@@ -27,10 +27,9 @@ from fuzzytime.skills import FuzzySkill
 GENTLE = 100.0
 """How many horizons away a wish is worth nothing: so far that a sum of wishes is as good as their product."""
 
-<<<<<<< HEAD
 PATIENCE = 10.0
 """How many seconds later a start that nobody named may be, for a second nearer to one that somebody did."""
-=======
+
 PIECES = 8
 """Lines that stand for a curve's integral between two of its corners."""
 
@@ -61,7 +60,6 @@ class Arrangement:
             last = max(mine, key=lambda index: (self.starts[index] + self.skills[index].duration, index))
             found[agent] = first, last
         return found
->>>>>>> why
 
 
 class Objective(Protocol):
@@ -115,17 +113,11 @@ class EarliestStart(_EachForItself):
 
 
 @dataclass(frozen=True, slots=True)
-<<<<<<< HEAD
-class Nearness:
+class Nearness(_EachForItself):
     """The least sum of distances to the starts that were named, and of start times where none was.
 
-    A second of the latter counts `PATIENCE` times less.
-=======
-class Nearness(_EachForItself):
-    """The least sum of distances to the starts that were named; where none was, of start times.
-
-    Of equal sums the one that is shared out more evenly is wished a little more.
->>>>>>> why
+    A second of the latter counts `PATIENCE` times less. Of equal sums the one that is shared out more evenly
+    is wished a little more.
     """
 
     name: ClassVar[str] = "nearness"
@@ -133,11 +125,7 @@ class Nearness(_EachForItself):
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Wish for the preferred start, linearly less away from it."""
         if skill.preferred is None:
-<<<<<<< HEAD
-            return EarliestStart().wish(skill, PATIENCE * reach)
-=======
-            return _early(reach)
->>>>>>> why
+            return _early(PATIENCE * reach)
         return Triangle(skill.preferred - GENTLE * reach, skill.preferred, skill.preferred + GENTLE * reach)
 
 
