@@ -9,7 +9,7 @@ from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).parent.parent / name) for name in ("tests", "cli", ".")]
 
-from console import ROOT, examples_of, fits, written_by
+from console import ROOT, examples_of, fits, written_for
 
 
 def refreshed(path: Path) -> str:
@@ -17,7 +17,7 @@ def refreshed(path: Path) -> str:
     text = path.read_text(encoding="utf-8")
     for example in list(examples_of(path)):
         with tempfile.TemporaryDirectory() as folder:
-            written = written_by(example.command, Path(folder))
+            written = written_for(example, Path(folder))
         said = f"$ {example.command}\n{example.expected}"
         if fits(example.expected, written):
             continue

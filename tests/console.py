@@ -2,7 +2,8 @@
 
 A block starts with ```console; a line ``$ command`` is run from the repository's root, and the lines that
 follow are what it must write, standard output and error together. A line ``…`` stands for any lines.
-Figures of time spent are not compared.
+Figures of time spent are not compared. Where a block follows a line <!-- scratch -->, its commands and those
+of the file's other such blocks are run one after the other in one folder, and find each other's files.
 """
 
 import contextlib
@@ -12,13 +13,15 @@ import re
 import shlex
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from unittest import mock
 
 ROOT = Path(__file__).parent.parent
-_BLOCK = re.compile(r"^```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_BLOCK = re.compile(r"^(<!-- scratch -->\n)?```console\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _SPENT = re.compile(r"\d+\.\d+ s\)|(?<=\"seconds\": )[\d.e-]+")
 
 
@@ -30,6 +33,7 @@ class Example:
     line: int
     command: str
     expected: str
+    scratch: bool = False
 
     def __str__(self) -> str:
         return f"{self.path.relative_to(ROOT)}:{self.line}: {self.command}"
@@ -39,11 +43,11 @@ def examples_of(path: Path) -> Iterator[Example]:
     """Give the commands of all console blocks of a file."""
     text = path.read_text(encoding="utf-8")
     for block in _BLOCK.finditer(text):
-        line = text.count("\n", 0, block.start(1)) + 1
-        for part in re.split(r"^(?=\$ )", block[1], flags=re.MULTILINE):
+        line = text.count("\n", 0, block.start(2)) + 1
+        for part in re.split(r"^(?=\$ )", block[2], flags=re.MULTILINE):
             if part.startswith("$ "):
                 command, _, expected = part[2:].partition("\n")
-                yield Example(path, line, command, expected)
+                yield Example(path, line, command, expected, bool(block[1]))
             line += part.count("\n")
 
 
@@ -68,21 +72,42 @@ def environment(folder: Path) -> dict[str, str]:
     }
 
 
-def written_by(command: str, folder: Path) -> str:
+@cache
+def written_in_scratch(path: Path) -> dict[int, str]:
+    """Run a file's commands that share a folder, and give what each writes, by its line."""
+    with tempfile.TemporaryDirectory() as name:
+        here = Path(name) / "here"
+        here.mkdir()
+        shared = [example for example in examples_of(path) if example.scratch]
+        return {example.line: written_by(example.command, Path(name), here) for example in shared}
+
+
+def written_for(example: Example, folder: Path) -> str:
+    """Run an example and give what it writes."""
+    if example.scratch:
+        return written_in_scratch(example.path)[example.line]
+    return written_by(example.command, folder)
+
+
+def written_by(command: str, folder: Path, working: Path = ROOT) -> str:
     """Run a command and give what it writes; simple ones in this process, as loading the model takes long."""
     if re.search(r"[|<>&;]", command):
-        return _in_shell(command, folder)
+        return _in_shell(command, folder, working)
     words = shlex.split(command)
     if words[0] != "fuzzytime":
-        return _in_shell(command, folder)
+        return _in_shell(command, folder, working)
     from fuzzytime_cli.app import run
 
     stream = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", write_through=True)
     here = Path.cwd()
     with mock.patch.dict(os.environ, environment(folder), clear=True):
-        os.chdir(ROOT)
+        os.chdir(working)
         try:
-            with contextlib.redirect_stdout(stream), contextlib.redirect_stderr(stream):
+            with (
+                contextlib.redirect_stdout(stream),
+                contextlib.redirect_stderr(stream),
+                mock.patch.object(sys, "stdin", io.TextIOWrapper(io.BytesIO(), encoding="utf-8")),
+            ):
                 run(words[1:])
         finally:
             os.chdir(here)
@@ -91,7 +116,7 @@ def written_by(command: str, folder: Path) -> str:
     return raw.getvalue().decode("utf-8")
 
 
-def _in_shell(command: str, folder: Path) -> str:
+def _in_shell(command: str, folder: Path, working: Path) -> str:
     shim = folder / "bin" / "fuzzytime"
     shim.parent.mkdir(exist_ok=True)
     shim.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m fuzzytime_cli "$@"\n')
@@ -100,7 +125,7 @@ def _in_shell(command: str, folder: Path) -> str:
     variables["PATH"] = f"{shim.parent}{os.pathsep}{variables['PATH']}"
     done = subprocess.run(
         ["bash", "-c", command],  # noqa: S607 - the shell that the document's reader uses
-        cwd=ROOT,
+        cwd=working,
         env=variables,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
@@ -118,6 +143,6 @@ def compared(text: str) -> str:
 
 def fits(expected: str, written: str) -> bool:
     """Say whether what was written is what was expected; ``…`` alone on a line stands for any lines."""
-    pattern = re.escape(compared(expected)).replace(re.escape("\n…\n"), "\n(?:.*\n)*?")
-    pattern = re.sub(rf"\n{re.escape('…')}$", r"(?:\n.*)*", pattern)
-    return re.fullmatch(pattern, compared(written)) is not None
+    pattern = re.escape(f"\n{compared(expected)}\n")
+    pattern = pattern.replace(re.escape("\n…\n"), "\n(?:.*\n)*?")
+    return re.fullmatch(pattern, f"\n{compared(written)}\n") is not None

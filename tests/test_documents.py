@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_by
+from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_for
 
 DOCUMENTS = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("tests/transcripts/*.md")])
 EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in examples_of(path)]
@@ -14,7 +14,7 @@ EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in exampl
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=str)
 def test_a_command_writes_what_its_document_shows(example: Example, tmp_path: Path) -> None:
-    written = written_by(example.command, tmp_path)
+    written = written_for(example, tmp_path)
     assert fits(example.expected, written), f"{example}\n{compared(written)}"
 
 

@@ -21,23 +21,23 @@ app = typer.Typer(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("plan")(plan.plan)
-app.command("batch")(batch.batch)
-app.command("parse")(parse.parse)
-app.command("explain")(explain.explain)
-app.command("repl")(repl.repl)
-app.command("run", cls=live.CommandWithProgram)(live.run)
-app.add_typer(rules.app, name="rules")
-app.add_typer(config.app, name="config")
-app.add_typer(study.app, name="study")
-app.command("doctor")(doctor.doctor)
+app.command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
+app.command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
+app.command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
+app.command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
+app.command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
+app.command("parse", short_help="Show the operations and times of each text.")(parse.parse)
+app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
+app.add_typer(study.app, name="study", short_help="Ask people what they mean; plan with what they answer.")
+app.add_typer(config.app, name="config", short_help="Show the settings, and where each comes from.")
+app.command("doctor", short_help="Check the installation.")(doctor.doctor)
 
 
 def _show_version(wanted: bool) -> None:  # noqa: FBT001 - Typer calls it with the flag's value
     if wanted:
-        from importlib.metadata import version
+        from fuzzytime_cli.release import installed_version
 
-        print(f"fuzzytime {version('fuzzytime-planner')}")  # noqa: T201
+        print(f"fuzzytime {installed_version()}")  # noqa: T201
         raise typer.Exit
 
 

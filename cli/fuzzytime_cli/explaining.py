@@ -2,6 +2,7 @@
 
 import math
 import textwrap
+from collections.abc import Iterable
 from itertools import groupby
 
 import numpy as np
@@ -215,14 +216,15 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
         line for requirement in interpreted.requirements for line in requirement_lines(requirement, clock)
     ]
     lines += _section("left", left_lines(reading) if reading is not None else [])
-    lines += _section("time", asked or ["no words about time: any time from now on satisfies"])
-    lines += _section(
-        "rows and rules", [x for part in interpreted.resolutions for x in resolution_lines(part)]
-    )
-    lines += _section("duration", [_duration_line(interpreted)])
+    behind = [line for part in interpreted.resolutions for line in resolution_lines(part)]
+    inner = width - len(INDENT)
+    asked = asked or ["no words about time: any time from now on satisfies"]
+    lines += _section("time", _wrapped(asked, inner))
+    lines += _section("rows and rules", _wrapped(behind, inner))
+    lines += _section("duration", _wrapped([_duration_line(interpreted)], inner))
     chart = chart_of(interpreted, plan, position)
-    lines += _section("satisfaction", chart_lines(chart, width - len(INDENT), unicode=unicode))
-    lines += _section("why then", _why_lines(plan, position, width - len(INDENT)))
+    lines += _section("satisfaction", chart_lines(chart, inner, unicode=unicode))
+    lines += _section("why then", _wrapped(why_sentences(plan, position), inner))
     return lines
 
 
@@ -234,9 +236,17 @@ def _duration_line(interpreted: Interpreted) -> str:
     return f"busy {busy}{until} ({origin})"
 
 
-def _why_lines(plan: Plan, position: int, width: int) -> list[str]:
-    text = why_sentences(plan, position)
-    return [line for sentence in text for line in textwrap.wrap(sentence, width, subsequent_indent=INDENT)]
+def _wrapped(lines: Iterable[str], width: int) -> list[str]:
+    """Break lines that are too long between words; what follows is indented."""
+    return [
+        part
+        for line in lines
+        for part in (
+            [line]
+            if width_of(line) <= width
+            else textwrap.wrap(line, max(width, 20), subsequent_indent=2 * INDENT)
+        )
+    ]
 
 
 def _section(title: str, lines: list[str]) -> list[str]:
@@ -245,7 +255,6 @@ def _section(title: str, lines: list[str]) -> list[str]:
 
 def reading_lines(reading: Reading, width: int) -> list[str]:
     """Explain a text that gives no skill: its tree, what was found, and what was left."""
-    del width
     clock = Clock(reading.now, with_seconds=False) if reading.now is not None else None
     found = [
         line
@@ -258,7 +267,7 @@ def reading_lines(reading: Reading, width: int) -> list[str]:
     return [
         *_section("tree", tree_lines(reading)),
         *_section("the paper's reading", [strict_line(reading)]),
-        *_section("time", found or ["no words about time"]),
+        *_section("time", _wrapped(found or ["no words about time"], width - len(INDENT))),
         *_section("left", left_lines(reading)),
     ]
 
@@ -270,8 +279,8 @@ def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
     for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
         first, *others = occurrences
         for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
-            lines += requirement_lines(requirement, clock)
-            lines += [INDENT + line for line in resolution_lines(resolution)]
+            lines += _wrapped(requirement_lines(requirement, clock), width)
+            lines += [INDENT + line for line in _wrapped(resolution_lines(resolution), width - len(INDENT))]
         lines += chart_lines(chart_of(first, plan), width, unicode=unicode)
         lines += [f"and {len(others)} more occurrences like it"] * bool(others)
     return lines

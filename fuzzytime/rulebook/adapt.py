@@ -72,9 +72,9 @@ def adapt(wanted: Wanted, requirement: TimeRequirement, tables: Tables) -> Adapt
     effects = tuple(_effect(hedge, requirement, tables) for hedge in known)
     width = wanted.width * wanted.scale * math.prod(effect.factor for effect in effects)
     plateau = (tables.plateau or 0.0) * width
-    parameters = {"t": t, "w": width, "c": plateau}
-    if wanted.interval is not None:
-        parameters |= {"a": wanted.interval[0], "b": wanted.interval[1]}
+    # A moment is an interval without length, to a model that asks for one.
+    start, end = wanted.interval if wanted.interval is not None else (t, t)
+    parameters = {"t": t, "w": width, "c": plateau, "a": start, "b": end}
     shift = width * math.fsum(hedge.shift for hedge in known)
     early = t * math.fsum(hedge.spread[0] - 1.0 for hedge in known)
     late = t * math.fsum(hedge.spread[1] - 1.0 for hedge in known)

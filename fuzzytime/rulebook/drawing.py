@@ -29,7 +29,7 @@ def drawn(
     return Trace(
         times=times,
         signals=tuple(_signal_trace(name, world, times) for name in names),
-        atoms=tuple((text, truth.low[positions]) for text, truth in traced.parts.items()),
+        atoms=tuple((str(part), truth.low[positions]) for part, truth in traced.parts.items()),
         low=traced.truth.low[positions],
         high=traced.truth.high[positions],
         satisfaction=satisfied,

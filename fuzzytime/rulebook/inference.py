@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.rulebook.formula import Formula, Is, events, nodes, variables
+from fuzzytime.rulebook.formula import Formula, Is, events, variables
 from fuzzytime.rulebook.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.rules import Rule
 from fuzzytime.rulebook.tables import Tables
@@ -113,14 +113,13 @@ def _now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]
     grid = world.grid(formula, 0.0)
     traced = trace(formula, world, grid)
     zero = grid.zero
-    readings = {str(node): _reading(node, world) for node in nodes(formula) if isinstance(node, Is)}
     atoms = tuple(
         AtomDegree(
-            text,
+            str(part),
             Degree(float(truth.low[zero]), float(truth.high[zero])),
-            *readings.get(text, (None, None)),
+            *(_reading(part, world) if isinstance(part, Is) else (None, None)),
         )
-        for text, truth in traced.parts.items()
+        for part, truth in traced.parts.items()
     )
     return Degree(float(traced.truth.low[zero]), float(traced.truth.high[zero])), atoms
 

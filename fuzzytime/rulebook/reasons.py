@@ -40,7 +40,7 @@ def why_never(formula: Formula, world: World, traced: Traced, horizon: float, ne
 def _stays_apart(atom: Is, formula: Formula, traced: Traced, never_below: float) -> bool:
     """Tell whether an atom never does what the formula wants of it."""
     ahead = traced.grid.times >= 0
-    truth = traced.parts[str(atom)]
+    truth = traced.parts[atom]
     if any(isinstance(node, Not) and node.part == atom for node in nodes(formula)):
         return bool(truth.high[ahead].min() > 1 - never_below)
     return bool(truth.low[ahead].max() < never_below)

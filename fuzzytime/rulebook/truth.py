@@ -1,6 +1,6 @@
 """How true a formula is over time: two bounds, which differ where readings are missing."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -32,6 +32,11 @@ class Truth:
     low: Floats
     high: Floats
 
+    @property
+    def certain(self) -> bool:
+        """Whether both are the same array: nothing is unknown."""
+        return self.low is self.high
+
 
 def truth_of_atom(atom: Is, values: Floats, tables: Tables) -> Truth:
     """Give μ(x)^p at values of any shape: the term's membership, to the powers of its hedges."""
@@ -39,6 +44,8 @@ def truth_of_atom(atom: Is, values: Floats, tables: Tables) -> Truth:
     for hedge in atom.hedges:
         degrees = degrees ** tables.term_hedges[hedge].power
     unknown = np.isnan(degrees)
+    if not unknown.any():
+        return Truth(degrees, degrees)
     return Truth(np.where(unknown, 0.0, degrees), np.where(unknown, 1.0, degrees))
 
 
@@ -46,91 +53,113 @@ def truth_of_atom(atom: Is, values: Floats, tables: Tables) -> Truth:
 class Traced:
     """A formula over the times of a grid, as expected over all curves of the forecasts.
 
-    ``parts`` are the same for each atom and each window in it, by their text.
+    ``parts`` are the same for each atom and each window in it, from left to right.
     """
 
     grid: Grid
     truth: Truth
-    parts: Mapping[str, Truth]
+    parts: Mapping[Formula, Truth]
 
 
 def trace(formula: Formula, world: World, grid: Grid) -> Traced:
     """Follow a formula over time: E[⟦φ⟧(t; θ)] over the whole formula, by a fixed set of curves θ."""
-    names = [world.tables.variables[name].signal for name in variables(formula)]
-    low = high = np.zeros(grid.times.size)
-    parts: dict[str, Truth] = {}
-    for combination in world.combinations(names):
-        found = _Evaluation(world, grid, combination)
-        whole = _mean(found.truth(formula), combination.weight)
-        low, high = low + whole.low, high + whole.high
-        for part, truth in found.parts.items():
-            mean = _mean(truth, combination.weight)
-            before = parts.get(part)
-            parts[part] = mean if before is None else Truth(before.low + mean.low, before.high + mean.high)
-    return Traced(grid, Truth(_clipped(low), _clipped(high)), parts)
+    return trace_all([formula], world, grid)[0]
 
 
-def _mean(truth: Truth, weight: float) -> Truth:
-    return Truth(weight * truth.low.mean(axis=0), weight * truth.high.mean(axis=0))
+def trace_all(formulas: Sequence[Formula], world: World, grid: Grid) -> list[Traced]:
+    """Follow several formulas over the same times; what they share is worked out once."""
+    evaluation = _Evaluation(world, grid)
+    return [_traced(formula, evaluation) for formula in formulas]
 
 
-def _clipped(values: Floats) -> Floats:
+def _traced(formula: Formula, evaluation: "_Evaluation") -> Traced:
+    combinations = evaluation.combinations(formula)
+    weights = [combination.weight for combination in combinations]
+
+    def expected(part: Formula) -> Truth:
+        return _mean([evaluation.truth(part, combination) for combination in combinations], weights)
+
+    shown = dict.fromkeys(node for node in nodes(formula) if isinstance(node, Is | Window))
+    return Traced(evaluation.grid, expected(formula), {part: expected(part) for part in shown})
+
+
+def _mean(truths: Sequence[Truth], weights: Sequence[float]) -> Truth:
+    """Give the means over all curves, each combination of forecasts by its weight."""
+    if len(truths) == 1 and len(truths[0].low) == 1:
+        return Truth(truths[0].low[0], truths[0].high[0])
+    low = _mean_rows([truth.low for truth in truths], weights)
+    if all(truth.certain for truth in truths):
+        return Truth(low, low)
+    return Truth(low, _mean_rows([truth.high for truth in truths], weights))
+
+
+def _mean_rows(values: Sequence[Floats], weights: Sequence[float]) -> Floats:
+    means = [weight * rows.mean(axis=0) for rows, weight in zip(values, weights, strict=True)]
     # Weighted means of ones are 1 up to rounding: that must stay 1.
-    return np.clip(np.round(values, 12), 0.0, 1.0)
+    return np.asarray(np.clip(np.round(np.sum(means, axis=0), 12), 0.0, 1.0))
 
 
 class _Evaluation:
-    """Evaluates formulas on one grid and one combination of forecasts, each variable once."""
+    """Evaluates formulas on one grid: each variable and each part of a formula once a set of curves."""
 
-    def __init__(self, world: World, grid: Grid, combination: Combination) -> None:
-        self._world = world
-        self._grid = grid
-        self._combination = combination
-        self._values: dict[str, Floats] = {}
-        self.parts: dict[str, Truth] = {}
+    def __init__(self, world: World, grid: Grid) -> None:
+        self.world = world
+        self.grid = grid
+        self._combinations: dict[tuple[str, ...], tuple[Combination, ...]] = {}
+        self._values: dict[tuple[str, int | None], Floats] = {}
+        self._truths: dict[tuple[Formula, Combination], Truth] = {}
 
-    def truth(self, formula: Formula) -> Truth:
+    def combinations(self, formula: Formula) -> tuple[Combination, ...]:
+        """Give the combinations of forecasts to follow a formula over, the same ones for the same signals."""
+        names = tuple(self.world.tables.variables[name].signal for name in variables(formula))
+        if names not in self._combinations:
+            self._combinations[names] = self.world.combinations(names)
+        return self._combinations[names]
+
+    def truth(self, formula: Formula, combination: Combination) -> Truth:
         """Give bounds of shape (curves, k)."""
+        key = formula, combination
+        found = self._truths.get(key)
+        if found is None:
+            found = self._truths[key] = self._evaluated(formula, combination)
+        return found
+
+    def _evaluated(self, formula: Formula, combination: Combination) -> Truth:
         if isinstance(formula, Is):
-            found = truth_of_atom(formula, self._variable(formula.variable), self._world.tables)
-            self.parts[str(formula)] = found
-            return found
+            return truth_of_atom(formula, self._variable(formula.variable, combination), self.world.tables)
         if isinstance(formula, Happened):
-            since = self._world.since(formula.event, self._grid.times)
-            known = self._world.known(formula.event)
-            low = (since >= 0).astype(float)[None, :]
-            return Truth(low, low if known else np.ones_like(low))
+            happened = (self.world.since(formula.event, self.grid.times) >= 0).astype(float)[None, :]
+            known = self.world.known(formula.event)
+            return Truth(happened, happened if known else np.ones_like(happened))
         if isinstance(formula, Not):
-            part = self.truth(formula.part)
-            return Truth(1.0 - part.high, 1.0 - part.low)
+            part = self.truth(formula.part, combination)
+            low = 1.0 - part.high
+            return Truth(low, low if part.certain else 1.0 - part.low)
         if isinstance(formula, Window):
-            found = self._windowed(formula)
-            self.parts[str(formula)] = found
-            return found
-        parts = [self.truth(part) for part in formula.parts]
-        norm = self._world.tables.norm
+            return self._windowed(formula, self.truth(formula.part, combination))
+        parts = [self.truth(part, combination) for part in formula.parts]
+        norm = self.world.tables.norm
         join = norm.conjunction if isinstance(formula, And) else norm.disjunction
-        return Truth(join([part.low for part in parts]), join([part.high for part in parts]))
+        low = join([part.low for part in parts])
+        certain = all(part.certain for part in parts)
+        return Truth(low, low if certain else join([part.high for part in parts]))
 
-    def _variable(self, name: str) -> Floats:
-        if name not in self._values:
-            variable = self._world.tables.variables[name]
-            self._values[name] = self._world.values(variable, self._grid, self._combination)
-        return self._values[name]
+    def _variable(self, name: str, combination: Combination) -> Floats:
+        variable = self.world.tables.variables[name]
+        key = name, combination.components.get(variable.signal)
+        if key not in self._values:
+            self._values[key] = self.world.values(variable, self.grid, combination)
+        return self._values[key]
 
-    def _windowed(self, window: Window) -> Truth:
-        part = self.truth(window.part)
-        grid = self._grid
+    def _windowed(self, window: Window, part: Truth) -> Truth:
+        grid, curves = self.grid, len(part.low)
         extent = Extent.of(window.length, window.reach, grid.step)
-        bounds: list[Floats] = []
-        for values, unknown in ((part.low, 0.0), (part.high, 1.0)):
-            regular = values[:, grid.regular]
-            if window.direction is Direction.NEXT:
-                found = _OPERATORS[window.operator](regular[:, ::-1], extent, unknown)[:, ::-1]
-            else:
-                found = _OPERATORS[window.operator](regular, extent, unknown)
-            bounds.append(on_all_times(found, grid))
-        return Truth(*bounds)
+        backwards = -1 if window.direction is Direction.NEXT else 1
+        # Both bounds at once: what lies before the first point is 0 to the lower one, 1 to the upper one.
+        bounds = np.concatenate([part.low, part.high])[:, grid.regular][:, ::backwards]
+        unknown = np.repeat([[0.0], [1.0]], curves, axis=0)
+        found = _OPERATORS[window.operator](bounds, extent, unknown)[:, ::backwards]
+        return Truth(on_all_times(found[:curves], grid), on_all_times(found[curves:], grid))
 
 
 def crossings(formula: Formula, world: World, grid: Grid) -> list[float]:

@@ -1,7 +1,8 @@
 """Operators over windows of time, on traces that run linearly between the points of a regular grid.
 
 A window looks back over ages a ≥ 0 with weight w(a) = 1 up to its length d, falling linearly to 0 at
-d·(1 + σ). Traces have shape (curves, k); before their first point stands a constant, what is not known.
+d·(1 + σ). Traces have shape (curves, k); before their first point stands what is not known: one constant, or
+one for each curve, of shape (curves, 1).
 Windows that look ahead are these on the reversed trace.
 """
 
@@ -38,7 +39,7 @@ def _snapped(steps: float) -> float:
     return float(round(steps)) if abs(steps - round(steps)) < _ROUNDING * max(steps, 1.0) else steps
 
 
-def sometime(trace: Floats, extent: Extent, unknown: float) -> Floats:
+def sometime(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
     """Give sup_a min(w(a), φ(t − a))."""
     padded = _padded(trace, extent.padding, unknown)
     size = trace.shape[-1]
@@ -51,7 +52,7 @@ def sometime(trace: Floats, extent: Extent, unknown: float) -> Floats:
     return found
 
 
-def throughout(trace: Floats, extent: Extent, unknown: float) -> Floats:
+def throughout(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
     """Give inf_a max(1 − w(a), φ(t − a)): there is no time in the window when φ fails."""
     return np.asarray(1.0 - sometime(1.0 - trace, extent, 1.0 - unknown))
 
@@ -72,8 +73,9 @@ def _largest(padded: Floats, extent: Extent, size: int) -> Floats:
     return largest
 
 
-def _padded(trace: Floats, number: int, unknown: float) -> Floats:
-    return np.concatenate([np.full((*trace.shape[:-1], number), unknown), trace], axis=-1)
+def _padded(trace: Floats, number: int, unknown: float | Floats) -> Floats:
+    before = np.broadcast_to(np.asarray(unknown, float), (*trace.shape[:-1], number))
+    return np.concatenate([before, trace], axis=-1)
 
 
 def _shifted(padded: Floats, steps: float, padding: int, size: int) -> Floats:
@@ -96,7 +98,7 @@ class Integrals:
     padding: int
 
     @classmethod
-    def of(cls, trace: Floats, padding: int, unknown: float) -> "Integrals":
+    def of(cls, trace: Floats, padding: int, unknown: float | Floats) -> "Integrals":
         """Integrate a trace from ``padding`` points before its start."""
         padded = _padded(trace, padding, unknown)
         zero = np.zeros((*trace.shape[:-1], 1))
@@ -120,7 +122,7 @@ class Integrals:
         )
 
 
-def mean(trace: Floats, extent: Extent, unknown: float) -> Floats:
+def mean(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
     """Give ∫ w·φ / ∫ w over the window."""
     size = trace.shape[-1]
     integrals = Integrals.of(trace, extent.padding, unknown)
@@ -135,7 +137,7 @@ def mean(trace: Floats, extent: Extent, unknown: float) -> Floats:
     return np.asarray(area / (extent.full + fade / 2))
 
 
-def mostly(trace: Floats, extent: Extent, unknown: float) -> Floats:
+def mostly(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
     """Give Q(∫ w·φ / ∫ w) with Q(p) = (p − 0.5) / 0.3, cut to [0, 1]."""
     # Running integrals leave 1 − 1e-15 where all of the window holds: rounding keeps it all.
     share = np.round(mean(trace, extent, unknown), 12)

@@ -24,15 +24,15 @@ class Auto:
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Solve by the best method for the problem."""
-        best = LocalSearch().search(problem, watch.share(0.3), warm)
+        best = replace(LocalSearch().search(problem, watch.share(0.3), warm), method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
         if few:
-            best = small.HeldKarp().search(problem, watch, best)
+            best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
         elif problem.agents == 1:
-            best = Labels().search(problem, watch, best)
+            best = replace(Labels().search(problem, watch, best), method=Labels.name)
         # Both relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
             other = Milp().search(problem, watch, best)
-            best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost))
+            best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best

@@ -27,6 +27,9 @@ from fuzzytime.skills import FuzzySkill
 GENTLE = 100.0
 """How many horizons away a wish is worth nothing: so far that a sum of wishes is as good as their product."""
 
+PATIENCE = 10.0
+"""How many seconds later a start that nobody named may be, for a second nearer to one that somebody did."""
+
 PIECES = 8
 """Lines that stand for a curve's integral between two of its corners."""
 
@@ -111,9 +114,10 @@ class EarliestStart(_EachForItself):
 
 @dataclass(frozen=True, slots=True)
 class Nearness(_EachForItself):
-    """The least sum of distances to the starts that were named; where none was, of start times.
+    """The least sum of distances to the starts that were named, and of start times where none was.
 
-    Of equal sums the one that is shared out more evenly is wished a little more.
+    A second of the latter counts `PATIENCE` times less. Of equal sums the one that is shared out more evenly
+    is wished a little more.
     """
 
     name: ClassVar[str] = "nearness"
@@ -121,7 +125,7 @@ class Nearness(_EachForItself):
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Wish for the preferred start, linearly less away from it."""
         if skill.preferred is None:
-            return _early(reach)
+            return _early(PATIENCE * reach)
         return Triangle(skill.preferred - GENTLE * reach, skill.preferred, skill.preferred + GENTLE * reach)
 
 

@@ -95,17 +95,20 @@ def _scheduled(
     problem = problem_of(task, threshold)
     lower = math.fsum(job.rejection for job in problem.apart)
     draft = nothing(problem)
+    methods: dict[str, None] = {}  # in the order of their first use
     for members in problem.groups():
         group = problem.select(members)
         found = solver.search(group, watch, remembered(group, hints) if hints else None)
         lower += found.lower_cost
+        methods[found.method or solver.name] = None
         draft.starts[members], draft.agents[members] = found.starts, found.agents
     draft = rearranged(problem, task.skills, draft, objectives, watch)
     starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
         starts[job.position], agents[job.position] = start, agent
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
-    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, solver.name, watch.seconds)
+    method = " + ".join(methods) or solver.name
+    open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, method, watch.seconds)
     schedule = Schedule(task, tuple(starts), tuple(agents), open_end, threshold)
     return replace(schedule, certificate=_certificate(schedule, lower, open_end))
 

@@ -26,12 +26,15 @@ class Draft:
         Σ costs, those of rejection included.
     lower_cost
         A proven lower bound on it in continuous time, −inf where there is none.
+    method
+        The solver that it comes from, where another one picked that.
     """
 
     starts: Floats
     agents: Ints
     cost: float
     lower_cost: float = field(default=-math.inf)
+    method: str = ""
 
 
 def draft_of(problem: Problem, starts: Floats, agents: Ints, lower_cost: float = -math.inf) -> Draft:

@@ -5,12 +5,13 @@ Collect curves with `fuzzytime.study.server`, keep them in an `AnswerStore`, des
 the store and the plots is a pure function over arrays.
 """
 
-from fuzzytime.study.analysis import Analysis, Described, analyse, corner_intervals
+from fuzzytime.study.analysis import Analysis, analyse, corner_intervals
 from fuzzytime.study.answers import Answers, Origin, Participant, SetAside
 from fuzzytime.study.calibrate import Calibration, calibrate
 from fuzzytime.study.characteristics import Characteristics, characterise, histogram
 from fuzzytime.study.compare import Comparison, compare
 from fuzzytime.study.density import Flanks, flanks, variance
+from fuzzytime.study.described import Described
 from fuzzytime.study.design import Design
 from fuzzytime.study.fitting import Fit, Model, fit, fit_models
 from fuzzytime.study.personal import PersonalTable, personal_table

@@ -1,101 +1,25 @@
 """Everything that a study says, from one set of answers: Ψ_I, and the paper's questions F1, F2 and F3."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.satisfaction import Floats, Trapezoid
+from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study.answers import Answers
-from fuzzytime.study.characteristics import Characteristics, characterise
 from fuzzytime.study.compare import PERMUTATIONS, Comparison, compare
-from fuzzytime.study.density import Flanks, flanks, variance
-from fuzzytime.study.fitting import Fit, Model, fit, fit_models
-from fuzzytime.study.questions import StudyInstruction
+from fuzzytime.study.described import Described
+from fuzzytime.study.fitting import Model, fit
+from fuzzytime.study.prepositions import PrepositionModels, models_by_preposition
 from fuzzytime.study.scale import ScaleComparison, compare_answers
 from fuzzytime.study.start_times import StartTimeInfluence, influence_of_start_times
-from fuzzytime.study.subgroups import Subgroups, subgroups
-from fuzzytime.study.subjective import SubjectiveSatisfaction
 
 Intervals = tuple[tuple[float, float], ...]
 """Low and high ends, one pair for each corner."""
 
 BYTES = 8
 """What one number takes in memory."""
-
-
-@dataclass(frozen=True)
-class Described:
-    """One instruction over everybody, or over one group: what was drawn, and what it amounts to."""
-
-    instruction: StudyInstruction
-    group: str | None
-    subjective: SubjectiveSatisfaction
-
-    @cached_property
-    def characteristics(self) -> Characteristics:
-        """Pointwise characteristic values."""
-        return characterise(self.subjective)
-
-    @property
-    def median(self) -> Floats:
-        """The median curve, of shape (k,)."""
-        return self.characteristics.median
-
-    @cached_property
-    def fits(self) -> Mapping[Model, Fit]:
-        """Fits to the median, by model; none where it is 0 everywhere. Of a group only the trapezoid."""
-        if not self.median.any():
-            return {}
-        models = tuple(Model) if self.group is None else (Model.TRAPEZOID,)
-        return fit_models(self.subjective.times, self.median, models)
-
-    @cached_property
-    def variance(self) -> float:
-        """Variance of the median as a density, in seconds²; NaN where it is 0 everywhere."""
-        return float(variance(self.subjective.times, self.median))
-
-    @cached_property
-    def flanks(self) -> Flanks:
-        """Mean absolute gradients of the median's flanks."""
-        if not self.median.any():
-            return Flanks(float("nan"), float("nan"))
-        return flanks(self.subjective.times, self.median)
-
-    @cached_property
-    def subgroups(self) -> Subgroups:
-        """The best split of the participants into two."""
-        return subgroups(self.subjective)
-
-
-@dataclass(frozen=True, slots=True)
-class PrepositionModels:
-    """F1 for one preposition: how well each model fits its instructions, and where the plateau lies.
-
-    Parameters
-    ----------
-    errors
-        The smallest and the largest prediction error, by model.
-    best
-        How often the trapezoid's error is below the bell's, of how many instructions.
-    encloses
-        How often the trapezoid's plateau contains the specified time.
-    left_edges
-        Seconds from the specified time to the start of the plateau, where its rise is on the timeline.
-    left, right
-        Means over the instructions of the fitted flanks' absolute gradients, per second; NaN where there is
-        none. `Described.flanks` measures the medians themselves, which are as steep as the sampling at most.
-    """
-
-    preposition: str
-    errors: Mapping[Model, tuple[float, float]]
-    best: tuple[int, int]
-    encloses: int
-    left_edges: tuple[float, ...]
-    left: float
-    right: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,9 +114,7 @@ def analyse(
         answers=answers,
         overall=overall,
         by_group=by_group,
-        models={
-            preposition: _models(preposition, chosen) for preposition, chosen in _by_preposition(overall)
-        },
+        models=models_by_preposition(overall.values()),
         compared=compared,
         comparison=_compared(answers, compared, permutations, seed),
         scale=_scale(answers, compared),
@@ -208,48 +130,6 @@ def analyse(
 def _described(answers: Answers, group: str | None) -> dict[str, Described]:
     drawn = answers.subjective(group)
     return {entry.key: Described(entry, group, drawn[entry.key]) for entry in answers.design.instructions}
-
-
-def _by_preposition(described: Mapping[str, Described]) -> list[tuple[str, list[Described]]]:
-    names = dict.fromkeys(entry.instruction.preposition for entry in described.values())
-    return [
-        (name, [entry for entry in described.values() if entry.instruction.preposition == name])
-        for name in names
-    ]
-
-
-def _models(preposition: str, chosen: Sequence[Described]) -> PrepositionModels:
-    fitted = [entry for entry in chosen if entry.fits]
-    errors = {
-        model: (
-            min((entry.fits[model].sse for entry in fitted), default=float("nan")),
-            max((entry.fits[model].sse for entry in fitted), default=float("nan")),
-        )
-        for model in Model
-    }
-    better = sum(entry.fits[Model.TRAPEZOID].sse <= entry.fits[Model.BELL].sse for entry in fitted)
-    encloses, edges = 0, []
-    rises: list[float] = []
-    falls: list[float] = []
-    for entry in fitted:
-        function, t_spec = entry.fits[Model.TRAPEZOID].function, entry.instruction.t_spec
-        if isinstance(function, Trapezoid):
-            step = float(np.diff(entry.subjective.times).max())
-            encloses += function.full_start - step <= t_spec <= function.full_end + step
-            if function.rise_start < function.full_start:
-                edges.append(function.full_start - t_spec)
-                rises.append(1 / (function.full_start - function.rise_start))
-            if function.full_end < function.fall_end:
-                falls.append(1 / (function.fall_end - function.full_end))
-    return PrepositionModels(
-        preposition=preposition,
-        errors=errors,
-        best=(better, len(fitted)),
-        encloses=encloses,
-        left_edges=tuple(edges),
-        left=float(np.mean(rises)) if rises else float("nan"),
-        right=float(np.mean(falls)) if falls else float("nan"),
-    )
 
 
 def _compared(

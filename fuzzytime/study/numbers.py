@@ -8,9 +8,11 @@ from collections.abc import Mapping
 import numpy as np
 
 from fuzzytime.satisfaction import Floats
-from fuzzytime.study.analysis import Analysis, Described, PrepositionModels
+from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Fit
+from fuzzytime.study.prepositions import PrepositionModels
 from fuzzytime.study.start_times import StartTimeInfluence
 from fuzzytime.times import MINUTE
 

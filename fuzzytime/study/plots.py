@@ -12,9 +12,10 @@ import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Floats
-from fuzzytime.study.analysis import Analysis, Described
+from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.characteristics import histogram
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Model
 from fuzzytime.times import MINUTE
 

@@ -7,9 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from fuzzytime.satisfaction import Trapezoid
-from fuzzytime.study.analysis import Analysis, Described
+from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.assets import asset
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Model
 from fuzzytime.study.report_page import Page, between, number
 from fuzzytime.times import MINUTE, format_duration

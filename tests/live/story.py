@@ -11,7 +11,7 @@ import jsonschema
 
 from console import ROOT
 from fuzzytime.context import Context
-from fuzzytime.interpreter import Interpreter, Request, SpokenWish
+from fuzzytime.interpreter import Interpreter, Request, SpokenWish, Wish
 from fuzzytime.scheduling import THRESHOLD, Auto, Limits
 from fuzzytime_cli.live.clock import Clock, SimulatedClock
 from fuzzytime_cli.live.dispatcher import Dispatcher
@@ -25,11 +25,10 @@ from fuzzytime_cli.live.planning import Planning, Solving
 from fuzzytime_cli.live.progress import Ends, Executor, Nobody, Progress, without_limit
 
 SIX = datetime(2026, 3, 4, 18)  # noqa: DTZ001 - the stories are of no zone
-SCHEMA = jsonschema.Draft202012Validator(
-    json.loads((ROOT / "cli" / "fuzzytime_cli" / "schema" / "run-1.json").read_text())
-)
 Kind = TypeVar("Kind", bound=Event)
 Json = dict[str, Any]
+DOCUMENT: Json = json.loads((ROOT / "cli" / "fuzzytime_cli" / "schema" / "run-1.json").read_text())
+SCHEMA = jsonschema.Draft202012Validator(DOCUMENT)
 
 
 @cache
@@ -113,7 +112,7 @@ def wish(text: str, identifier: str = "", **given: Any) -> SpokenWish:  # noqa: 
 
 
 def told(
-    wishes: Sequence[SpokenWish | str],
+    wishes: Sequence[Wish | str],
     lines: Sequence[Json] = (),
     *,
     context: Context = Context.empty,

@@ -10,7 +10,7 @@ import pytest
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement, Unit
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Profile, Resolution, Rulebook
-from fuzzytime.satisfaction import ALWAYS, SatisfactionFunction
+from fuzzytime.satisfaction import ALWAYS, Interval, SatisfactionFunction
 from fuzzytime.times import DAY, HOUR, MINUTE
 from fuzzytime.yaml_nodes import Reader
 from rulebook.requirements_of import ahead, said, word
@@ -320,3 +320,13 @@ def test_the_start_that_is_named_is_told_where_words_name_one() -> None:
     finish = said(Constraint.AT, t_spec=HOUR, reference=Reference.FINISH)
     assert RULEBOOK.resolve(finish, elapsed=20 * MINUTE).named == 40 * MINUTE
     assert RULEBOOK.resolve(word("soon")).named is None
+
+
+def test_a_model_of_intervals_takes_a_moment_as_one_without_length(tmp_path: Path) -> None:
+    mine = tmp_path / "mine.yaml"
+    mine.write_text(
+        "fuzzytime: 1\nmodels: {odd: {breakpoints: [a - 1 min, a, b, b + 2 min]}}\n"
+        "prepositions: {in: {model: odd}}\n"
+    )
+    function = Rulebook.shipped(files=[mine]).resolve(ahead("in", 10)).satisfaction
+    assert function.support == Interval(9 * MINUTE, 12 * MINUTE)

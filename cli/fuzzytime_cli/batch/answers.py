@@ -16,6 +16,7 @@ from fuzzytime_cli.faults import code_of, message_of
 from fuzzytime_cli.formats.document import document_of
 from fuzzytime_cli.inputs.source import bytes_of, source_of
 from fuzzytime_cli.options import Understanding
+from fuzzytime_cli.release import installed_version
 
 SCHEMA = "fuzzytime-batch/1"
 
@@ -62,13 +63,7 @@ def recipe_of(assembly: Assembly, understanding: Understanding) -> Recipe:
 
     A now that was not given is no part of the fingerprint: an answer of another moment stays an answer.
     """
-    from importlib.metadata import PackageNotFoundError, version
-
-    try:
-        ours = version("fuzzytime-planner")
-    except PackageNotFoundError:
-        ours = "a checkout"
-    parts = [ours, str(assembly.now), str(assembly.zone), *(understanding.ctx or ())]
+    parts = [installed_version(), str(assembly.now), str(assembly.zone), *(understanding.ctx or ())]
     parts += [f"{name}={setting.value}" for name, setting in sorted(assembly.settings.values.items())]
     tables = [*assembly.rule_files(), *([understanding.context] if understanding.context else [])]
     parts += [hashlib.sha256(path.read_bytes()).hexdigest() for path in tables if path.is_file()]

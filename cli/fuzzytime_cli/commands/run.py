@@ -77,7 +77,7 @@ def run(
 ) -> None:
     """Carry out a plan in time: tell each start, or run a command, and re-plan when something matters."""
     from fuzzytime_cli.assembly import Assembly
-    from fuzzytime_cli.commands.plan import request_of
+    from fuzzytime_cli.commands.plan import request_from, request_of
     from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.live.programs import Command
     from fuzzytime_cli.live.start import Settings
@@ -96,13 +96,11 @@ def run(
     )
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
-    request = request_of(
-        file,
-        instruction or [],
-        assembly,
-        understanding,
-        interpreter.rulebook.signals,
-    )
+    signals = interpreter.rulebook.signals
+    if stay and file is None:
+        request = request_from(None, instruction or [], assembly, understanding, signals)
+    else:
+        request = request_of(file, instruction or [], assembly, understanding, signals)
     code = carried_out(
         request,
         interpreter,

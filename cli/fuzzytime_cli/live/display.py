@@ -1,5 +1,6 @@
 """Events as a person reads them on a terminal."""
 
+import shlex
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Protocol, TextIO
@@ -76,7 +77,9 @@ class EventScreen:
             case told.Start():
                 line = self._line(at, kind, f"{_who(event)}, until {self._clock(event.end_s)} ", "bold green")
                 drawn = bar(event.satisfaction, unicode=self.screen.unicode).rstrip()
-                return [line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))]
+                line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))
+                ran = [] if event.command is None else [plain(shlex.join(event.command))]
+                return [line, *(self._line(at, "command", words, "dim") for words in ran)]
             case told.End() | told.Done():
                 return [self._line(at, kind, _who(event), "green" if kind == "done" else "")]
             case told.Moved(before_s=before, after_s=after):

@@ -35,12 +35,12 @@ class Began(Event):
 
     type: ClassVar[str] = "run"
 
+    schema: str = SCHEMA
     now: str
     speed: float | None
     agents: int
     threshold: float
     ends: str
-    schema: str = SCHEMA
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -129,8 +129,9 @@ class Outlook:
             return
         self.look_at, self.looked = math.inf, now
         try:
-            if self.planning.has_changed(now, ledger.as_seen(now)):
-                self.reasons.append("readings changed what is wished for")
+            changed = self.planning.changed(now, ledger.as_seen(now))
+            if changed:
+                self.reasons.append(f"readings changed the time for {', '.join(changed)}")
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error))
 

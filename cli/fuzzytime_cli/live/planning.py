@@ -115,8 +115,8 @@ class Planning:
         found = [rulebook.signals_for(requirement, verb) for requirement in interpreted.requirements]
         return frozenset[str]().union(*found)
 
-    def has_changed(self, now: float, started: tuple[Started, ...]) -> bool:
-        """Say whether what is known by now means other wishes than those that were planned.
+    def changed(self, now: float, started: tuple[Started, ...]) -> tuple[str, ...]:
+        """Give the skills whose wishes, by what is known now, are others than those that were planned.
 
         Raises
         ------
@@ -124,9 +124,9 @@ class Planning:
             As `make`.
         """
         if self.plan is None:
-            return True
+            return ()
         _, interpretation = understood(self.seen_from(now, started), self.interpreter)
-        return differ(self.plan.interpretation, interpretation, now - self.planned_at)
+        return differing(self.plan.interpretation, interpretation, now - self.planned_at)
 
     def understands(
         self, wish: SpokenWish, now: float, started: tuple[Started, ...]
@@ -161,15 +161,16 @@ class Planning:
         return own, [problem for problem in interpretation.problems if problem.text == wish.text]
 
 
-def differ(before: Interpretation, after: Interpretation, passed: float) -> bool:
-    """Say whether a later interpretation wishes for something else, beyond the time that has passed."""
+def differing(before: Interpretation, after: Interpretation, passed: float) -> tuple[str, ...]:
+    """Give the skills that a later interpretation wishes otherwise, beyond the time that has passed."""
     earlier = {interpreted.identifier: interpreted for interpreted in before.skills}
-    if earlier.keys() != {interpreted.identifier for interpreted in after.skills}:
-        return True
     # What is open is closed at the horizon, which is no wish of anybody's.
     until = min(after.horizon, before.horizon - passed)
-    return any(
-        _differs(earlier[interpreted.identifier], interpreted, passed, until) for interpreted in after.skills
+    return tuple(
+        interpreted.identifier
+        for interpreted in after.skills
+        if interpreted.identifier not in earlier
+        or _differs(earlier[interpreted.identifier], interpreted, passed, until)
     )
 
 

@@ -1,5 +1,6 @@
 """Days inside others: the nth of a period, a part of it, the week around a day."""
 
+from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import date, timedelta
@@ -13,11 +14,17 @@ from fuzzytime.language.meaning.calendar import (
 )
 from fuzzytime.requirement import Unit
 
+SEARCHED_PERIODS = 400
+"""How many outer periods are searched for one that holds what is asked for."""
 
-@dataclass(frozen=True, slots=True)
-class Within(Calendar):
-    """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
+MOST_INSIDE = 40_000
+"""Inner periods that are counted in one outer period at most: a century of days."""
 
+
+class _Inside(Calendar):
+    """Periods of one series that lie inside those of another: at most one of each."""
+
+    __slots__ = ()
     inner: Calendar
     outer: Calendar
 
@@ -31,7 +38,34 @@ class Within(Calendar):
         """Whether the outer is."""
         return self.outer.fixed
 
-    def _in(self, today: Today, outer: Days) -> Days | None:
+    @abstractmethod
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the one inside a period of the outer series, None where there is none."""
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        """Give the one of each outer period."""
+        for outer in islice(self.outer.upcoming(today, since), SEARCHED_PERIODS):
+            found = self.inside(today, outer)
+            if found is not None and (self.fixed or found.end > since):
+                yield found
+
+    def past(self, today: Today, until: date) -> Iterator[Days]:
+        """Give the one of each outer period."""
+        for outer in islice(self.outer.past(today, until), SEARCHED_PERIODS):
+            found = self.inside(today, outer)
+            if found is not None and (self.fixed or found.first < until):
+                yield found
+
+
+@dataclass(frozen=True, slots=True)
+class Within(_Inside):
+    """The first of one series inside another: "wednesday of next week", "christmas 2014"."""
+
+    inner: Calendar
+    outer: Calendar
+
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the first whose middle lies inside."""
         for days in islice(self.inner.upcoming(today, outer.first), 64):
             if outer.first <= days.middle < outer.end:
                 return days
@@ -39,23 +73,9 @@ class Within(Calendar):
                 return None
         return None
 
-    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
-        """Give the periods that lie in a period of the outer series."""
-        for outer in islice(self.outer.upcoming(today, since), 400):
-            found = self._in(today, outer)
-            if found is not None and (self.fixed or found.end > since):
-                yield found
-
-    def past(self, today: Today, until: date) -> Iterator[Days]:
-        """Give the periods that lie in a period of the outer series."""
-        for outer in islice(self.outer.past(today, until), 400):
-            found = self._in(today, outer)
-            if found is not None and (self.fixed or found.first < until):
-                yield found
-
 
 @dataclass(frozen=True, slots=True)
-class Nth(Calendar):
+class Nth(_Inside):
     """The nth of one series inside another, from its end where negative; ``count`` of them from there.
 
     A week belongs to the month or year that holds its middle day, as in ISO 8601.
@@ -66,45 +86,17 @@ class Nth(Calendar):
     outer: Calendar
     count: int = 1
 
-    @property
-    def grain(self) -> Unit:
-        """That of the inner."""
-        return self.inner.grain
-
-    @property
-    def fixed(self) -> bool:
-        """Whether the outer is."""
-        return self.outer.fixed
-
-    def _in(self, today: Today, outer: Days) -> Days | None:
-        inside = [
-            days
-            for days in islice(self.inner.upcoming(today, outer.first), self._needed(outer))
-            if outer.first <= days.middle < outer.end
-        ]
+    def inside(self, today: Today, outer: Days) -> Days | None:
+        """Give the nth of those whose middle lies inside, and as many more as wanted."""
+        needed = min((outer.end - outer.first).days, MOST_INSIDE) + 2
+        upcoming = islice(self.inner.upcoming(today, outer.first), needed)
+        inside = [days for days in upcoming if outer.first <= days.middle < outer.end]
         place = self.number - 1 if self.number > 0 else len(inside) + self.number
         stop = place + self.count if self.number > 0 else place + 1
         start = place if self.number > 0 else place - self.count + 1
         if start < 0 or stop > len(inside):
             return None
         return Days(inside[start].first, inside[stop - 1].end)
-
-    def _needed(self, outer: Days) -> int:
-        return min((outer.end - outer.first).days, 40_000) + 2
-
-    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
-        """Give the nth of each outer period."""
-        for outer in islice(self.outer.upcoming(today, since), 100):
-            found = self._in(today, outer)
-            if found is not None and (self.fixed or found.end > since):
-                yield found
-
-    def past(self, today: Today, until: date) -> Iterator[Days]:
-        """Give the nth of each outer period."""
-        for outer in islice(self.outer.past(today, until), 100):
-            found = self._in(today, outer)
-            if found is not None and (self.fixed or found.first < until):
-                yield found
 
 
 @dataclass(frozen=True, slots=True)
