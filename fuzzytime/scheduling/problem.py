@@ -259,7 +259,10 @@ def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float
     if not wanted:
         return 0.0
     end = function.support.high
-    return end if end < math.inf else wanted[-1].high * (1 + 1e-9)
+    if end == math.inf:
+        return wanted[-1].high * (1 + 1e-9)
+    # At a jump ψ keeps its larger value: the next whole second is beyond it.
+    return end if float(function(end)) == 0 else math.floor(end) + 1.0
 
 
 def good_enough(job: Job) -> tuple[Interval, ...]:

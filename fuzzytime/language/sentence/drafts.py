@@ -147,7 +147,7 @@ def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:
             break
-        found, fronts = _trees(waiting, trees), trees([one.front for one in waiting])
+        found, fronts = _trees(waiting, trees), _uncapitalised([one.front for one in waiting], trees)
         following: list[_Waiting] = []
         for one, tree, front in zip(waiting, found, fronts, strict=True):
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
@@ -183,7 +183,7 @@ def _main(source: _Source, segment: Segment, lexicon: Lexicon) -> int:
 def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
-    found = trees(texts)
+    found = _uncapitalised(texts, trees)
     for carrier in CARRIERS:
         again = [
             (place, waiting[place].behind_time)
@@ -196,6 +196,15 @@ def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
             if bare.nodes and not is_doubtful(bare):
                 found[place] = bare
     return found
+
+
+def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
+    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop")."""
+    asked = [_lowered(text) if text[1:2].islower() else text for text in texts]
+    return [
+        tree.without_carrier("", text, 0) if text != said else tree
+        for text, said, tree in zip(texts, asked, trees(asked), strict=True)
+    ]
 
 
 def _lowered(text: str) -> str:
