@@ -128,7 +128,8 @@ def _quantity(value: float) -> str:
 
 
 def _share_lines(share: Share) -> list[str]:
-    line = f"{plain(share.name):<24} {plain(share.source):<28} share {share.share:.2f}"
+    factors = ", ".join(f"{name} × {factor:.2f}" for name, factor in share.scale.items())
+    line = f"{plain(share.name):<24} {plain(share.source):<28} {factors or f'share {share.share:.2f}'}"
     if share.degree.low != 1 or share.degree.high != 1:
         line += f"  holds {_between(share.degree.low, share.degree.high)}"
     lines = [line]

@@ -29,6 +29,10 @@ Kind = TypeVar("Kind", bound=Event)
 Json = dict[str, Any]
 DOCUMENT: Json = json.loads((ROOT / "cli" / "fuzzytime_cli" / "schema" / "run-1.json").read_text())
 SCHEMA = jsonschema.Draft202012Validator(DOCUMENT)
+OF_TYPE = {
+    name: jsonschema.Draft202012Validator({"$ref": f"#/$defs/{name}", "$defs": DOCUMENT["$defs"]})
+    for name in (reference["$ref"].rpartition("/")[2] for reference in DOCUMENT["oneOf"])
+}
 
 
 @cache
@@ -157,7 +161,7 @@ def check(story: Story) -> None:
     busy: dict[int, str] = {}
     last = 0.0
     for event, document in zip(story.events, story.documents, strict=True):
-        SCHEMA.validate(document)
+        OF_TYPE[event.type].validate(document)
         assert event.at >= last, document
         last = event.at
         identifier = document.get("id", "")

@@ -237,6 +237,14 @@ def test_by_word_a_skill_goes_on_until_it_is_said_to_be_done() -> None:
     assert 200 <= story.starts["stir"] <= 260
 
 
+def test_by_word_a_run_ends_where_nobody_is_left_to_say_what_is_done() -> None:
+    story = told(
+        [wish("Mix the batter now", "mix", duration=60.0)], [{"done": "x", "at_s": 20}], by_word=True
+    )
+    assert story.one(Finished).unfinished == ("mix",)
+    assert story.all(Trouble)[-1].message == "the input has ended: nobody is left to say what is done"
+
+
 # -- what goes wrong ----------------------------------------------------------------------------------------
 
 

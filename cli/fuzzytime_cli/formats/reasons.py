@@ -192,6 +192,12 @@ def _instead(why: Why, plan: Plan) -> str:
         return f"{own}, and the whole would be no better."
     (name, change), *rest = falls
     changes = listed([f"{name} would fall from {change}", *(f"{one} from {by}" for one, by in rest)])
+    skills = plan.schedule.task.skills
+    more = [entry for entry in paying if skills[entry.position].priority > skills[why.position].priority]
+    if more:
+        changes += (
+            f"; {listed([name_of(plan, entry.position) for entry in more])} came with a higher priority"
+        )
     return f"{own}, but {changes}" + ("; the whole would be no better." if same else ".")
 
 
