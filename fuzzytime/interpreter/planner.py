@@ -1,5 +1,6 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -85,10 +86,11 @@ def scheduled(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
+    hints: Sequence[float] = (),
 ) -> Plan:
-    """Schedule what is understood of a request; parameters and errors are those of `plan`."""
+    """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
     task = task_of(interpretation, request)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits)
+    schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 
