@@ -213,7 +213,7 @@ def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:
             "batch",
             str(folder),
             "--jobs",
-            jobs,
+            "2",
             "-o",
             str(output),
             *NOW,
