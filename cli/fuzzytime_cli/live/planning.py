@@ -97,26 +97,16 @@ class Planning:
             If what is asked for contradicts itself.
         """
         request, interpretation = understood(self.seen_from(now, started), self.interpreter)
-        known = self._starts(now)
         self.plan = scheduled(
             request,
             interpretation,
             solver=self.solving.solver,
             threshold=self.solving.threshold,
             limits=self.solving.limits,
-            hints=[known.get(interpreted.identifier, math.nan) for interpreted in interpretation.skills],
+            previous=self.plan,
         )
         self.planned_at = now
         return self.plan
-
-    def _starts(self, now: float) -> dict[str, float]:
-        """Give the starts of the plan so far as seen from a moment, to begin the search for the next with."""
-        if self.plan is None:
-            return {}
-        schedule = self.plan.schedule
-        rows = zip(self.plan.skills, schedule.start_times, schedule.rejected, strict=True)
-        passed = now - self.planned_at
-        return {one.identifier: start - passed for one, start, rejected in rows if not rejected}
 
     def signals_of(self, interpreted: Interpreted) -> frozenset[str]:
         """Give the signals that a skill's wishes depend on, read or not."""
