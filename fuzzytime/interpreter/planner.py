@@ -97,7 +97,7 @@ def scheduled(
     limits: Limits | None = None,
     previous: Plan | None = None,
 ) -> Plan:
-    """Schedule what is understood of a request; parameters and errors are those of `plan`."""
+    """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
     task = task_of(interpretation, request)
     hints = () if previous is None else _starts_of(previous, interpretation, request.now)
     schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)

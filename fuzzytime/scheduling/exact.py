@@ -21,12 +21,12 @@ from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
 
-FIRST_SLOTS = 3000
+FIRST_SLOTS = 1500
 """Slots of the first grid, at least."""
 
 REFINEMENT = 4
@@ -41,8 +41,8 @@ BYTES_PER_START = 200
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
-ENOUGH = 0.005
-"""The gap, as a share of a rejection, that is left to labels."""
+ENOUGH = 0.035
+"""The gap in cost, by the largest weight, that is left to labels."""
 
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
@@ -120,10 +120,13 @@ class _Search:
         """Bound and solve grid after grid until the gap closes or a limit is met."""
         problem, watch = self.problem, self.watch
         goal = OPTIMAL_GAP * problem.weight
-        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.rejection for job in problem.jobs)
+        # Labels relax what takes no time, and what binds jobs otherwise than by order.
+        closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
+        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.weight for job in problem.jobs)
         if bytes_for(problem, step) > watch.limits.memory:
             return
-        relaxation = Relaxation(problem, grid_of(problem, step), self.best.cost)
+        grid = grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
         relaxation.improve(self.best.cost, STEPS, enough, watch)
         self.lower, left = relaxation.lower, relaxation.narrowed(problem)
         while self.best.cost - self.lower > goal and not watch.is_over():
@@ -136,14 +139,14 @@ class _Search:
             solved = self._close(relaxation)
             relaxation.fix(self.best.cost)
             left, step = relaxation.narrowed(left), step / REFINEMENT
-            if not solved or not problem.kept_by_order or bytes_for(left, step) > watch.limits.memory:
+            if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
                 break
 
     def _close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
-        delta = 0.01 * self.lower + 0.005 * float(np.median(relaxation.grid.rejections))
+        delta = 0.01 * self.lower + ENOUGH * max(job.weight for job in self.problem.jobs)
         budget, width = cells // 16, BEAM
         while not self._is_over():
             threshold = min(self.best.cost, self.lower + delta)

@@ -21,7 +21,7 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.paths import Arcs
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
@@ -77,7 +77,8 @@ class Milp:
         goal, step = OPTIMAL_GAP * problem.weight, step_for(problem, FIRST_SLOTS)
         if bytes_for(problem, step) > watch.limits.memory:
             return
-        relaxation = Relaxation(problem, grid_of(problem, step), state.best.cost)
+        grid = grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, state.best.cost, prices_from(problem, grid, state.best))
         relaxation.improve(state.best.cost, STEPS, goal, watch)
         left = relaxation.narrowed(problem)
         state.lower = relaxation.lower
