@@ -10,7 +10,16 @@ from fuzzytime.scheduling.genetic import Genetic
 from fuzzytime.scheduling.limits import Limits
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
-from fuzzytime.scheduling.objectives import EarliestStart, Nearness, Objective
+from fuzzytime.scheduling.objectives import (
+    EarliestStart,
+    Energy,
+    IdleTime,
+    Intrusiveness,
+    Makespan,
+    Nearness,
+    Objective,
+)
+from fuzzytime.scheduling.over_time import OverTime
 from fuzzytime.scheduling.replan import Move, Replan, replan
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
 from fuzzytime.scheduling.small import HeldKarp
@@ -26,18 +35,23 @@ __all__ = [
     "Bond",
     "Certificate",
     "EarliestStart",
+    "Energy",
     "ExhaustiveSampling",
     "Genetic",
     "HeldKarp",
     "HillClimbing",
+    "IdleTime",
+    "Intrusiveness",
     "Labels",
     "Limits",
     "LocalSearch",
+    "Makespan",
     "Milp",
     "Move",
     "Nearness",
     "Neighbour",
     "Objective",
+    "OverTime",
     "Replan",
     "Schedule",
     "SimulatedAnnealing",

@@ -16,29 +16,33 @@ import numpy as np
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import cell_chord_errors
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
+from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
 
-FIRST_SLOTS = 3000
+FIRST_SLOTS = 1500
 """Slots of the first grid, at least."""
 
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
-MOST_SLOTS = 200
-"""The shortest job takes no more slots than this."""
+MOST_SLOTS = 1 << 18
+"""Slots of the finest grid."""
+
+BYTES_PER_START = 200
+"""Memory that a start takes, in the bound's two directions."""
 
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
-ENOUGH = 0.005
-"""The gap, as a share of a rejection, that is left to labels."""
+ENOUGH = 0.035
+"""The gap in cost, by the largest weight, that is left to labels."""
 
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
@@ -66,96 +70,123 @@ class Labels:
         """
         if problem.agents > 1:
             raise RefusedError(f"the label program schedules one agent, got {problem.agents}")
-        best = warm or LocalSearch().search(problem, watch.share(0.3))
-        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.rejection for job in problem.jobs)
-        relaxation = Relaxation(problem, grid_of(problem, step), best.cost)
-        relaxation.improve(best.cost, STEPS, enough, watch)
-        lower, left = relaxation.lower, relaxation.narrowed(problem)
-        while best.cost - lower > OPTIMAL_GAP * problem.weight and not watch.is_over():
-            step = fine_enough(problem, best, step, OPTIMAL_GAP * problem.weight / 2)
-            if step < relaxation.grid.step:
-                relaxation = Relaxation(left, grid_of(left, step), best.cost, relaxation.prices)
-                relaxation.improve(best.cost, STEPS // 4, enough, watch)
-            attempt = _Attempt(problem, relaxation, best, watch)
-            attempt.close()
-            best, lower = attempt.best, max(lower, attempt.lower)
-            left = relaxation.narrowed(left)
-            if not attempt.solved or not problem.kept_by_order:
-                break
-            step /= REFINEMENT
-        return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
+        begin = warm or LocalSearch().search(problem, watch.share(0.3))
+        search = _Search(problem, watch, begin)
+        try:
+            search.run()
+        except KeyboardInterrupt:
+            watch.stop()
+        best = search.best
+        return Draft(best.starts, best.agents, best.cost, min(search.lower, best.cost))
 
 
 def fine_enough(problem: Problem, draft: Draft, step: float, error: float) -> float:
-    """Refine a step until the grid's costs at a draft's starts are not too far below the real ones."""
+    """Refine a step until the grid's costs at a draft's starts are not too far below the real ones.
+
+    It stays above a share of the horizon: at a jump no grid helps.
+    """
     placed = [
         (job, start)
         for job, start in zip(problem.jobs, draft.starts.tolist(), strict=True)
         if not math.isnan(start)
     ]
-    while True:
+    smallest = max(job.latest + job.duration for job in problem.jobs) / MOST_SLOTS
+    while step > smallest:
         off = 0.0
         for job, start in placed:
             low = math.floor(start / step) * step
             (lost,) = cell_chord_errors(job.function, [low, low + step])
             off += min(job.weight * float(lost), job.worst)
-        if off <= error or step < min(job.duration for job, _ in placed) / MOST_SLOTS:
-            return step
+        if off <= error:
+            break
         step /= 2
+    return step
 
 
-class _Attempt:
-    """One grid: the best schedule so far, and what is proved."""
+def bytes_for(problem: Problem, step: float) -> float:
+    """Give the memory that the starts of a problem take on a grid."""
+    lengths = [window.length for job in problem.jobs for lane in job.windows for window in lane]
+    return BYTES_PER_START * math.fsum(lengths) / step
 
-    def __init__(self, problem: Problem, relaxation: Relaxation, best: Draft, watch: Stopwatch) -> None:
-        self.problem, self.relaxation, self.watch = problem, relaxation, watch
-        self.grid: Grid = relaxation.grid
-        self.best, self.lower, self.solved = best, -math.inf, False
-        # Jobs shorter than a slot are no part of the program, and so cannot be waited for.
-        durations = self.grid.durations
-        self.before = [[first for first in firsts if durations[first]] for firsts in problem.before()]
 
-    def close(self) -> None:
-        """Raise the bound and better the schedule until they meet on this grid, or a limit is met."""
-        relaxation, cells = self.relaxation, self.watch.limits.memory // 16
-        self.lower = relaxation.lower
-        delta = 0.01 * self.lower + 0.005 * float(np.median(self.grid.rejections))
+class _Search:
+    """The best schedule so far, and what is proved."""
+
+    def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
+        self.problem, self.watch = problem, watch
+        self.best, self.lower = best, 0.0
+
+    def run(self) -> None:
+        """Bound and solve grid after grid until the gap closes or a limit is met."""
+        problem, watch = self.problem, self.watch
+        goal = OPTIMAL_GAP * problem.weight
+        # Labels relax what takes no time, and what binds jobs otherwise than by order.
+        closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
+        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.weight for job in problem.jobs)
+        if bytes_for(problem, step) > watch.limits.memory:
+            return
+        grid = grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
+        relaxation.improve(self.best.cost, STEPS, enough, watch)
+        self.lower, left = relaxation.lower, relaxation.narrowed(problem)
+        while self.best.cost - self.lower > goal and not watch.is_over():
+            step = fine_enough(problem, self.best, step, goal / 2)
+            if bytes_for(left, step) > watch.limits.memory:
+                step = relaxation.grid.step
+            if step < relaxation.grid.step:
+                relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
+                relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
+            solved = self._close(relaxation)
+            relaxation.fix(self.best.cost)
+            left, step = relaxation.narrowed(left), step / REFINEMENT
+            if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
+                break
+
+    def _close(self, relaxation: Relaxation) -> bool:
+        """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
+        cells = self.watch.limits.memory // 16
+        self.lower = max(self.lower, relaxation.lower)
+        delta = 0.01 * self.lower + ENOUGH * max(job.weight for job in self.problem.jobs)
         budget, width = cells // 16, BEAM
         while not self._is_over():
-            if self._labels(min(self.best.cost, self.lower + delta), budget, None):
+            threshold = min(self.best.cost, self.lower + delta)
+            found = self._labels(relaxation, threshold, budget, None)
+            if found.exact:
+                if found.starts is not None or threshold >= self.best.cost:
+                    return True
                 delta *= 2
                 continue
             if budget >= cells:
-                break
+                return False
             budget, width = 4 * budget, 6 * width
             if not self._is_over():
-                self._labels(self.best.cost, cells, width)
+                self._labels(relaxation, self.best.cost, cells, width)
+        return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
     def _is_over(self) -> bool:
-        closed = self.best.cost - self.lower <= CLOSED * self.problem.weight
-        self.solved = self.solved or closed
-        return self.solved or self.watch.is_over()
+        return self.best.cost - self.lower <= CLOSED * self.problem.weight or self.watch.is_over()
 
-    def _labels(self, threshold: float, cells: int, width: int | None) -> bool:
-        """One run of labels below a threshold; tell whether it was exact, and learn from it."""
-        relaxation, grid = self.relaxation, self.grid
+    def _labels(self, relaxation: Relaxation, threshold: float, cells: int, width: int | None) -> Found:
+        """Run labels below a threshold once, and learn from what they find."""
+        grid, prices = relaxation.grid, relaxation.prices
         (arcs,) = relaxation.arcs_below(threshold)
-        base = relaxation.base - float(relaxation.prices.sum())
-        program = LabelProgram(arcs, grid.durations, grid.slots, relaxation.prices, base, self.before)
+        base = relaxation.base - float(prices.sum())
+        # Jobs shorter than a slot are no part of the program, and so cannot be waited for.
+        before = [[first for first in firsts if grid.durations[first]] for firsts in self.problem.before()]
+        program = LabelProgram(arcs, grid.durations, grid.slots, prices, base, before)
         found = program.run(threshold, self.watch, cells, width)
         if found.starts is not None:
-            self._learn(found.starts)
+            self._learn(grid, found.starts)
         if found.exact:
-            self.solved = found.starts is not None or threshold >= self.best.cost
             self.lower = max(self.lower, min(found.cost, threshold))
-        return found.exact
+        return found
 
-    def _learn(self, slots: Ints) -> None:
+    def _learn(self, grid: Grid, slots: Ints) -> None:
         """Time the order that labels found, with what they leave out where it was."""
-        hints = np.where(slots >= 0, self.grid.times(slots), np.nan)
-        instant = self.grid.durations == 0
+        hints = np.where(slots >= 0, grid.times(slots), np.nan)
+        instant = grid.durations == 0
         hints[instant] = self.best.starts[instant]
-        agents = np.full(len(self.problem.jobs), self.problem.lanes[0].agents[0], np.int64)
-        draft = settled(self.problem, hints, agents, 2 * self.grid.step)
+        agents = np.full(slots.size, self.problem.lanes[0].agents[0], np.int64)
+        draft = settled(self.problem, hints, agents, 2 * grid.step)
         if draft.cost < self.best.cost:
             self.best = draft

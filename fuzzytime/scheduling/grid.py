@@ -123,7 +123,9 @@ def _curve(job: Job, windows: tuple[Interval, ...], step: float, begin: int, *, 
     if not windows:
         return Curve(0, np.empty(0))
     origin = _cell(windows[0].low, step)
-    cells = max(_last_cell(windows[-1].high, step), origin) + 1 - origin
+    # An instant on the grid has no cell before it.
+    last = max(_last_cell(windows[-1].high, step), _cell(windows[-1].low, step))
+    cells = last + 1 - origin
     left, right = np.full(cells, np.inf), np.full(cells, np.inf)
     for window in windows:
         first, at_start, at_end = _lines(job, window, step)

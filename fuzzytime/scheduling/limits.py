@@ -52,6 +52,8 @@ class Stopwatch:
         self.limits = limits
         self._began = limits.clock()
         self._deadline = self._began + limits.seconds
+        self._stopped = False
+        self._whole: Stopwatch | None = None
 
     @property
     def seconds(self) -> float:
@@ -65,10 +67,17 @@ class Stopwatch:
 
     def is_over(self) -> bool:
         """Tell whether to end now with the best so far."""
-        return self.limits.stopped() or self.limits.clock() >= self._deadline
+        return self._stopped or self.limits.stopped() or self.limits.clock() >= self._deadline
+
+    def stop(self) -> None:
+        """End now, and also that of which this is a share: somebody interrupted."""
+        self._stopped = True
+        if self._whole is not None:
+            self._whole.stop()
 
     def share(self, fraction: float) -> "Stopwatch":
         """Give a stopwatch that ends after a fraction of the time left."""
         part = Stopwatch(self.limits)
         part._deadline = part._began + fraction * self.remaining
+        part._whole = self
         return part

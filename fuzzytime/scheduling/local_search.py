@@ -49,7 +49,10 @@ class LocalSearch:
         begin = warm or nothing(problem)
         grid = grid_of(problem, step_for(problem, self.slots))
         plan = Rough(problem, grid, begin)
-        plan.improve(watch, np.random.default_rng(self.seed))
+        try:
+            plan.improve(watch, np.random.default_rng(self.seed))
+        except KeyboardInterrupt:
+            watch.stop()
         hints = np.where(plan.placed, grid.times(np.array(plan.slots, np.int64)), np.nan)
         draft = settled(problem, hints, np.array(plan.agents, np.int64), 4 * grid.step)
         return draft if draft.cost < begin.cost else begin

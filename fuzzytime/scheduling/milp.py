@@ -14,18 +14,19 @@ from typing import ClassVar
 
 import numpy as np
 
+from fuzzytime.scheduling.exact import bytes_for
 from fuzzytime.scheduling.flow import Flow
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.paths import Arcs
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
 
-FIRST_SLOTS = 1000
+FIRST_SLOTS = 200
 """Slots of the first grid, at least."""
 
 REFINEMENT = 2
@@ -36,6 +37,14 @@ STEPS = 40
 
 MOST_ARCS = 20_000
 """Starts in one program."""
+
+
+@dataclass(slots=True)
+class _State:
+    """The best schedule so far, and what is proved."""
+
+    best: Draft
+    lower: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,39 +64,51 @@ class Milp:
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Bound and solve grid after grid."""
         best = warm or LocalSearch().search(problem, watch.share(0.3))
-        goal, step = OPTIMAL_GAP * problem.weight, step_for(problem, FIRST_SLOTS)
-        relaxation = Relaxation(problem, grid_of(problem, step), best.cost)
-        relaxation.improve(best.cost, STEPS, goal, watch)
-        lower, left = relaxation.lower, relaxation.narrowed(problem)
-        while best.cost - lower > goal and not watch.is_over():
-            best, proved, solved = self._solve(problem, relaxation, best, watch)
-            lower = max(lower, proved)
-            if not solved or best.cost - lower <= goal:
-                break
-            relaxation.fix(best.cost)
-            left, step = relaxation.narrowed(left), step / REFINEMENT
-            relaxation = Relaxation(left, grid_of(left, step), best.cost, relaxation.prices)
-            relaxation.improve(best.cost, STEPS // 4, goal, watch)
-            lower = max(lower, relaxation.lower)
-        return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
+        state = _State(best)
+        try:
+            self._run(problem, state, watch)
+        except KeyboardInterrupt:
+            watch.stop()
+        best = state.best
+        return Draft(best.starts, best.agents, best.cost, min(state.lower, best.cost))
 
-    def _solve(
-        self, problem: Problem, relaxation: Relaxation, best: Draft, watch: Stopwatch
-    ) -> tuple[Draft, float, bool]:
-        """Give the best schedule, a bound, and whether this grid has nothing more to give."""
-        grid = relaxation.grid
+    def _run(self, problem: Problem, state: _State, watch: Stopwatch) -> None:
+        """Bound and solve grid after grid until the gap closes or a limit is met."""
+        goal, step = OPTIMAL_GAP * problem.weight, step_for(problem, FIRST_SLOTS)
+        if bytes_for(problem, step) > watch.limits.memory:
+            return
+        grid = grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, state.best.cost, prices_from(problem, grid, state.best))
+        relaxation.improve(state.best.cost, STEPS, goal, watch)
+        left = relaxation.narrowed(problem)
+        state.lower = relaxation.lower
+        while state.best.cost - state.lower > goal and not watch.is_over():
+            solved = self._solve(problem, relaxation, state, watch)
+            relaxation.fix(state.best.cost)
+            left, step = relaxation.narrowed(left), step / REFINEMENT
+            too_much = bytes_for(left, step) > watch.limits.memory
+            if not solved or too_much or state.best.cost - state.lower <= goal:
+                break
+            relaxation = Relaxation(left, grid_of(left, step), state.best.cost, relaxation.prices)
+            relaxation.improve(state.best.cost, STEPS // 4, goal, watch)
+            state.lower = max(state.lower, relaxation.lower)
+
+    def _solve(self, problem: Problem, relaxation: Relaxation, state: _State, watch: Stopwatch) -> bool:
+        """Solve one program; tell whether this grid has nothing more to give."""
+        grid, upper = relaxation.grid, state.best.cost
         reduced = np.sort(np.concatenate(relaxation.reduced_costs()))
-        threshold = best.cost if reduced.size <= self.arcs else min(best.cost, float(reduced[self.arcs]))
+        threshold = upper if reduced.size <= self.arcs else min(upper, float(reduced[self.arcs]))
         lanes = [
             _joined(arcs, _instants(grid, lane)) for lane, arcs in enumerate(relaxation.arcs_below(threshold))
         ]
         program = Flow(grid, lanes, relaxation.agents, problem.lags)
         solved = program.solve(watch)
         proved = min(threshold, float(grid.rejections.sum()) + solved.bound)
+        state.lower = max(state.lower, proved)
         if solved.chosen is not None:
             draft = self._timed(problem, grid, program, solved.chosen)
-            best = draft if draft.cost < best.cost else best
-        return best, proved, solved.best and (proved < threshold or threshold >= best.cost)
+            state.best = draft if draft.cost < state.best.cost else state.best
+        return solved.best and (proved < threshold or threshold >= upper)
 
     def _timed(self, problem: Problem, grid: Grid, program: Flow, chosen: Ints) -> Draft:
         """Give each start an agent of its lane that is free, and the whole its best timing."""

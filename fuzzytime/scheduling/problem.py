@@ -226,13 +226,18 @@ def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
 def horizon_of(task: FuzzyTask, floor: float) -> float:
     """Give a time after which no start is needed.
 
-    After the last kink and the last appointment every ψ only falls, so that idle time can be closed by moving
-    all that follows to an earlier time.
+    After the last kink, or the best times where there is one peak only, and the last appointment every ψ only
+    falls, so that idle time can be closed by moving all that follows to an earlier time.
     """
     kinks = [0.0]
     for skill in task.skills:
-        kinks.extend(skill.satisfaction.kinks)
-        kinks.extend(time for time in skill.satisfaction.crossings(floor)[:1] if math.isfinite(time))
+        function = skill.satisfaction
+        rises = (
+            (function.best.low, function.best.high)
+            if function.log_concave
+            else (*function.kinks, *function.crossings(floor)[:1])
+        )
+        kinks.extend(time for time in rises if math.isfinite(time))
     kinks.extend(entry.end for entry in task.busy if math.isfinite(entry.end))
     lags = [abs(precedence.minimum_lag) for precedence in task.precedences]
     work = [max(skill.duration, skill.time_until_done) for skill in task.skills]
@@ -259,7 +264,10 @@ def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float
     if not wanted:
         return 0.0
     end = function.support.high
-    return end if end < math.inf else wanted[-1].high * (1 + 1e-9)
+    if end == math.inf:
+        return wanted[-1].high * (1 + 1e-9)
+    # At a jump ψ keeps its larger value: the next whole second is beyond it.
+    return end if float(function(end)) == 0 else math.floor(end) + 1.0
 
 
 def good_enough(job: Job) -> tuple[Interval, ...]:

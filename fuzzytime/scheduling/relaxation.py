@@ -19,8 +19,11 @@ from fuzzytime.satisfaction import Floats, Interval
 from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.multipliers import Multipliers
+from fuzzytime.scheduling.orders import Order
 from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, values_to_end
 from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.settle import lanes_of_agents, sequences
+from fuzzytime.scheduling.solver import Draft
 
 
 class Relaxation:
@@ -32,11 +35,11 @@ class Relaxation:
         What is bounded.
     upper
         The cost of a known schedule.
-    prices : array of shape (jobs,), optional
+    prices : array of shape (jobs,)
         Where to begin, as from another grid.
     """
 
-    def __init__(self, problem: Problem, grid: Grid, upper: float, prices: Floats | None = None) -> None:
+    def __init__(self, problem: Problem, grid: Grid, upper: float, prices: Floats) -> None:
         self.grid = grid
         self.agents = [len(lane.agents) for lane in problem.lanes]
         self.ceiling = np.where(grid.durations > 0, grid.rejections, 0.0)
@@ -47,8 +50,7 @@ class Relaxation:
         lanes = [[curves[lane] for curves in grid.curves] for lane in range(len(self.agents))]
         self.arcs = [arcs_of(curves, grid.durations) for curves in lanes]
         self._paths = [Paths(arcs, grid.durations, grid.slots) for arcs in self.arcs]
-        start = self.ceiling if prices is None else np.minimum(prices, self.ceiling)
-        self._multipliers = Multipliers(self, start, upper)
+        self._multipliers = Multipliers(self, np.clip(prices, 0.0, self.ceiling), upper)
 
     @property
     def lower(self) -> float:
@@ -136,3 +138,20 @@ class Relaxation:
 
 def _best_gain(grid: Grid, job: int) -> float:
     return min(0.0, *(float(curve.gains.min(initial=0.0)) for curve in grid.curves[job]))
+
+
+def prices_from(problem: Problem, grid: Grid, draft: Draft) -> Floats:
+    """Give for each job what a schedule loses without it: near the best prices where the schedule is good.
+
+    The order of each agent is timed on the grid; a job that is rejected is worth nothing.
+    """
+    prices = np.zeros(len(problem.jobs))
+    for agent, row in sequences(problem, draft.starts, draft.agents).items():
+        lane = lanes_of_agents(problem)[agent]
+        curves = {job: grid.curves[job][lane] for job in row}
+        order = Order(curves, dict(enumerate(grid.durations.tolist())), 0, grid.slots)
+        for place, job in enumerate(row):
+            order.insert(place, job)
+        for job, price in order.prices().items():
+            prices[job] = price
+    return prices

@@ -15,7 +15,7 @@ from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.objectives import Objective
+from fuzzytime.scheduling.objectives import Arrangement, Objective
 from fuzzytime.scheduling.problem import Job, Problem, above
 from fuzzytime.scheduling.settle import lanes_of_agents, nearest, sequences, settled
 from fuzzytime.scheduling.solver import Draft, draft_of
@@ -68,17 +68,19 @@ def rearranged(
     starts, agents = draft.starts[placed], draft.agents[placed]
     lanes = lanes_of_agents(problem)
     equal = _as_good(first, starts, agents, lanes)
+    mine = tuple(skills[job.position] for job in equal.jobs)
     for objective in objectives:
         reach = max((job.latest for job in equal.jobs), default=0.0) + 1.0
-        wishes = [objective.wish(skills[job.position], reach) for job in equal.jobs]
+        wishes = objective.wishes(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
         wishing = replace(equal, jobs=tuple(map(_wishing, equal.jobs, wishes)))
         for members in wishing.groups():
-            named = any(skills[wishing.jobs[member].position].preferred is not None for member in members)
-            search = named or len(members) <= SEARCHED
+            named = any(mine[member].preferred is not None for member in members)
+            search = objective.reorders and (named or len(members) <= SEARCHED)
             group = wishing.select(members)
             found = _best(group, starts[members], agents[members], watch if search else None)
             starts[members], agents[members] = found.starts, found.agents
-        equal = _as_good(wishing, starts, agents, lanes)
+        bounds = objective.bounds(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
+        equal = _bounded(_as_good(wishing, starts, agents, lanes), starts, bounds)
     everything, everyone = draft.starts.copy(), draft.agents.copy()
     everything[placed], everyone[placed] = _rounded(first, skills, starts, agents), agents
     return draft_of(problem, everything, everyone, draft.lower_cost)
@@ -98,6 +100,16 @@ def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int,
                 spans = sorted([*spans, Interval(start, start)], key=lambda span: span.low)
             windows.append(tuple(spans))
         jobs.append(replace(job, windows=tuple(windows)))
+    return replace(problem, jobs=tuple(jobs))
+
+
+def _bounded(problem: Problem, starts: Floats, bounds: Sequence[Interval]) -> Problem:
+    """Cut windows to bounds, which hold the starts but for rounding."""
+    jobs = []
+    for job, start, bound in zip(problem.jobs, starts.tolist(), bounds, strict=True):
+        within = Interval(min(bound.low, start), max(bound.high, start))
+        lanes = [[span.intersection(within) for span in lane] for lane in job.windows]
+        jobs.append(replace(job, windows=tuple(tuple(x for x in lane if not x.empty) for lane in lanes)))
     return replace(problem, jobs=tuple(jobs))
 
 
@@ -149,9 +161,12 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
         blocks: list[Block] = []
         free = -math.inf
         for place, (job, window, start) in enumerate(zip(jobs, windows, starts[row].tolist(), strict=True)):
-            if start > free + NAMED:
+            follows_on = start <= free + NAMED
+            if not follows_on:
                 blocks.append(Block([], [], -math.inf, math.inf, start))
-            block, offset = blocks[-1], start - blocks[-1].start
+            block = blocks[-1]
+            # Without what rounding left between two skills, or the end of the last one's window binds all.
+            offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
             block.members.append(place)
             block.offsets.append(offset)
             preferred = skills[job.position].preferred
@@ -161,6 +176,6 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
             free = start + job.duration
         round_blocks(jobs, blocks)
         for block in blocks:
-            for place, offset in zip(block.members, block.offsets, strict=True):
-                rounded[row[place]] = block.start + offset
+            if block.low <= block.start <= block.high:
+                rounded[[row[place] for place in block.members]] = block.start + np.array(block.offsets)
     return rounded

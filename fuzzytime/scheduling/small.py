@@ -62,7 +62,11 @@ class HeldKarp:
             grid = grid_of(problem, step)
             if table_bytes(problem, grid) > watch.limits.memory:
                 break
-            cost, slots, agents = held_karp(problem, grid)
+            try:
+                cost, slots, agents = held_karp(problem, grid)
+            except KeyboardInterrupt:
+                watch.stop()
+                break
             lower = max(lower, cost)
             hints = np.where(slots >= 0, grid.times(slots), np.nan)
             draft = settled(problem, hints, agents, 2 * step)

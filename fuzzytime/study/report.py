@@ -83,28 +83,22 @@ def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
     page.table(
         "Prediction errors (sum of squared residuals over the samples) of fits to the medians, smallest to "
         "largest over a preposition's instructions.",
+        ("function", *analysis.models),
         (
-            "preposition",
-            *(model.value for model in Model),
-            "trapezoid better than bell",
-            "plateau encloses time",
-        ),
-        (
-            (
-                found.preposition,
-                *(between(low, high, 3) for low, high in (found.errors[model] for model in Model)),
-                f"{found.best[0]} of {found.best[1]}",
-                f"{found.encloses} of {found.best[1]}",
-            )
-            for found in analysis.models.values()
+            (model.value, *(between(*found.errors[model], 3) for found in analysis.models.values()))
+            for model in Model
         ),
     )
     page.table(
-        "Flanks of the fitted trapezoids: mean absolute gradients per minute, and where the plateau starts.",
-        ("preposition", "left", "right", "start of plateau − specified time"),
+        "The fitted trapezoids: in how many instructions their error is below the bell's and their plateau "
+        "encloses the time said, mean absolute gradients of their flanks per minute, and where the plateau "
+        "starts.",
+        ("preposition", "below bell", "encloses", "left", "right", "start of plateau − time said"),
         (
             (
                 found.preposition,
+                f"{found.best[0]} of {found.best[1]}",
+                f"{found.encloses} of {found.best[1]}",
                 number(found.left * MINUTE, 3),
                 number(found.right * MINUTE, 3),
                 _range_of_times(found.left_edges),

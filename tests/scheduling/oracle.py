@@ -77,3 +77,97 @@ def _on_corners(times: np.ndarray, task: FuzzyTask, index: int) -> np.ndarray:
     )
     place = np.clip(np.searchsorted(corners, times - 1e-9), 0, corners.size - 1)
     return np.where(np.abs(corners[place] - times) <= 1e-9, corners[place], times)
+
+
+def best_shared_cost(task: FuzzyTask, threshold: float) -> float:
+    """Give the same for several agents and no precedences: every way to share the skills out."""
+    count = len(task.skills)
+    agents = range(1, task.agents + 1)
+    alone: dict[tuple[int, tuple[int, ...]], float] = {}
+    best = math.inf
+    for choice in itertools.product(agents, repeat=count):
+        wrong = [skill.agent not in {None, agent} for skill, agent in zip(task.skills, choice, strict=True)]
+        if any(wrong):
+            continue
+        total = 0.0
+        for agent in agents:
+            mine = tuple(index for index in range(count) if choice[index] == agent)
+            if (agent, mine) not in alone:
+                skills = tuple(task.skills[index] for index in mine)
+                busy = tuple(entry for entry in task.busy if entry.agent in {None, agent})
+                alone[agent, mine] = best_cost(FuzzyTask(skills, busy=busy, agents=task.agents), threshold)
+            total += alone[agent, mine]
+        best = min(best, total)
+    return best
+
+
+def best_whole_cost(task: FuzzyTask, threshold: float, last: int) -> float:
+    """Give the least cost over whole start times up to the last, by trying all.
+
+    Where every ψ is a staircase whose steps, like all durations and lags, are whole numbers, no other times
+    are better: the times of a schedule can be rounded without breaking a difference of whole numbers.
+    """
+    count = len(task.skills)
+    order = _after_what_must_come_before(task)
+    times = np.arange(last + 1, dtype=float)
+    costs = []
+    for skill in task.skills:
+        value = skill.satisfaction(times)
+        with np.errstate(divide="ignore"):
+            costs.append(np.where(value > threshold, -skill.priority * np.log(value), np.inf).tolist())
+    rejections = [-skill.priority * math.log(threshold) for skill in task.skills]
+    least = [min(*mine, worst) for mine, worst in zip(costs, rejections, strict=True)]
+    chosen: dict[int, tuple[int, int] | None] = {}
+    best = math.fsum(rejections)
+
+    def descend(depth: int, cost: float) -> None:
+        nonlocal best
+        if cost + math.fsum(least[index] for index in order[depth:]) >= best:
+            return
+        if depth == count:
+            best = cost
+            return
+        index = order[depth]
+        for start, value in enumerate(costs[index]):
+            if value < math.inf:
+                for agent in range(1, task.agents + 1):
+                    if _may(task, chosen, index, start, agent):
+                        chosen[index] = (start, agent)
+                        descend(depth + 1, cost + value)
+        chosen[index] = None
+        descend(depth + 1, cost + rejections[index])
+        del chosen[index]
+
+    descend(0, 0.0)
+    return best
+
+
+def _after_what_must_come_before(task: FuzzyTask) -> list[int]:
+    order: list[int] = []
+    while len(order) < len(task.skills):
+        missing = {entry.second for entry in task.precedences if entry.first not in order}
+        order.append(min(set(range(len(task.skills))) - missing - set(order)))
+    return order
+
+
+def _may(
+    task: FuzzyTask, chosen: dict[int, tuple[int, int] | None], index: int, start: int, agent: int
+) -> bool:
+    skill = task.skills[index]
+    if skill.agent not in {None, agent}:
+        return False
+    taken = [(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}]
+    for other, place in chosen.items():
+        if other != index and place is not None and place[1] == agent:
+            taken.append((place[0], place[0] + task.skills[other].duration))
+    if any(start < high and low < start + skill.duration for low, high in taken):
+        return False
+    for entry in task.precedences:
+        if entry.second == index:
+            place = chosen[entry.first]
+            if place is None:
+                return False
+            gap = start - place[0] - task.skills[entry.first].time_until_done
+            if not entry.minimum_lag <= gap <= entry.maximum_lag:
+                return False
+    return True

@@ -1,5 +1,7 @@
 """Random small tasks of every kind of ψ, and what every schedule must keep."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from fuzzytime.satisfaction import (
@@ -114,3 +116,52 @@ def faults(schedule: Schedule) -> list[str]:
         if gap < entry.minimum_lag - 1e-9 or late:
             found.append(f"skill {entry.second} starts {gap} s after skill {entry.first} is done")
     return found
+
+
+def random_shared_task(seed: int, most: int = 5) -> FuzzyTask:
+    """Draw a task for two or three agents, with skills that ask for one and appointments of one."""
+    generator = np.random.default_rng([seed, 2])
+    agents = int(generator.integers(2, 4))
+    task = random_task(seed, most)
+    skills = tuple(
+        replace(skill, agent=int(generator.integers(1, agents + 1)) if generator.random() < 0.2 else None)
+        for skill in task.skills
+    )
+    busy = tuple(
+        replace(entry, agent=int(generator.integers(1, agents + 1)) if generator.random() < 0.5 else None)
+        for entry in task.busy
+    )
+    return FuzzyTask(skills, agents, busy=busy)
+
+
+LAST = 24
+"""The last second in which a skill of `random_bound_task` can start."""
+
+
+def random_bound_task(seed: int, most: int = 4) -> FuzzyTask:
+    """Draw a task of staircases in whole seconds, with lags of every kind, for one to three agents."""
+    generator = np.random.default_rng([seed, 3])
+    count, agents = int(generator.integers(2, most + 1)), int(generator.choice([1, 1, 2, 3]))
+    skills = []
+    for index in range(count):
+        edges = np.unique(generator.integers(0, LAST, generator.integers(2, 6)))
+        values = np.append(generator.uniform(0.05, 1, edges.size), 0.0)
+        duration = float(generator.integers(1, 10))
+        skills.append(
+            FuzzySkill(
+                f"skill {index}",
+                Sampled(np.repeat(np.append(edges, LAST), 2)[1:], np.repeat(values, 2)[:-1]),
+                duration,
+                elapsed=duration + float(generator.choice([0, 0, 6])),
+                agent=int(generator.integers(1, agents + 1)) if generator.random() < 0.2 else None,
+            )
+        )
+    pairs = [(first, second) for second in range(count) for first in range(second)]
+    precedences = []
+    for pair in pairs:
+        if generator.random() < 0.5:
+            low = float(generator.choice([0, 0, 3, -4, -20]))
+            precedences.append(Precedence(*pair, low, float(generator.choice([np.inf, low, low + 5]))))
+    start = float(generator.integers(0, LAST))
+    busy = (Busy(start, start + 5),) if generator.random() < 0.4 else ()
+    return FuzzyTask(tuple(skills), agents, tuple(precedences), busy)

@@ -74,6 +74,18 @@ def test_a_start_that_has_passed_is_rated_as_it_was() -> None:
     ]
 
 
+def test_a_rating_says_the_same_when_its_times_have_passed() -> None:
+    talk = Talk()
+    talk.say(STEAK)
+    kept = []
+    for minutes in (0, 10, 60):
+        talk.wait(minutes=minutes)
+        talk.say(":rate 1 4")
+        kept.append(talk.turns.conversation.ratings[-1])
+    assert kept[0] == kept[1] == kept[2]
+    assert json.loads(kept[0].rating)["start_s"] == 600
+
+
 def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None:
     talk = Talk()
     talk.say(STEAK)
@@ -94,7 +106,7 @@ def test_ratings_refer_to_the_population_and_do_not_feed_on_themselves() -> None
         (STEAK, "1 6", "1 to 5"),
         (STEAK, "1", "1 to 5"),
         (STEAK, "1 lovely", "1 to 5"),
-        (STEAK, "7 4", "one of the list (s1)"),
+        (STEAK, "7 4", "one of the list (1)"),
         ("Fry the steak", "1 4", "by one time"),
         ("Fry the steak this evening", "1 4", "'this evening' of s1 has none"),
     ],

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.interpreter import Plan
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling import Bond, Neighbour, Status, Why, elsewhere, explain
+from fuzzytime.scheduling import Bond, Limits, Neighbour, Status, Why, elsewhere, explain
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
@@ -17,11 +17,18 @@ MINUTE = 60.0
 MOST_NAMED = 3
 """How many others a sentence names."""
 
+MOST_SECONDS = 1.0
+"""Time spent at most on all lines under a plan; of what is left then only those in the way are named."""
+
+WORTH_NAMING = 0.2
+"""Others that would lose a smaller share of what the first would lose are not named."""
+
 
 def loss_lines(plan: Plan) -> list[tuple[int, str]]:
     """Give for each skill that is not fully satisfied its position, and in a line what that is due to."""
     short = [position for position, got in enumerate(plan.schedule.satisfactions) if got < 1 - SHOWN]
-    return [(why.position, _loss(why, plan)) for why in explain(plan.schedule, short)]
+    found = explain(plan.schedule, short, limits=Limits(seconds=MOST_SECONDS))
+    return [(why.position, _loss(why, plan)) for why in found]
 
 
 def _loss(why: Why, plan: Plan) -> str:
@@ -66,12 +73,14 @@ def _appointment(busy: Busy, plan: Plan) -> str:
 
 def _takers(why: Why, plan: Plan) -> str:
     """Name the neighbours, each with how it binds: "toast the bread, which wants the same minutes"."""
-    named, parts = why.neighbours[:MOST_NAMED], []
+    least = WORTH_NAMING * why.neighbours[0].loss
+    worth = [neighbour for neighbour in why.neighbours if neighbour.loss >= least]
+    named, parts = worth[:MOST_NAMED], []
     for bond in dict.fromkeys(neighbour.bond for neighbour in named):
         alike = [neighbour for neighbour in named if neighbour.bond is bond]
         names = listed([name_of(plan, neighbour.position) for neighbour in alike])
         parts.append(f"{names}, which {_bond(why.position, alike, plan)}")
-    more = len(why.neighbours) - len(named)
+    more = len(worth) - len(named)
     return "; and to ".join(parts) + (f"; and to {more} more" if more else "")
 
 
@@ -179,10 +188,21 @@ def _instead(why: Why, plan: Plan) -> str:
         (name_of(plan, neighbour.position), f"{neighbour.satisfaction:.2f} to {neighbour.instead:.2f}")
         for neighbour in paying
     ]
-    falls.append(("the whole", f"{plan.schedule.satisfaction:.3g} to {alternative.product:.3g}"))
+    before, after = plan.schedule.satisfaction, alternative.product
+    same = abs(after - before) < SHOWN * before
+    if not same:
+        falls.append(("the whole", f"{before:.3g} to {after:.3g}"))
+    if not falls:
+        return f"{own}, and the whole would be no better."
     (name, change), *rest = falls
     changes = listed([f"{name} would fall from {change}", *(f"{one} from {by}" for one, by in rest)])
-    return f"{own}, but {changes}."
+    skills = plan.schedule.task.skills
+    more = [entry for entry in paying if skills[entry.position].priority > skills[why.position].priority]
+    if more:
+        changes += (
+            f"; {listed([name_of(plan, entry.position) for entry in more])} came with a higher priority"
+        )
+    return f"{own}, but {changes}" + ("; the whole would be no better." if same else ".")
 
 
 def _minutes(why: Why, plan: Plan) -> str:

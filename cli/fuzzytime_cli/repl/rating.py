@@ -15,7 +15,7 @@ from fuzzytime.study.rating import Cue, CueKind, Direction, Rating, document_of
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.personal import personal_table, rating_line
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import Reply, Scene, identifier_of, step
+from fuzzytime_cli.repl.scene import Reply, Scene, identifier_of, number_of, step
 from fuzzytime_cli.session import KeptRating
 
 _SAID = re.compile(r"(?:(?P<score>[1-5])(?:/5| of 5)?)?[ ,]*(?:(?:too )?(?P<way>early|late))?", re.IGNORECASE)
@@ -36,13 +36,7 @@ def rate(scene: Scene, text: str) -> Reply:
     score, direction = _words(words)
     identifier = identifier_of(name)
     asked, start = _asked(scene, identifier), _start(scene, identifier)
-    rating = _rating(
-        asked,
-        seconds_between(scene.now, asked.wish.given),
-        seconds_between(asked.wish.given, start),
-        score,
-        direction,
-    )
+    rating = _rating(asked, seconds_between(asked.wish.given, start), score, direction)
     kept = KeptRating(identifier, asked.skill.name, start, json.dumps(document_of(rating)))
     reply = step(scene, f":rate {text.strip()}", lambda state: state.with_rating(kept))
     lines = (f"rated: {rating_line(kept)}", *personal_table(scene.conversation.ratings).lines)
@@ -73,9 +67,11 @@ def _shown(scene: Scene) -> list[Text]:
 
 
 def _asked(scene: Scene, identifier: str) -> Interpreted:
-    """Find a skill, started or not, as the population would understand it."""
+    """Find a skill, started or not, as the population understood it when it was asked for."""
     conversation = scene.conversation
-    skills = conversation.interpreter.interpret(conversation.request(scene.now)).skills
+    given = conversation.state.entry(number_of(identifier)).given
+    # Seen from now, its times may have passed.
+    skills = conversation.interpreter.interpret(conversation.request(given)).skills
     for interpreted in skills:
         if interpreted.identifier == identifier:
             return interpreted
@@ -94,15 +90,13 @@ def _start(scene: Scene, identifier: str) -> datetime:
     raise FuzzytimeError(f"a rated skill must have a start, and {identifier} has none")
 
 
-def _rating(
-    asked: Interpreted, given: float, start: float, score: int | None, direction: Direction | None
-) -> Rating:
-    """Give the rating of a start; ``given`` is when it was asked for, on the interpretation's timeline."""
+def _rating(asked: Interpreted, start: float, score: int | None, direction: Direction | None) -> Rating:
+    """Give the rating of a start in seconds from when it was asked for, as the interpretation has them."""
     requirement, resolution = _one_time(asked)
     # A wish about the end is one about the start, by the time until the result is there.
     lead = asked.duration.elapsed if requirement.reference is Reference.FINISH else 0.0
     return Rating(
-        satisfaction=asked.skill.satisfaction.shifted(lead - given),
+        satisfaction=asked.skill.satisfaction.shifted(lead),
         t_spec=_anchor(requirement),
         start=start + lead,
         cue=_cue(asked, requirement, resolution),

@@ -1,0 +1,62 @@
+"""What must hold of a solver's answer beside that of an independent optimiser."""
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from fuzzytime.scheduling import THRESHOLD, Labels, Limits, Milp, Solver, Status, solve
+from fuzzytime.scheduling.schedule import OPTIMAL_GAP
+from fuzzytime.skills import FuzzyTask
+from scheduling.oracle import best_cost, best_shared_cost, best_whole_cost
+from scheduling.random_tasks import LAST, faults, random_bound_task, random_shared_task, random_task
+
+LATTICE = 1e-2
+"""By how much the optimiser's lattice may miss the best cost."""
+
+
+@dataclass(frozen=True)
+class Family:
+    """Random tasks, the optimiser for them, a solver, and whether it must prove every optimum."""
+
+    draw: Callable[[int], FuzzyTask]
+    best: Callable[[FuzzyTask], float]
+    solver: Solver | None
+    proves: bool = True
+
+
+def _whole(task: FuzzyTask) -> float:
+    return best_whole_cost(task, THRESHOLD, LAST)
+
+
+def _alone(task: FuzzyTask) -> float:
+    return best_cost(task, THRESHOLD)
+
+
+def _shared(task: FuzzyTask) -> float:
+    return best_shared_cost(task, THRESHOLD)
+
+
+FAMILIES = {
+    "one agent": Family(random_task, _alone, None),
+    "one agent, labels": Family(random_task, _alone, Labels(), proves=False),
+    "several agents": Family(random_shared_task, _shared, None),
+    "several agents, program": Family(random_shared_task, _shared, Milp(), proves=False),
+    "lags": Family(random_bound_task, _whole, None, proves=False),
+}
+
+
+def wrong(family: Family, seed: int) -> Iterator[str]:
+    """Solve one random task, and say what is wrong with the answer."""
+    task = family.draw(seed)
+    schedule = solve(task, solver=family.solver, limits=Limits(seconds=math.inf if family.proves else 10.0))
+    best, certificate = family.best(task), schedule.certificate
+    weight = math.fsum(skill.priority for skill in task.skills)
+    yield from (f"seed {seed}: {fault}" for fault in faults(schedule))
+    if certificate.lower_cost > best + 1e-6:
+        yield f"seed {seed}: the bound {certificate.lower_cost} lies above the best cost {best}"
+    if schedule.weighted_cost < best - LATTICE:
+        yield f"seed {seed}: {schedule.weighted_cost} lies below the best cost {best}"
+    if certificate.status is Status.OPTIMAL and schedule.weighted_cost > best + OPTIMAL_GAP * weight + 1e-6:
+        yield f"seed {seed}: {schedule.weighted_cost} is called optimal beside {best}"
+    if family.proves and certificate.status is not Status.OPTIMAL:
+        yield f"seed {seed}: {certificate.status}, not optimal"

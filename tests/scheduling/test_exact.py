@@ -1,0 +1,128 @@
+"""The methods for many skills, for several agents and for lags, beside independent optimisers."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
+from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Solver, Status, solve
+from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.checks import FAMILIES, wrong
+from scheduling.random_tasks import faults
+
+
+@pytest.mark.parametrize(
+    ("name", "seed"),
+    [
+        *(("one agent, labels", seed) for seed in range(16)),
+        *(("several agents", seed) for seed in range(16)),
+        *(("several agents, program", seed) for seed in range(3)),
+        *(("lags", seed) for seed in range(6)),
+    ],
+)
+def test_no_random_task_is_solved_wrongly(name: str, seed: int) -> None:
+    assert not list(wrong(FAMILIES[name], seed))
+
+
+def spread(count: int, seed: int, agents: int = 1) -> FuzzyTask:
+    """Wishes spread over as much time as the work needs."""
+    generator = np.random.default_rng(seed)
+    durations = 30.0 + 5 * generator.integers(0, 100, count)
+    centres = generator.uniform(100, durations.sum() / agents, count)
+    widths = generator.uniform(100, 600, count)
+    skills = [
+        FuzzySkill(
+            f"skill {index}", Trapezoid(max(0.0, c - 2 * w), c - w / 4, c + w / 4, c + 2 * w), float(d)
+        )
+        for index, (d, c, w) in enumerate(zip(durations, np.maximum(centres, widths), widths, strict=True))
+    ]
+    return FuzzyTask(tuple(skills), agents)
+
+
+def test_labels_and_held_karp_prove_the_same() -> None:
+    task = spread(9, 5)
+    labels, both = solve(task, solver=Labels()), solve(task)
+    assert labels.certificate.status is both.certificate.status is Status.OPTIMAL
+    assert labels.weighted_cost == pytest.approx(both.weighted_cost, abs=1e-4)
+
+
+def test_twenty_skills_are_proved() -> None:
+    schedule = solve(spread(20, 1), limits=Limits(seconds=60))
+    assert not faults(schedule)
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_the_bound_of_many_skills_holds_for_any_time_limit() -> None:
+    task = spread(25, 2)
+    best = solve(task, limits=Limits(seconds=60))
+    for ticks in (0, 5, 50, 300):
+        schedule = solve(task, limits=Limits(seconds=ticks, clock=Ticks()))
+        assert not faults(schedule)
+        assert schedule.certificate.lower_cost <= best.weighted_cost + 1e-6
+        assert schedule.weighted_cost >= best.certificate.lower_cost - 1e-6
+
+
+class Ticks:
+    """A clock that moves on by one second whenever somebody looks at it."""
+
+    def __init__(self) -> None:
+        self._looks: Iterator[int] = iter(range(1 << 30))
+
+    def __call__(self) -> float:
+        return float(next(self._looks))
+
+
+@pytest.mark.parametrize("solver", [Labels(), Milp(), HeldKarp(), LocalSearch()])
+def test_an_interrupt_gives_the_best_so_far(solver: Solver) -> None:
+    looks = iter(range(1 << 30))
+
+    def interrupted() -> bool:
+        if next(looks) == 20:
+            raise KeyboardInterrupt
+        return False
+
+    schedule = solve(spread(8, 1), solver=solver, limits=Limits(stopped=interrupted))
+    assert not faults(schedule)
+    assert schedule.certificate.lower_cost <= schedule.weighted_cost
+
+
+def test_little_memory_leaves_a_bound() -> None:
+    schedule = solve(spread(20, 3), limits=Limits(seconds=20, memory=1 << 20))
+    assert not faults(schedule)
+    assert 0 <= schedule.certificate.lower_cost <= schedule.weighted_cost
+
+
+def test_what_must_come_first_comes_first_among_many() -> None:
+    task = spread(15, 4)
+    first, second = 3, 8
+    task = FuzzyTask(task.skills, precedences=(Precedence(first, second), Precedence(second, 11)))
+    schedule = solve(task, solver=Labels(), limits=Limits(seconds=60))
+    assert not faults(schedule)
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_two_agents_work_at_the_same_time() -> None:
+    wish = Triangle(0, 600, 1200)
+    skills = (FuzzySkill("sweep", wish, 300), FuzzySkill("mop", wish, 300))
+    schedule = solve(FuzzyTask(skills, agents=2))
+    assert list(schedule.start_times) == [600, 600]
+    assert sorted(schedule.agents) == [1, 2]
+
+
+def test_a_lag_is_kept_between_agents() -> None:
+    eggs = FuzzySkill("boil the eggs", Rectangle(0, 60), 60, elapsed=600, agent=1)
+    peel = FuzzySkill("peel them", Triangle(0, 300, 1500), 120, agent=2)
+    schedule = solve(FuzzyTask((eggs, peel), 2, (Precedence(0, 1, 60, 300),)), solver=Milp())
+    assert schedule.certificate.status is Status.OPTIMAL
+    assert schedule.start_times == pytest.approx((0, 660))
+
+
+def test_a_hundred_skills_for_two_agents_come_with_a_gap() -> None:
+    task = spread(100, 6, agents=2)
+    lunch = Busy(9000, 11000, "lunch")
+    chain = tuple(Precedence(k, k + 50) for k in range(10))
+    schedule = solve(FuzzyTask(task.skills, 2, chain, (lunch,)), limits=Limits(seconds=5))
+    assert not faults(schedule)
+    assert math.isfinite(schedule.certificate.gap)  # how small it is depends on the machine
