@@ -11,23 +11,10 @@ from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 BINDING = frozenset(
-    {
-        "at",
-        "by",
-        "until",
-        "till",
-        "before",
-        "after",
-        "from",
-        "around",
-        "about",
-        "since",
-        "for",
-        "no later than",
-        "not before",
-        "between",
-    }
+    {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
 )
+"""First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
+
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
 
@@ -230,19 +217,7 @@ class Judge:
 
 
 _TIMELY = frozenset(
-    {
-        "preposition_at",
-        "preposition_before",
-        "preposition_after",
-        "part",
-        "day",
-        "weekday",
-        "month",
-        "word",
-        "day_part",
-        "unit",
-        "zone",
-        "hedge",
-        "hedge_after",
-    }
+    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
+    | {"part", "day", "weekday", "month", "day_part", "unit"}
 )
+"""Categories of words that may follow a time and belong to it, or to another."""
