@@ -128,7 +128,8 @@ def _quantity(value: float) -> str:
 
 
 def _share_lines(share: Share) -> list[str]:
-    line = f"{plain(share.name):<24} {plain(share.source):<28} share {share.share:.2f}"
+    factors = ", ".join(f"{name} × {factor:.2f}" for name, factor in share.scale.items())
+    line = f"{plain(share.name):<24} {plain(share.source):<28} {factors or f'share {share.share:.2f}'}"
     if share.degree.low != 1 or share.degree.high != 1:
         line += f"  holds {_between(share.degree.low, share.degree.high)}"
     lines = [line]
@@ -165,7 +166,7 @@ def chart_of(interpreted: Interpreted, plan: Plan, position: int | None = None) 
             panels += _trace_panels(trace, start, end)
     panels.append(satisfaction_panel(function, start, end, "ψ: satisfaction with a start at that time"))
     marks: tuple[Mark, ...] = (Mark(0.0, "now"),) if start < 0 else ()
-    if position is not None:
+    if position is not None and not plan.schedule.rejected[position]:
         when = plan.schedule.start_times[position]
         planned = f"planned, satisfaction {plan.schedule.satisfactions[position]:.2f}"
         marks = (*marks, Mark(when, planned))

@@ -45,21 +45,17 @@ def understand(condition: Condition, tables: Tables) -> Understood:
 
 def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> Understood:
     named = [variable for variable in tables.variables.values() if names(variable, subject)]
-    for variable in named:
-        for term in variable.terms.values():
-            if _plain(word) in _ways_to_say(term):
-                return _atom(condition, variable, term, tables)
-    # Words of which the last alone says nothing: "al dente", "cooled down".
     text = _plain(condition.text)
-    whole = [
+    # The longest way to say it: "too hot" is not hot, and "dente" alone says nothing.
+    ways = [
         (way, variable, term)
         for variable in named
         for term in variable.terms.values()
         for way in _ways_to_say(term)
-        if _plain(word) in way.split() and _within(way, text)
+        if way == _plain(word) or (_plain(word) in way.split() and _within(way, text))
     ]
-    if whole:
-        way, variable, term = max(whole, key=lambda row: len(row[0]))
+    if ways:
+        way, variable, term = max(ways, key=lambda row: len(row[0]))
         hedges = tuple(hedge for hedge in condition.hedges if hedge.lower() not in way.split())
         return _atom(replace(condition, hedges=hedges), variable, term, tables)
     if named:

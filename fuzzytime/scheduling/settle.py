@@ -146,14 +146,16 @@ def _reject_followers(problem: Problem, hints: Floats) -> None:
 
 
 def _too_late(problem: Problem, rows: dict[int, list[int]]) -> int:
-    """Give a job whose windows are over when its agent is free; else one that is cheap to reject."""
+    """Give what is cheapest to reject of a job that comes too late and those without a pause before it."""
     lanes = lanes_of_agents(problem)
     for agent, row in rows.items():
         free = -math.inf
+        chain: list[int] = []
         for index in row:
             windows = [window for window in problem.jobs[index].windows[lanes[agent]] if window.high >= free]
             if not windows:
-                return index
+                return min([index, *chain], key=lambda member: problem.jobs[member].rejection)
+            chain = [*chain, index] if windows[0].low <= free else [index]
             free = max(free, windows[0].low) + problem.jobs[index].duration
     placed = [index for row in rows.values() for index in row]
     return min(placed, key=lambda index: problem.jobs[index].rejection)

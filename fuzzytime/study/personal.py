@@ -60,7 +60,8 @@ class PersonalTable:
             name = json.dumps(cue.text, ensure_ascii=False)
             # A clock time is heard as it is said: only spoken durations have these units.
             units = ", unit: [second, minute, hour]" if cue.kind is CueKind.PREPOSITION else ""
-            title = json.dumps(f"personal time of the {cue.kind} {cue.text!r}", ensure_ascii=False)
+            kind = "word " if cue.kind is CueKind.WORD else ""
+            title = json.dumps(f"personal {kind}{cue.text!r}", ensure_ascii=False)
             lines += [
                 f"  - name: {title}",
                 f"    on: {{{cue.kind}: {name}{units}}}",

@@ -53,6 +53,7 @@ ON_TIME = [
     ("Flip the pancakes when the pan is hot", {"pan_temp": HEATING}, (1.6, 3.3)),
     ("Sear the steak when the pan is very hot", {"pan_temp": HEATING}, (1.7, 3.5)),
     ("Add the butter as soon as the pan is warm", {"pan_temp": approach(20, 20, 230, 150)}, (0, 1)),
+    ("Take the pan off when the pan is too hot", {"pan_temp": approach(60, 220, 330, 150)}, (0, 1)),
     ("Wash the pan once it has cooled down", {"pan_temp": approach(200, 200, 22, 200)}, (3, 9)),
     ("Wipe the stove when the pan is no longer hot", {"pan_temp": approach(200, 230, 22, 200)}, (0, 0)),
     ("Add the pasta when the water boils", {"water_temp": straight(60, 60, 75, 5)}, (1.5, 2.5)),

@@ -68,7 +68,7 @@ def test_an_agent_is_free_before_a_result_is_there() -> None:
 
 
 def test_the_same_run_tells_the_same() -> None:
-    runs = [told([FLIP, "Set the table soon"], pan(400)).documents for _ in range(2)]
+    runs = [told([FLIP, "Set the table soon"], pan(150)).documents for _ in range(2)]
     for document in runs[0] + runs[1]:
         document.pop("seconds", None)
     assert runs[0] == runs[1]
@@ -235,6 +235,14 @@ def test_by_word_a_skill_goes_on_until_it_is_said_to_be_done() -> None:
     assert story.of(Late, "mix")
     assert story.one(Done, "mix").at == 200
     assert 200 <= story.starts["stir"] <= 260
+
+
+def test_by_word_a_run_ends_where_nobody_is_left_to_say_what_is_done() -> None:
+    story = told(
+        [wish("Mix the batter now", "mix", duration=60.0)], [{"done": "x", "at_s": 20}], by_word=True
+    )
+    assert story.one(Finished).unfinished == ("mix",)
+    assert story.all(Trouble)[-1].message == "the input has ended: nobody is left to say what is done"
 
 
 # -- what goes wrong ----------------------------------------------------------------------------------------

@@ -54,16 +54,6 @@ def test_crisp_windows_are_those_of_signal_temporal_logic(trace: Floats, steps: 
         np.testing.assert_allclose(throughout(trace, extent, 0.0)[:, t], window.min(axis=1), atol=1e-15)
 
 
-def test_crisp_windows_equal_those_of_rtamt() -> None:
-    # `once[0:3]` and `historically[0:3]` in the discrete time of rtamt 0.4.10, where the window is full.
-    samples = np.array([[0.1, 0.9, 0.4, 0.3, 0.8, 0.2, 0.2, 0.6, 0.5, 0.0]])
-    once = [0.9, 0.9, 0.8, 0.8, 0.8, 0.6, 0.6]
-    historically = [0.1, 0.3, 0.2, 0.2, 0.2, 0.2, 0.0]
-    extent = Extent(3.0, 3.0)
-    assert sometime(samples, extent, 0.0)[0, 3:].tolist() == once
-    assert throughout(samples, extent, 0.0)[0, 3:] == pytest.approx(historically)
-
-
 def brute_mean(trace: Floats, extent: Extent, unknown: float) -> Floats:
     """∫ w·φ / ∫ w by a fine sum."""
     ages = np.linspace(0, extent.whole, 20_001)

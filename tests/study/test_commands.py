@@ -97,6 +97,15 @@ def test_the_report_is_a_folder_of_page_plots_and_numbers(fine: Run, simulated: 
     assert {path.name for path in without.iterdir()} == {"report.html", "numbers.json"}
 
 
+def test_a_report_without_matplotlib_has_no_figures(
+    fine: Run, simulated: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
+    done = fine("analyse", simulated, "--out", tmp_path, "--permutations", 9)
+    assert "plots need matplotlib" in done.err
+    assert {path.name for path in tmp_path.iterdir()} == {"report.html", "numbers.json"}
+
+
 def test_a_calibrated_table_is_checked_and_written(fine: Run, simulated: Path, tmp_path: Path) -> None:
     text = fine("calibrate", simulated).out
     assert text.startswith("# Rules calibrated")

@@ -1,5 +1,6 @@
 """Many files: answers in order, errors beside them, wherever the work is done, however often it ends."""
 
+import io
 import json
 import os
 import signal
@@ -14,7 +15,7 @@ import jsonschema
 import pytest
 
 from console import ROOT, environment
-from fuzzytime_cli.batch import backends
+from fuzzytime_cli.batch import backends, start
 from fuzzytime_cli.batch.answers import Job, Recipe, recipe_of
 from fuzzytime_cli.batch.backends import WINDOW, Workers
 from fuzzytime_cli.batch.files import task_files
@@ -181,6 +182,26 @@ def test_a_worker_that_is_lost_costs_one_file(monkeypatch: pytest.MonkeyPatch) -
     first, lost, last = Workers(BatchBackend.LOKY, 2).answers(jobs, recipe())
     assert (first, last) == ("a", "b")
     assert json.loads(lost)["error"]["code"] == Exit.FAILURE
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(("seconds", "words"), [(0.0, ""), (1.0, "2/3 1 failed")])
+def test_progress_is_shown_on_a_terminal_once_it_takes_a_while(
+    seconds: float, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(sys, "stdout", io.StringIO())
+    with start.progress(3) as show:
+        show(start.Tally(answered=1, failed=1))
+        time.sleep(seconds)
+        show(start.Tally(answered=2, failed=1))
+    assert words in terminal.getvalue()
+    assert bool(words) == bool(terminal.getvalue())
 
 
 # -- resumed ------------------------------------------------------------------------------------------------

@@ -79,11 +79,20 @@ def test_sentences_say_what_was_asked_who_took_it_and_what_a_minute_costs(interp
         "Its satisfaction was given as a curve: alone it would be fully satisfied by a start at 09:03."
     )
     assert "to toast, which wants the same minutes" in got
-    assert instead.startswith("Started at 09:03 it would have 1.00, but toast would fall from")
-    assert " and the whole from " in instead
+    assert instead == (
+        "Started at 09:03 it would have 1.00, but toast would fall from 1.00 to 0.50; "
+        "toast came with a higher priority; the whole would be no better."
+    )
     assert minutes.startswith("A minute earlier it would have ")
     assert "a minute later it would have " in minutes
     assert minutes.endswith("No schedule satisfies better: proved.")
+
+
+def test_sentences_say_what_the_whole_would_lose(interpreter: Interpreter) -> None:
+    made = planned(interpreter, wish("toast", Triangle(120, 180, 240)), wish("flip", WISH))
+    instead = why_sentences(made, 1)[2]
+    assert instead.startswith("Started at 09:03 it would have 1.00, but toast would fall from 1.00 to ")
+    assert " and the whole from 0.5 to 0." in instead
 
 
 def test_the_whole_is_not_told_apart_from_a_single_skill(interpreter: Interpreter) -> None:

@@ -1,5 +1,6 @@
 """`fuzzytime run`: a plan carried out in time."""
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -85,6 +86,9 @@ def run(
 
     if wait_for_done and program:
         raise UsageError("--wait-for-done and --exec: a skill ends by word or with its command, not both")
+    listens = file != "-" and sys.stdin is not None and not sys.stdin.isatty()
+    if wait_for_done and not listens and follow is None:
+        raise UsageError("--wait-for-done needs somebody to say so: a pipe, or --follow FILE")
     settings = Settings(
         speed=None if simulate else speed,
         command=Command.of(program) if program else None,
@@ -92,7 +96,7 @@ def run(
         by_word=wait_for_done,
         stay=stay,
         follow=follow,
-        listen=file != "-",
+        listen=listens,
     )
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()

@@ -17,7 +17,7 @@ from fuzzytime_cli.live.messages import Read, Said, Told, Unreadable
 from fuzzytime_cli.live.outlook import Outlook, Waiting
 from fuzzytime_cli.live.pace import JUST, Pace
 from fuzzytime_cli.live.planning import Planning
-from fuzzytime_cli.live.progress import Progress
+from fuzzytime_cli.live.progress import Ends, Progress
 
 _SAME = 1e-6
 """Seconds between two moments that are one."""
@@ -76,6 +76,11 @@ class Dispatcher:
         """Whether nothing goes on and nothing is to start."""
         going_on = self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)
         return not (self.outlook.reasons or self.outlook.waiting or going_on)
+
+    @property
+    def needs_words(self) -> bool:
+        """Whether something goes on that only a word can end."""
+        return self.progress.ends is Ends.BY_WORD and bool(self.ledger.in_phase(Phase.RUNNING))
 
     def stopped(self, now: float) -> told.Stopped:
         """Tell what goes on, and what was not started."""

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 from fuzzytime_cli.live.clock import Clock
 from fuzzytime_cli.live.dispatcher import Dispatcher
-from fuzzytime_cli.live.events import Event
+from fuzzytime_cli.live.events import Event, Trouble
 from fuzzytime_cli.live.inbox import MOST_HELD, Arrival, Inbox, Line, Stop
 from fuzzytime_cli.live.messages import Listener, Unreadable
 
@@ -34,6 +34,10 @@ def carry_out(
             tell(event)
         dispatcher.ready(clock.now)
         until = min(dispatcher.next_time(), inbox.next_time)
+        if dispatcher.needs_words and not inbox.is_open:
+            tell(Trouble(at=now, message="the input has ended: nobody is left to say what is done"))
+            tell(dispatcher.finished(now))
+            return True
         if _is_over(dispatcher, inbox, stay=stay) or (until == math.inf and not inbox.is_open):
             tell(dispatcher.finished(now))
             return True

@@ -178,7 +178,7 @@ def _listening(inbox: Inbox, listener: Listener, settings: Settings) -> Iterator
                     play(inbox, str(settings.follow), lambda: recording.read(CHUNK), listener)
             except FileNotFoundError as error:
                 raise NoInputError(f"{settings.follow}: there is no such file") from error
-        if settings.listen and settings.follow is None and sys.stdin is not None and not sys.stdin.isatty():
+        if settings.listen and settings.follow is None:
             if settings.speed is None:
                 play(inbox, "<stdin>", reader_of(sys.stdin), listener)
             else:

@@ -53,6 +53,7 @@ def analyse(
 def _write_report(folder: Path, found: "Analysis", *, plots: bool) -> None:
     import json as encoding
 
+    from fuzzytime.errors import FuzzytimeError
     from fuzzytime.study.numbers import numbers
     from fuzzytime.study.plots import figures, rendered
     from fuzzytime.study.report import report as page
@@ -60,7 +61,12 @@ def _write_report(folder: Path, found: "Analysis", *, plots: bool) -> None:
 
     folder.mkdir(parents=True, exist_ok=True)
     pictures: dict[str, bytes] = {}
-    for name, draw in figures(found) if plots else ():
+    try:
+        drawings = tuple(figures(found)) if plots else ()
+    except FuzzytimeError as error:
+        report(f"{error}; the report has no figures")
+        drawings = ()
+    for name, draw in drawings:
         pictures[name], bitmap = rendered(draw, "svg", "png")
         (folder / f"{name}.svg").write_bytes(pictures[name])
         (folder / f"{name}.png").write_bytes(bitmap)

@@ -48,6 +48,8 @@ class Lexicon:
         Words that the reading of sentences uses, by meaning.
     wanting, forgetting, causing
         Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
+    intransitive
+        Verbs that take no object, so that they share none either: "stop and open the door".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
@@ -75,6 +77,7 @@ class Lexicon:
     wanting: frozenset[str]
     forgetting: frozenset[str]
     causing: frozenset[str]
+    intransitive: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     persons: frozenset[str]

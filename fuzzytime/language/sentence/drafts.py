@@ -225,5 +225,15 @@ def _cut(one: _Waiting, part: Part) -> Iterator[Segment]:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            yield Segment((start, last))
+            yield _behind(one, part, end, (start, last))
             return
+
+
+def _behind(one: _Waiting, part: Part, end: int, span: Span) -> Segment:
+    """Give the segment of a further verb; it follows a verb alone: "peel and chop the onions"."""
+    covered = {place for phrase in one.source.phrases for place in range(phrase.first, phrase.end)}
+    alone = len(set(one.source.places(part.offset, end)) - covered) == 1
+    joint = [one.source.scanned.words[place] for place in one.source.places(end, span[0])]
+    if alone and [word.text for word in joint] == ["and"]:
+        return Segment(span, "then", (joint[0].start, joint[0].end))
+    return Segment(span)

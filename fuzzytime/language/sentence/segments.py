@@ -30,6 +30,10 @@ class Segment:
     connective: str = ""
     connective_span: Span = (0, 0)
 
+    def shares(self, text: str) -> bool:
+        """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
+        return text[slice(*self.connective_span)].lower() == "and"
+
     @property
     def empty(self) -> bool:
         """Whether nothing is left."""

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 ADDED = frozenset({"and", "&", ","})
 OFFERED = frozenset({"or"})
+STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
+"""How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,8 +49,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    for part in draft.parts:
-        whole = _sketch(draft, part, lexicon)
+    for whole in _shared([_sketch(draft, part, lexicon) for part in draft.parts], draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
@@ -57,6 +58,24 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
                 message = f"{text!r} is not used: of times joined by 'or', the first is taken"
                 remarks.append(Remark(RemarkKind.POLICY, phrase.span, message))
     return found, remarks
+
+
+def _shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a verb alone share the object and the start of the next: "rinse and drain the rice at noon"."""
+    shared = list(sketches)
+    for place in range(len(shared) - 1, 0, -1):
+        first, second = shared[place - 1], shared[place]
+        if not second.part.segment.shares(text) or first.operation is None or second.operation is None:
+            continue
+        operation = first.operation
+        if operation.object is None and operation.lemma not in lexicon.intransitive:
+            operation = replace(operation, object=second.operation.object)
+        first = replace(first, operation=operation)
+        if not first.phrases and all(phrase.said.constraint in STARTS for phrase in second.phrases):
+            first = replace(first, phrases=second.phrases, references=second.references)
+            second = replace(second, phrases=(), references=())
+        shared[place - 1 : place + 1] = [first, second]
+    return shared
 
 
 def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:

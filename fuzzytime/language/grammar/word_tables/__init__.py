@@ -65,6 +65,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        intransitive=frozenset(form[0] for form in speech.words("verbs", "intransitive")),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
             for name, node in speech.rows("particles")
