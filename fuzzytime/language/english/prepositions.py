@@ -81,6 +81,12 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
 
 
+@grammar.rule("said", "past <clock>", weight=0.1)
+def past_clock(clock: Clock) -> Said:
+    """Past six; but "past tuesday" is the last one."""
+    return Said(Wall(clock=clock), Constraint.AFTER, "after")
+
+
 @grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
 def starting_at(goal: Goal) -> Said | None:
     """Starting at three pm: then, not some time after it; but "starting tomorrow" is from then on."""

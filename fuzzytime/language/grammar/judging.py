@@ -38,6 +38,9 @@ BEHIND_VERBS = frozenset(
 )
 """Words that may follow a verb, and hardly a noun that is counted."""
 
+AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
+"""Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
+
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
@@ -160,14 +163,33 @@ class Judge:
     def _measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
-            text = self.texts[place]
-            if text in {".", ";", "!", "?", "then"} or self._is_amount(place):
+            if self._is_other_order(place) or self._is_amount(place):
                 return False
             if place and self._is_amount(place - 1):
                 return False
-            if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
+            if self._measures(place, piece):
                 return True
         return False
+
+    def _is_other_order(self, place: int) -> bool:
+        """Whether what stands before a word is about something else: "dim the lights and lock the door by 10"."""
+        text, behind = self.texts[place], self.texts[place + 1 : place + 3]
+        joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
+        return joined or text in {".", ";", "!", "?", "then"}
+
+    def _measures(self, place: int, piece: Piece) -> bool:
+        """Whether a word makes a number behind it an amount: what does, depends on how the number is bound."""
+        text, said, lexicon = self.texts[place], piece.value, self.lexicon
+        if not _is_bound_to_hour(said):
+            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
+        if said.preposition not in AMOUNTED:
+            return False
+        if text in lexicon.amount_nouns or text in lexicon.counting:
+            return True
+        if self.texts[piece.start] not in {"by", "from"}:
+            return False
+        following = self.texts[place + 1 : piece.start]
+        return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
 
     def _is_amount(self, place: int) -> bool:
         """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
@@ -221,12 +243,23 @@ class Judge:
         if said.preposition == "by" and self._is_number(before) and not self._is_amount(before):
             # "Two by four"
             return False
+        if said.preposition == "through" and self._is_number(before):
+            # "Pages 3 through 7"
+            return False
         sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
         if not sure and self._measured(piece):
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
+
+
+def _is_bound_to_hour(said: Said) -> bool:
+    """Whether it is a bound at a number that can be an hour: "by 6", but not the "until 180" of an oven."""
+    ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
+    clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
+    hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
+    return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
 
 
 _TIMELY = frozenset(
