@@ -135,6 +135,9 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("stir the soup half past soon", "half past"),
         ("meet me at ten past", "at ten past"),
         ("call anna at a quarter to", "at a quarter to"),
+        ("stir the soup now and then", "now and then"),
+        ("stir the soup every now and then", "every now and then"),
+        ("water the plants from time to time", "from time to time"),
     ],
 )
 def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words: str) -> None:

@@ -124,6 +124,8 @@ def whole_of(unit: UnitWord) -> Duration | None:
     "duration",
     "<duration> to|or|- <duration>",
     "<quantity> to|or|- <duration>",
+    "<quantity> ,? or? maybe|perhaps|possibly|rather|even <duration>",
+    "<duration> ,? or? maybe|perhaps|possibly|even <duration>",
     "between <quantity> and <duration>",
 )
 def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:

@@ -108,5 +108,5 @@ def soon_after(duration: Duration, goal: Goal) -> Range | None:
 
 
 def _counts_from(goal: Goal) -> bool:
-    vague = isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE
+    vague = isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT
     return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending))

@@ -37,7 +37,9 @@ def plain(goal: Goal) -> Said:
 @grammar.rule("said", "<preposition_at> the? <goal>", weight=0.1)
 def beside(preposition: Preposition, goal: Goal) -> Said | None:
     """At six, on friday, around noon, sometime tomorrow."""
-    if isinstance(goal.time, TimeWord) and preposition.name in {"in", "at", "on"}:
+    if isinstance(goal.time, TimeWord) and (
+        preposition.name in {"in", "at", "on"} or goal.time.constraint is Constraint.EVERY
+    ):
         return None
     return _said(goal, preposition.name)
 
@@ -66,7 +68,7 @@ def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
 @grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
 def deadline(preposition: Preposition, goal: Goal) -> Said | None:
     """By noon, no later than six, before tomorrow."""
-    if isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE:
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
@@ -76,9 +78,31 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
 @grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
 def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
-    if isinstance(goal.time, TimeWord) and goal.time.constraint is Constraint.VAGUE:
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
     return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
+
+
+@grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
+def until_after(goal: Goal) -> Said | None:
+    """Until after lunch: until its end; "don't start it until after ten" is turned like every deadline."""
+    if isinstance(goal.time, TimeWord):
+        return None
+    return _said(goal, "until", Constraint.BEFORE, Edge.END)
+
+
+@grammar.rule("said", "not until|till|before after the? <goal>", weight=0.4)
+def not_until_after(goal: Goal) -> Said | None:
+    """Not until after ten."""
+    if isinstance(goal.time, TimeWord):
+        return None
+    return _said(goal, "not before", Constraint.AFTER, Edge.END)
+
+
+@grammar.rule("said", "past <clock>", weight=0.1)
+def past_clock(clock: Clock) -> Said:
+    """Past six; but "past tuesday" is the last one."""
+    return Said(Wall(clock=clock), Constraint.AFTER, "after")
 
 
 @grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
@@ -124,6 +148,24 @@ def or_earlier(goal: Goal) -> Said:
     return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
 
 
+@grammar.rule("said", "<said> ,? at the latest", "at the? latest ,? <said>", "latest <said>", weight=0.5)
+def latest(said: Said) -> Said | None:
+    """In ten minutes at the latest, at the latest on friday."""
+    if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
+        return None
+    return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
+
+
+@grammar.rule(
+    "said", "<said> ,? at the earliest", "at the? earliest ,? <said>", "earliest <said>", weight=0.5
+)
+def earliest(said: Said) -> Said | None:
+    """In ten minutes at the earliest, at the earliest on friday."""
+    if said.constraint not in {None, Constraint.AT, Constraint.AFTER} or isinstance(said.time, TimeWord):
+        return None
+    return replace(said, constraint=Constraint.AFTER, preposition="not before", edge=Edge.START)
+
+
 @grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)
 def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:
     """Within the day."""
@@ -142,6 +184,38 @@ def just_off(hedge: str, goal: Goal) -> Said | None:
         return None
     edge = Edge.END if hedge.endswith("after") else Edge.START
     return Said(goal.time, None, None, (hedge, *goal.hedges), edge, beside=True)
+
+
+@grammar.rule(
+    "said",
+    "<said> or|and shortly|soon|right|just|a thereafter|afterwards|after|later",
+    "<said> or|and a little|bit|while|moment thereafter|afterwards|after|later",
+    "<said> or|and thereafter|afterwards",
+    weight=0.5,
+)
+def or_shortly_after(said: Said) -> Said | None:
+    """At noon or shortly thereafter."""
+    return _a_little_off(said, "shortly after")
+
+
+@grammar.rule(
+    "said",
+    "<said> or|and shortly|right|just before|beforehand",
+    "<said> or|and a little|bit|while|moment before|beforehand|earlier",
+    weight=0.5,
+)
+def or_shortly_before(said: Said) -> Said | None:
+    """At noon or shortly before."""
+    return _a_little_off(said, "shortly before")
+
+
+def _a_little_off(said: Said, hedge: str) -> Said | None:
+    point = said.constraint in {None, Constraint.AT} and not said.hedges
+    if not point or not isinstance(said.time, (Wall, Ending)):
+        return None
+    return replace(
+        said, hedges=(hedge,), edge=Edge.END if hedge.endswith("after") else Edge.START, beside=True
+    )
 
 
 @grammar.rule("said", "<preposition_at> <said>", weight=0.05)

@@ -30,6 +30,9 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
             isinstance(time, TimeWord) and time.word == "now"
         ):
             return None
+    if isinstance(first.time, Wall) and first.time.bare and isinstance(last.time, Offset):
+        # "Between 10 and 15 minutes from now": the number shares the unit.
+        return None
     if isinstance(first.time, Wall) and isinstance(last.time, Wall):
         apart = _lent(first.time, last.time)
         if apart is None or not _comparable(*apart):

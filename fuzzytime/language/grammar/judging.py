@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint, Unit
@@ -24,6 +24,12 @@ BEHIND_VERBS = frozenset(
     | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
 )
 """Words that may follow a verb, and hardly a noun that is counted."""
+
+REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
+"""Words behind which "but" takes out: "every day but sunday"."""
+
+AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
+"""Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
@@ -49,6 +55,8 @@ class Judge:
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
             return self._accepts_wall(piece, said, time)
+        if isinstance(time, TimeWord) and self._begins_clause(piece):
+            return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self._describes(piece)
         if isinstance(time, Range):
@@ -61,11 +69,24 @@ class Judge:
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
         before = self.texts[max(0, piece.start - 3) : piece.start]
+        if before[-1:] == ["but"] and self._is_added(piece):
+            return False
         return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
             ["except", "for"],
             ["except", "on"],
             ["but", "not"],
         )
+
+    def _begins_clause(self, piece: Piece) -> bool:
+        """Whether it is the first word of a longer one that begins a clause: "now that"."""
+        marker = longest_match(self.words, piece.start, self.lexicon.clauses)
+        return marker is not None and len(marker) > piece.end - piece.start
+
+    def _is_added(self, piece: Piece) -> bool:
+        """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
+        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+        earlier = self.texts[: piece.start - 1]
+        return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
 
     def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
@@ -141,20 +162,39 @@ class Judge:
 
     def _timely(self, place: int) -> bool:
         """Whether the word at a place begins a time."""
-        found = self.lexicon.entries.get(self.texts[place], ()) if place < len(self.texts) else ()
-        return any(entry.category in _TIMELY for entry in found)
+        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
+        return any(piece.category in _TIMELY for piece in found)
 
     def _measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
-            text = self.texts[place]
-            if text in {".", ";", "!", "?", "then"} or self._is_amount(place):
+            if self._is_other_order(place) or self._is_amount(place):
                 return False
             if place and self._is_amount(place - 1):
                 return False
-            if text in self.lexicon.measure_verbs or text in self.lexicon.measure_nouns:
+            if self._measures(place, piece):
                 return True
         return False
+
+    def _is_other_order(self, place: int) -> bool:
+        """Whether what stands before a word begins another order: "dim the lights and lock the door by 10"."""
+        text, behind = self.texts[place], self.texts[place + 1 : place + 3]
+        joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
+        return joined or text in {".", ";", "!", "?", "then"}
+
+    def _measures(self, place: int, piece: Piece) -> bool:
+        """Whether a word makes a number behind it an amount: that depends on how it is bound."""
+        text, said, lexicon = self.texts[place], piece.value, self.lexicon
+        if not _is_bound_to_hour(said):
+            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
+        if said.preposition not in AMOUNTED:
+            return False
+        if text in lexicon.amount_nouns or text in lexicon.counting:
+            return True
+        if self.texts[piece.start] not in {"by", "from"}:
+            return False
+        following = self.texts[place + 1 : piece.start]
+        return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
 
     def _is_amount(self, place: int) -> bool:
         """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
@@ -166,7 +206,7 @@ class Judge:
         return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
 
     def _binds(self, piece: Piece) -> bool:
-        return self.texts[piece.start] in BINDING
+        return bool(BINDING & set(self.texts[piece.start : piece.start + 2]))
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
@@ -185,6 +225,9 @@ class Judge:
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
+        if self.texts[piece.end - 1] in self.lexicon.ordinals and not self._may_end(piece):
+            # "After the first one is done"
+            return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
         if wall.weak:
@@ -208,12 +251,23 @@ class Judge:
         if said.preposition == "by" and self._is_number(before) and not self._is_amount(before):
             # "Two by four"
             return False
+        if said.preposition == "through" and self._is_number(before):
+            # "Pages 3 through 7"
+            return False
         sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
         if not sure and self._measured(piece):
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
+
+
+def _is_bound_to_hour(said: Said) -> bool:
+    """Whether it is a bound at a number that can be an hour: "by 6", but not the "until 180" of an oven."""
+    ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
+    clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
+    hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
+    return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
 
 
 _TIMELY = frozenset(

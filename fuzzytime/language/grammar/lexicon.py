@@ -58,6 +58,8 @@ class Lexicon:
         Words for people, and verbs whose object is one: "it" stands for neither.
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
+    changing, counting, amount_nouns
+        Words beside which even a bound is one: "by 10", "until 10".
     function_words
         Words that may follow a bare number without making it a count.
     """
@@ -84,6 +86,9 @@ class Lexicon:
     addressing: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
+    changing: frozenset[tuple[str, ...]]
+    counting: frozenset[str]
+    amount_nouns: frozenset[str]
     function_words: frozenset[str]
     policy: Policy = field(default_factory=Policy)
 

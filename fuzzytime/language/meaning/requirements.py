@@ -19,7 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.meaning.relations import Away
@@ -142,6 +142,9 @@ class _Grounder:
         return self._requirement(constraint, min(near, far), max(near, far), hedges=said, duration=time)
 
     def _of_word(self, time: TimeWord) -> Grounded:
+        if time.constraint is Constraint.EVERY:
+            message = "how often is not said: say an interval, as in 'every ten minutes'"
+            raise UngroundedError(message)
         constraint = self.said.constraint or time.constraint
         if constraint is Constraint.VAGUE:
             return Grounded(requirement=self._requirement(constraint, None, None, word=time.word))
@@ -210,6 +213,8 @@ class _Grounder:
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
 
     def _counts_from_start(self, time: Time) -> bool:
+        if self.said.edge is Edge.END:
+            return False
         if self.said.edge is Edge.START:
             return not isinstance(time, (Ending, Range, Rest))
         return isinstance(time, Wall) and time.part is not None

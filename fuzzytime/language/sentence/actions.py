@@ -71,6 +71,11 @@ def _order_before(tree: Tree, root: int) -> int:
         bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
             return place
+    if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
+        # "Serve the soup the second it boils": the clause was taken for the sentence.
+        for place in tree.children(root, "advcl", "ccomp"):
+            if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
+                return root if tree.children(place, "mark", "aux", "advmod", *SUBJECTS) else place
     return root
 
 

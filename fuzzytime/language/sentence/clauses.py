@@ -87,7 +87,7 @@ class _Clauses:
             return None
         content = (self.words[marker_end].start, self.words[end - 1].end)
         nodes = list(self.tree.at(*content))
-        if not nodes:
+        if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
         start = self.words[place].start
         distance = self._distance(place)
@@ -118,13 +118,17 @@ class _Clauses:
             distance=duration,
         )
 
+    def _is_counted(self, place: int) -> bool:
+        """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
+        return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
+
     def _behind(self, place: int, length: int) -> int:
         """Give the place behind a marker of some words, whose hyphens the words may have kept."""
         return place + length
 
     def _end(self, place: int, first: int) -> int:
-        """Give where the clause ends: at a comma, or at the main verb where the clause comes first."""
-        comma = next((p for p in range(first, len(self.words)) if self.words[p].text == ","), len(self.words))
+        """Give where the clause ends: at a comma, at "and" and a time, or at the main verb behind it."""
+        comma = next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
         root = self.tree.root
         if root is None or place >= len(self.words):
             return comma
@@ -141,6 +145,15 @@ class _Clauses:
                 return before[0] if before else comma
         return comma
 
+    def _is_mark(self, place: int) -> bool:
+        """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
+        text = self.words[place].text
+        if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
+            return text == ","
+        clause = longest_match(self.words, place + 1, self.lexicon.clauses)
+        bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
+        return bound or bool(clause and self.lexicon.clauses[clause])
+
     def _distance(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker: "five minutes before"."""
         for phrase in self.phrases:
@@ -154,17 +167,19 @@ class _Clauses:
 
     def _verb(self, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""
-        verbs = [
-            p
-            for p in nodes
-            if self.tree.nodes[p].is_verb
-            and self.tree.nodes[p].relation not in {"aux", "auxpass", "amod", "relcl", "acl", "compound"}
-        ]
+        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, nodes)]
         if not verbs:
             return None
         inside = set(nodes)
         tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
         return tops[0] if tops else verbs[0]
+
+    def _describes(self, place: int, nodes: Sequence[int]) -> bool:
+        """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""
+        node = self.tree.nodes[place]
+        if node.relation in {"relcl", "acl"}:
+            return node.head in nodes
+        return node.relation in {"aux", "auxpass", "amod", "compound"}
 
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
         inside = set(nodes)

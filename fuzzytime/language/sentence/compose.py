@@ -83,6 +83,7 @@ class _Composer:
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
+        sketch = _awaiting(sketch)
         times = ground_all(sketch.phrases, self.draft.text, self.moment)
         self.remarks += times.remarks
         self.questions += times.questions
@@ -153,6 +154,18 @@ class _Composer:
                 if strict is None and own and tree is part.tree:
                     strict = reading.moved(base)
         return tuple(tokens), strict or StrictReading()
+
+
+def _awaiting(sketch: Sketch) -> Sketch:
+    """Read "don't serve it until the guests arrive" as: serve it, when they do."""
+    operation = sketch.operation
+    if operation is None or not operation.negated or all(c.kind != "until" for c in sketch.clauses):
+        return sketch
+    clauses = tuple(
+        replace(clause, kind="when", marker="when") if clause.kind == "until" else clause
+        for clause in sketch.clauses
+    )
+    return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
 
 
 def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:

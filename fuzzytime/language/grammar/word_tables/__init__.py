@@ -76,6 +76,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
+        changing=frozenset(speech.words("measures", "changing")),
+        counting=frozenset(form[0] for form in speech.words("measures", "counting")),
+        amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
         policy=policy,
     )
