@@ -177,7 +177,7 @@ class Judge:
         return False
 
     def _is_other_order(self, place: int) -> bool:
-        """Whether what stands before a word begins another order: "dim the lights and lock the door by 10"."""
+        """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
         text, behind = self.texts[place], self.texts[place + 1 : place + 3]
         joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
         return joined or text in {".", ";", "!", "?", "then"}
