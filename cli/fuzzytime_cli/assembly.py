@@ -80,7 +80,7 @@ class Assembly:
         actor = self.settings.text("actor")
         with as_config():
             for path in files:
-                if not path.is_file():
+                if not path.exists():
                     raise NoInputError(f"{path}: there is no such rule table")
             return Rulebook.shipped(
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
@@ -130,7 +130,7 @@ class Assembly:
 
         context = Context()
         if understanding.context is not None:
-            if not understanding.context.is_file():
+            if not understanding.context.exists():
                 raise NoInputError(f"{understanding.context}: there is no such context file")
             context = read_context_file(understanding.context, now, signals)
         for assignment in understanding.ctx or ():

@@ -34,15 +34,18 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     return min(MAX_HORIZON, last + work + ROOM)
 
 
-def within_horizon(interpreted: Interpreted, horizon: float) -> Interpreted:
-    """Close an open wish at the horizon; one beyond it, or before now, never satisfies, and says so."""
+def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -> Interpreted:
+    """Close an open wish at the horizon; one beyond what the request allows, or before now, never satisfies.
+
+    The reason is said.
+    """
     function = interpreted.skill.satisfaction
     support = function.acceptable(THRESHOLD)
     reason = interpreted.reason
     if support.empty:
         return interpreted
     if support.low > horizon:
-        ahead, limit = format_duration(support.low), format_duration(horizon)
+        ahead, limit = format_duration(support.low), format_duration(request.horizon or MAX_HORIZON)
         reason = f"its time is {ahead} ahead, beyond the horizon of {limit} (a longer one can be given)"
     elif support.high < 0:
         reason = f"its time passed {format_duration(-support.high)} ago"

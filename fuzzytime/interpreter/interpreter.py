@@ -104,7 +104,7 @@ class Interpreter:
                     skills += made
         skills, precedences, unresolved = link(_identified(skills), links, self.rulebook)
         horizon = horizon_of(skills, request)
-        skills = [within_horizon(interpreted, horizon) for interpreted in skills]
+        skills = [within_horizon(interpreted, horizon, request) for interpreted in skills]
         for interpreted in skills:
             problems += notes_of(interpreted)
         return Interpretation(

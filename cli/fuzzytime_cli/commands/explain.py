@@ -2,13 +2,18 @@
 
 import os
 import sys
+from collections.abc import Iterator
+from itertools import groupby
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+
+if TYPE_CHECKING:
+    from fuzzytime.interpreter import Plan
 
 
 @flattened
@@ -47,7 +52,16 @@ def explain(
     if not own:
         screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))
         raise typer.Exit(Exit.BAD_DATA)
-    for position in own:
+    for position, others in first_of_each(made, own):
         screen.write(*explanation_lines(made, position, screen.width, unicode=screen.unicode))
+        if others:
+            screen.write("", f"and {others} more occurrences like it")
     if svg is not None:
         replace_file(svg, chart_svg(chart_of(made.skills[own[0]], made, own[0]), text))
+
+
+def first_of_each(made: "Plan", positions: list[int]) -> Iterator[tuple[int, int]]:
+    """Give the first skill of each instruction, with how many more occurrences there are of it."""
+    for _, group in groupby(positions, lambda position: made.skills[position].instruction):
+        first, *others = group
+        yield first, len(others)
