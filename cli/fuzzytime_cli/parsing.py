@@ -3,7 +3,7 @@
 import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, tzinfo
 from itertools import islice
 from typing import Any, BinaryIO
 
@@ -39,8 +39,11 @@ def lines_of(stream: BinaryIO) -> Iterator[bytes]:
         yield line.rstrip(b"\r\n") if len(line) <= MAX_LINE or line.endswith(b"\n") else line
 
 
-def asked_of(line: bytes, now: datetime, *, objects: bool) -> Asked:
-    """Read a line as text; with ``objects``, one that starts with a brace as ``{"text": …, "now": …}``."""
+def asked_of(line: bytes, now: datetime, *, objects: bool, zone: tzinfo | None = None) -> Asked:
+    """Read a line as text; with ``objects``, one that starts with a brace as ``{"text": …, "now": …}``.
+
+    A now of its own without a zone is of the given one; where none is given, it stays without.
+    """
     if len(line) > MAX_LINE:
         return Asked(
             line[:200].decode("utf-8", "replace") + "…", now, f"a line must not exceed {MAX_LINE:,} bytes"
@@ -60,7 +63,7 @@ def asked_of(line: bytes, now: datetime, *, objects: bool) -> Asked:
     if not isinstance(words, str) or not (moment is None or isinstance(moment, str)):
         return Asked(text, now, 'an object must have a "text", and may have a "now", both texts')
     try:
-        return Asked(words, parse_instant(moment, now.tzinfo) if moment else now)
+        return Asked(words, parse_instant(moment, zone) if moment else now)
     except FuzzytimeError as error:
         return Asked(words, now, str(error))
 

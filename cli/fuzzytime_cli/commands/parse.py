@@ -35,7 +35,8 @@ def parse(
     texts = [text.encode("utf-8", "replace") for text in instruction or ()]
     with open_stream(file if not texts else None) as stream:
         lines = iter(texts) if texts else lines_of(stream)
-        for reply in answers((asked_of(line, now, objects=jsonl) for line in lines), language):
+        asked = (asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in lines)
+        for reply in answers(asked, language):
             if jsonl:
                 sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")
             else:
