@@ -190,7 +190,7 @@ class Judge:
         return False
 
     def _is_other_order(self, place: int) -> bool:
-        """Whether what stands before a word begins another order: "dim the lights and lock the door by 10"."""
+        """Whether a word begins another order: "dim the lights and lock the door by 10"."""
         text, behind = self.texts[place], self.texts[place + 1 : place + 3]
         joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
         return joined or text in {".", ";", "!", "?", "then"}
@@ -238,7 +238,8 @@ class Judge:
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
-        if self.texts[piece.end - 1] in self.lexicon.ordinals and not self._may_end(piece):
+        day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
+        if day and not self._may_end(piece):
             # "After the first one is done"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
