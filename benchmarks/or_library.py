@@ -2,11 +2,11 @@
 
     PYTHONPATH=. python benchmarks/or_library.py --dir DIR --jobs 40
 
-``DIR`` holds ``wt40.txt`` and ``wtopt40.txt`` (also 50; for 100 ``wtbest100b.txt``) from
-people.brunel.ac.uk/~mastjjb/jeb/orlib/wtinfo.html. A job with processing time p, weight w and due date d costs
-w·max(0, t + p − d) where it starts at t. With ψ(t) = exp(−that / S) the cost of a schedule is the weighted
-tardiness over S, whatever the scale S; nothing may be rejected, so that the threshold is 0. As tardiness is a
-whole number, a bound above the optimum less one proves it.
+``DIR`` holds ``wt40.txt`` and ``wtopt40.txt`` (also 50; for 100 ``wtbest100b.txt``), see
+people.brunel.ac.uk/~mastjjb/jeb/orlib/wtinfo.html. A job with processing time p, weight w and due date d
+costs w·max(0, t + p − d) where it starts at t. With ψ(t) = exp(−that / S) the cost of a schedule is the
+weighted tardiness over S, whatever the scale S; nothing may be rejected, so that the threshold is 0. As
+tardiness is a whole number, a bound above the optimum less one proves it.
 """
 
 import argparse

@@ -1,5 +1,6 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
+import math
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -9,7 +10,7 @@ from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
 from fuzzytime.skills import FuzzyTask
-from fuzzytime.times import instant_after
+from fuzzytime.times import instant_after, seconds_between
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,6 +49,7 @@ def plan(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
+    previous: Plan | None = None,
 ) -> Plan:
     """Interpret a request and schedule it.
 
@@ -57,13 +59,21 @@ def plan(
         What is asked, and what understands it.
     solver, threshold, limits
         As in `fuzzytime.scheduling.solve`.
+    previous
+        An earlier plan of nearly the same request: the search begins from its starts.
 
     Raises
     ------
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    return scheduled(*understood(request, interpreter), solver=solver, threshold=threshold, limits=limits)
+    return scheduled(
+        *understood(request, interpreter),
+        solver=solver,
+        threshold=threshold,
+        limits=limits,
+        previous=previous,
+    )
 
 
 def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Interpretation]:
@@ -85,12 +95,22 @@ def scheduled(
     solver: Solver | None = None,
     threshold: float = THRESHOLD,
     limits: Limits | None = None,
+    previous: Plan | None = None,
 ) -> Plan:
-    """Schedule what is understood of a request; parameters and errors are those of `plan`."""
+    """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
     task = task_of(interpretation, request)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits)
+    hints = () if previous is None else _starts_of(previous, interpretation, request.now)
+    schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
+
+
+def _starts_of(previous: Plan, interpretation: Interpretation, now: datetime) -> list[float]:
+    """Give where an earlier plan starts each skill, in seconds from a later now; NaN where it is new."""
+    passed = seconds_between(previous.request.now, now)
+    known = zip(previous.skills, previous.schedule.start_times, strict=True)
+    starts = {interpreted.identifier: start - passed for interpreted, start in known}
+    return [starts.get(interpreted.identifier, math.nan) for interpreted in interpretation.skills]
 
 
 def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Problem]:

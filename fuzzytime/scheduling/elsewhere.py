@@ -71,6 +71,7 @@ def elsewhere(
         solver=solver or LocalSearch(),
         threshold=schedule.threshold,
         limits=replace(watch.limits, seconds=watch.remaining),
+        objectives=(),
     )
     waits_in_vain = any(entry.second == 0 and found.rejected[entry.first] for entry in found.task.precedences)
     if found.start_times[0] not in within or waits_in_vain:

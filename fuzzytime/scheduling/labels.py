@@ -23,54 +23,16 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.memory import Masks, memory_for
 from fuzzytime.scheduling.paths import Arcs, block_bounds, values_to_end
-
-Masks = NDArray[np.uint64]
-
-BITS = 64
 
 LONGEST_BLOCK = 64
 
 ROUNDING = 1e-9
-
-
-class Bits(NamedTuple):
-    """Which bit each job holds (0 for none), and which jobs give theirs back before each block."""
-
-    of_job: Masks
-    closing: list[list[int]]
-    complete: bool
-
-
-def shared_bits(opens: Ints, closes: Ints, blocks: int) -> Bits:
-    """Give bits to jobs so that those open in the same block differ; jobs for which none is left get none.
-
-    Parameters
-    ----------
-    opens, closes : arrays of shape (jobs,)
-        First and last block in which each is open; the last is negative where it never is.
-    blocks
-        How many there are.
-    """
-    bit = np.zeros(opens.size, np.uint64)
-    closing: list[list[int]] = [[] for _ in range(blocks + 1)]
-    last_use, complete = np.full(BITS, -1), True
-    for job in np.argsort(opens, kind="stable").tolist():
-        if closes[job] < 0:
-            continue
-        free = np.flatnonzero(last_use < opens[job])
-        if free.size:
-            bit[job] = np.uint64(1 << int(free[0]))
-            closing[closes[job] + 1].append(job)
-            last_use[free[0]] = closes[job]
-        else:
-            complete = False
-    return Bits(bit, closing, complete)
 
 
 class _Move(NamedTuple):
@@ -142,9 +104,8 @@ class Labels:
         opens, closes = np.full(count, self.blocks), np.full(count, -1)
         np.minimum.at(opens, arcs.job, block)
         np.maximum.at(closes, arcs.job, block)
-        _keep_open(closes, before)
-        self.bits = shared_bits(opens, closes, self.blocks)
-        bit = self.bits.of_job
+        self.memory = memory_for(opens, closes, self.blocks, before, prices)
+        bit = self.memory.of_job
         # What has no bit is rejected: for want of starts, or, incomplete, for want of bits.
         self.base = base + float(prices[bit == 0].sum())
         self.needed = [np.bitwise_or.reduce(bit[list(firsts)], initial=np.uint64(0)) for firsts in before]
@@ -164,16 +125,6 @@ class Labels:
         cost[arcs.start - first] = arcs.gain + self.prices[job]
         return _Move(job, first - int(self.bounds[number]), cost, cost + self.beyond[end : end + cost.size])
 
-    def _closed(self, after: int, block: int, masks: Masks) -> tuple[Masks, Floats]:
-        """Carry sets from one block into a later one: clear bits that close, and give what that costs."""
-        extra = np.zeros(masks.size)
-        for number in range(after + 1, block + 1):
-            for job in self.bits.closing[number]:
-                bit = self.bits.of_job[job]
-                extra += np.where(masks & bit, 0.0, self.prices[job])
-                masks = masks & ~bit
-        return masks, extra
-
     def run(self, threshold: float, watch: Stopwatch, cells: int, width: int | None = None) -> Found:
         """Search the best schedule that costs less than a threshold.
 
@@ -189,7 +140,7 @@ class Labels:
             Sets that are kept in each block at most; None for all.
         """
         limit = threshold - self.base
-        exact, used = self.bits.complete, 0
+        exact, used = self.memory.complete, 0
         history: list[tuple[Masks, Floats] | None] = [None] * self.blocks
         arriving: list[list[_Piece]] = [[] for _ in range(self.blocks)]
         arriving[0].append(_Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
@@ -223,7 +174,7 @@ class Labels:
         self, move: _Move, masks: Masks, cost: Floats, limit: float, number: int, arriving: list[list[_Piece]]
     ) -> int:
         """Add a job to all labels of a block that may do it; give how many numbers that took."""
-        bit, needed = self.bits.of_job[move.job], self.needed[move.job]
+        bit, needed = self.memory.of_job[move.job], self.needed[move.job]
         rows = np.flatnonzero((masks & (bit | needed)) == needed)
         before = cost[rows, move.column : move.column + move.cost.size]
         below = before + move.total < limit
@@ -249,7 +200,7 @@ class Labels:
 
     def _merged(self, pieces: list[_Piece], block: int, width: int) -> tuple[Masks, Floats]:
         """Make one matrix of all pieces that arrive in a block, each set once, then let time pass."""
-        closed = [(self._closed(piece.origin, block, piece.masks), piece) for piece in pieces]
+        closed = [(self.memory.closed(piece.origin, block, piece.masks), piece) for piece in pieces]
         every = np.concatenate([masks for (masks, _), _ in closed])
         masks, row = np.unique(every, return_inverse=True)
         merged, position = np.full((masks.size, width), np.inf), 0
@@ -270,7 +221,7 @@ class Labels:
         last = history[-1]
         if last is None:
             return Found(exact)
-        final = last[1][:, -1] + self._closed(self.blocks - 1, self.blocks, last[0])[1]
+        final = last[1][:, -1] + self.memory.closed(self.blocks - 1, self.blocks, last[0])[1]
         row = int(final.argmin())
         if final[row] >= limit:
             return Found(exact)
@@ -289,10 +240,10 @@ class Labels:
             if slot == 0:
                 return starts
             for job, origin, past_column, added in self._arrivals(history, block, column, slot):
-                bit = self.bits.of_job[job] if job is not None else np.uint64(0)
+                bit = self.memory.of_job[job] if job is not None else np.uint64(0)
                 needed = self.needed[job] if job is not None else np.uint64(0)
                 past, past_cost = history[origin] or (masks, cost)
-                after, extra = self._closed(origin, block, past | bit)
+                after, extra = self.memory.closed(origin, block, past | bit)
                 same = (after == masks[row]) & ((past & (bit | needed)) == needed)
                 same &= past_cost[:, past_column] + added + extra <= value
                 if same.any():
@@ -315,14 +266,3 @@ class Labels:
                 place = slot - int(self.durations[move.job] + self.bounds[origin])
                 if origins[move.job] == origin and move.column <= place < move.column + move.cost.size:
                     yield move.job, origin, place, float(move.cost[place - move.column])
-
-
-def _keep_open(closes: Ints, before: Sequence[Sequence[int]]) -> None:
-    """Let what must come first keep its bit as long as what waits for it, in place."""
-    changed = True
-    while changed:
-        changed = False
-        for job, firsts in enumerate(before):
-            for first in firsts:
-                if 0 <= closes[first] < closes[job]:
-                    closes[first], changed = closes[job], True

@@ -226,14 +226,14 @@ def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
 def horizon_of(task: FuzzyTask, floor: float) -> float:
     """Give a time after which no start is needed.
 
-    After the last kink, or the best time where there is one peak only, and the last appointment every ψ only
+    After the last kink, or the best times where there is one peak only, and the last appointment every ψ only
     falls, so that idle time can be closed by moving all that follows to an earlier time.
     """
     kinks = [0.0]
     for skill in task.skills:
         function = skill.satisfaction
         rises = (
-            (function.best.low,)
+            (function.best.low, function.best.high)
             if function.log_concave
             else (*function.kinks, *function.crossings(floor)[:1])
         )

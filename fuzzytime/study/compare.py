@@ -30,8 +30,10 @@ class Comparison:
     p_values
         Of each instruction's difference, two-sided, adjusted for their number after Holm.
     p_value
-        Of all differences together: of the sum of the instructions' differences, each in units of its own
-        standard deviation under permutation, so that broad curves do not drown narrow ones.
+        Of all differences together: of their sum, each in units of its own standard deviation under
+        permutation, which finds groups that differ alike everywhere, and of the least probable of them, which
+        finds groups that differ in one instruction or here one way and there the other. The less probable of
+        the two counts, against the less probable of the two in every permutation.
     """
 
     first: Floats
@@ -92,8 +94,21 @@ def compare(
         first=observed[0],
         second=observed[1],
         p_values=_holm(_extreme(np.abs(null), np.abs(difference / spread))),
-        p_value=float(_extreme(np.abs(null.sum(axis=1)), np.abs((difference / spread).sum()))),
+        p_value=_together(np.vstack([difference / spread, null])),
     )
+
+
+def _together(standardised: Floats) -> float:
+    """Give the p-value over all instructions; the first row is the observed one, the others permutations."""
+    alike = _share_as_extreme(np.abs(standardised.sum(axis=1)))
+    single = np.stack([_share_as_extreme(column) for column in np.abs(standardised).T]).min(axis=0)
+    least = np.minimum(alike, _share_as_extreme(-single))
+    return float((least <= least[0] + 1e-12).mean())
+
+
+def _share_as_extreme(statistic: Floats) -> Floats:
+    """Give for each value the share of all values that are at least as large."""
+    return np.asarray(1 - np.searchsorted(np.sort(statistic), statistic - 1e-12) / statistic.size)
 
 
 def _check(first: Sequence[SubjectiveSatisfaction], second: Sequence[SubjectiveSatisfaction]) -> None:

@@ -12,7 +12,7 @@ import jsonschema
 from console import ROOT
 from fuzzytime.context import Context
 from fuzzytime.interpreter import Interpreter, Request, SpokenWish, Wish
-from fuzzytime.scheduling import THRESHOLD, Auto, Limits
+from fuzzytime.scheduling import THRESHOLD, Auto, Limits, Solver
 from fuzzytime_cli.live.clock import Clock, SimulatedClock
 from fuzzytime_cli.live.dispatcher import Dispatcher
 from fuzzytime_cli.live.events import Event, Planned, Start, document_of
@@ -126,6 +126,7 @@ def told(
     limit: Callable[[float], float] = without_limit,
     clock: Clock | None = None,
     arrivals: Sequence[tuple[float, Arrival]] = (),
+    solver: Solver | None = None,
 ) -> Story:
     """Carry out wishes in simulated time, with lines that come at theirs; check what every run must be."""
     request = Request(
@@ -146,7 +147,7 @@ def told(
     executor: Executor = hands or Nobody()
     ends = Ends.BY_COMMAND if hands else Ends.BY_WORD if by_word else Ends.BY_PLAN
     dispatcher = Dispatcher(
-        Outlook(Planning(request, shipped(), Solving(Auto(), THRESHOLD, Limits())), pace, reasons),
+        Outlook(Planning(request, shipped(), Solving(solver or Auto(), THRESHOLD, Limits())), pace, reasons),
         Progress(executor, ends, pace, reasons, limit),
     )
     events: list[Event] = []

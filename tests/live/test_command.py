@@ -77,6 +77,13 @@ def test_a_person_reads_lines_and_no_control_character_reaches_them(tmp_path: Pa
     assert not {character for character in done.out if character < " " and character != "\n"}
 
 
+def test_one_who_stays_needs_no_plan_to_begin_with(tmp_path: Path) -> None:
+    said = b'{"say": "Stir the soup now", "at_s": 60}\n{"say": "Set the table now", "at_s": 600}\n'
+    done = run("--simulate", "--stay", folder=tmp_path, stdin=said)
+    starts = {event["id"]: event["at_s"] for event in events_of(done.out) if event["type"] == "start"}
+    assert starts == {"s1": 60, "s2": 600}
+
+
 @pytest.mark.parametrize(
     ("arguments", "code"),
     [

@@ -68,7 +68,7 @@ def test_an_agent_is_free_before_a_result_is_there() -> None:
 
 
 def test_the_same_run_tells_the_same() -> None:
-    runs = [told([FLIP, "Set the table soon"], pan(400)).documents for _ in range(2)]
+    runs = [told([FLIP, "Set the table soon"], pan(150)).documents for _ in range(2)]
     for document in runs[0] + runs[1]:
         document.pop("seconds", None)
     assert runs[0] == runs[1]

@@ -33,7 +33,9 @@ def test_between_grid_points_the_bound_lies_below_the_cost(
 
 
 def test_on_a_grid_of_corners_the_bound_touches_them() -> None:
-    problem = problem_of(FuzzyTask((FuzzySkill("a", Trapezoid(100, 200, 300, 400), 10),)), 1e-3)
+    # Were it alone, no time long after its best one would be needed.
+    late = FuzzySkill("b", Rectangle(500, 500), 10)
+    problem = problem_of(FuzzyTask((FuzzySkill("a", Trapezoid(100, 200, 300, 400), 10), late)), 1e-3)
     grid = grid_of(problem, 1.0)
     curve = grid.curves[0][0]
     at = np.array([200, 250, 300]) - grid.origin - curve.first
@@ -57,4 +59,4 @@ def test_the_step_divides_all_durations_where_one_does() -> None:
         FuzzySkill("a", Trapezoid(0, 600, 900, 7200), 90),
         FuzzySkill("b", Trapezoid(0, 600, 900, 7200), 75),
     )
-    assert step_for(problem_of(FuzzyTask(skills), 1e-3), 300) == 5
+    assert step_for(problem_of(FuzzyTask(skills), 1e-3), 100) == 5

@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.study import Answers, Design, Population, SubjectiveSatisfaction, compare, simulate, variance
+from fuzzytime.satisfaction import SatisfactionFunction
+from fuzzytime.study import (
+    Answers,
+    Design,
+    Population,
+    StudyInstruction,
+    SubjectiveSatisfaction,
+    compare,
+    simulate,
+    variance,
+)
 from study.truths import truth
 
 
@@ -27,6 +37,15 @@ def test_a_difference_between_groups_is_found(design: Design) -> None:
         found = compare(*groups(simulate(design, truth, 32, seed=seed, population=population)), seed=seed)
         assert found.p_value <= 0.01
         assert found.mean_difference > 0
+
+
+def test_a_difference_in_one_instruction_is_found_among_many(design: Design) -> None:
+    def meant(entry: StudyInstruction, group: str) -> SatisfactionFunction:
+        factor = 2.0 if entry.key == "in-1" and group == "person" else 1.0
+        return truth(entry).widened(factor, entry.t_spec)
+
+    found = compare(*groups(simulate(design, meant, 32, seed=2)), permutations=299)
+    assert found.p_value <= 0.05
 
 
 def test_no_difference_is_seldom_cried(design: Design) -> None:

@@ -1,5 +1,6 @@
 """Many files: answers in order, errors beside them, wherever the work is done, however often it ends."""
 
+import io
 import json
 import os
 import signal
@@ -14,7 +15,7 @@ import jsonschema
 import pytest
 
 from console import ROOT, environment
-from fuzzytime_cli.batch import backends
+from fuzzytime_cli.batch import backends, start
 from fuzzytime_cli.batch.answers import Job, Recipe, recipe_of
 from fuzzytime_cli.batch.backends import WINDOW, Workers
 from fuzzytime_cli.batch.files import task_files
@@ -174,13 +175,61 @@ def test_few_files_are_in_memory_at_once(monkeypatch: pytest.MonkeyPatch) -> Non
     assert next(answers, None) is None
 
 
-@pytest.mark.filterwarnings("ignore:A worker stopped:UserWarning")
 def test_a_worker_that_is_lost_costs_one_file(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(backends, "answer", echo)
     jobs = [Job("a"), Job("deadly"), Job("b")]
     first, lost, last = Workers(BatchBackend.LOKY, 2).answers(jobs, recipe())
     assert (first, last) == ("a", "b")
     assert json.loads(lost)["error"]["code"] == Exit.FAILURE
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(("seconds", "words"), [(0.0, ""), (1.0, "1 failed")])
+def test_progress_is_shown_on_a_terminal_once_it_takes_a_while(
+    seconds: float, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setattr(sys, "stdout", io.StringIO())
+    with start.progress(3) as show:
+        show(start.Tally(answered=1, failed=1))
+        time.sleep(seconds)
+        show(start.Tally(answered=2, failed=1))
+    assert words in terminal.getvalue()
+    assert bool(words) == bool(terminal.getvalue())
+
+
+def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:
+    folder, output = tasks(tmp_path / "tasks", 200), tmp_path / "answers.jsonl"
+    with subprocess.Popen(
+        [
+            sys.executable,
+            "-m",
+            "fuzzytime_cli",
+            "batch",
+            str(folder),
+            "--jobs",
+            "2",
+            "-o",
+            str(output),
+            *NOW,
+        ],
+        cwd=ROOT,
+        env=environment(tmp_path),
+        stderr=subprocess.PIPE,
+        text=True,
+    ) as process:
+        deadline = time.monotonic() + 60
+        while (not output.exists() or b"\n" not in output.read_bytes()) and time.monotonic() < deadline:
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert (process.returncode, errors) == (Exit.INTERRUPT, "")
+    assert 1 <= len(answers_of(output.read_text())) < 200
 
 
 # -- resumed ------------------------------------------------------------------------------------------------

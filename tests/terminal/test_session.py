@@ -1,5 +1,6 @@
 """Sessions survive: steps are durable, undoable, and none is lost between two terminals."""
 
+import json
 import os
 import signal
 import stat
@@ -16,6 +17,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import parse_zone
 from fuzzytime_cli.session import (
     KeptBusy,
+    KeptRating,
     KeptReading,
     SessionStore,
     Started,
@@ -34,10 +36,27 @@ def test_a_state_is_read_back_as_it_was() -> None:
         readings=(KeptReading("pan_temp", NOW, 180.0, "degC"), KeptReading("timer", NOW)),
         busy=(KeptBusy(NOW, NOW + timedelta(hours=1), "lunch"),),
         agents=2,
+        ratings=(KeptRating("s1", "stir", NOW, '{"score": 4}'),),
     )
     again = state_of(state_text(state))
     assert again == state
     assert str(again.entries[0].given.tzinfo) == "Europe/Berlin"
+
+
+def test_a_state_from_before_there_were_ratings_has_none() -> None:
+    document = json.loads(state_text(State().with_entry("stir", NOW)))
+    del document["ratings"]
+    assert state_of(json.dumps(document)) == State().with_entry("stir", NOW)
+
+
+def test_ratings_are_of_all_sessions(tmp_path: Path) -> None:
+    store = SessionStore(tmp_path / "sessions.sqlite")
+    for name in ("kitchen", "garden"):
+        kept = KeptRating("s1", name, NOW, "{}")
+        store.change(name, ":rate", lambda state, kept=kept: state.with_rating(kept))  # type: ignore[misc]
+    assert {kept.name for kept in store.ratings()} == {"kitchen", "garden"}
+    store.undo("garden")
+    assert [kept.name for kept in store.ratings()] == ["kitchen"]
 
 
 @pytest.mark.parametrize(

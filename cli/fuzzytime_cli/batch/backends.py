@@ -1,6 +1,7 @@
 """Where the work is done: processes or threads of this machine, or a cluster's, all through joblib."""
 
 import itertools
+import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
@@ -45,7 +46,9 @@ class Workers:
             yield from (answer(job, recipe) for job in jobs)
             return
         waiting = iter(jobs)
-        with self._backend():
+        with self._backend(), warnings.catch_warnings():
+            # That workers stop with the batch, or for want of memory, is told where it costs an answer.
+            warnings.filterwarnings("ignore", r"\d+ tasks |A worker stopped", UserWarning)
             while window := list(itertools.islice(waiting, WINDOW)):
                 yield from self._window(window, recipe)
 

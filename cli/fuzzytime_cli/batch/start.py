@@ -62,7 +62,7 @@ def run(
                 else:
                     yield job
 
-        with _progress(len(files)) as show:
+        with progress(len(files)) as show:
             for line in workers.answers(waiting(), recipe):
                 tally.count(line)
                 if journal is not None:
@@ -86,7 +86,7 @@ def _report(tally: Tally, total: int) -> None:
 
 
 @contextmanager
-def _progress(total: int) -> Iterator[Callable[[Tally], None]]:
+def progress(total: int) -> Iterator[Callable[[Tally], None]]:
     """Show on a terminal's standard error how far the batch is, once that takes a while.
 
     Where the answers go to a terminal they show it themselves.
@@ -98,25 +98,25 @@ def _progress(total: int) -> Iterator[Callable[[Tally], None]]:
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
     columns = (BarColumn(), MofNCompleteColumn(), TextColumn("{task.fields[failed]}"), TimeRemainingColumn())
-    progress = Progress(
+    shown = Progress(
         *columns,
         console=Console(stderr=True),
         transient=True,
         redirect_stdout=False,
         redirect_stderr=False,
     )
-    task = progress.add_task("", total=total, failed="")
-    timer = threading.Timer(PATIENCE, progress.start)
+    task = shown.add_task("", total=total, failed="")
+    timer = threading.Timer(PATIENCE, shown.start)
     timer.daemon = True
     timer.start()
 
     def show(tally: Tally) -> None:
         failed = f"{tally.failed} failed" if tally.failed else ""
-        progress.update(task, completed=tally.answered + tally.kept, failed=failed)
+        shown.update(task, completed=tally.answered + tally.kept, failed=failed)
 
     try:
         yield show
     finally:
         timer.cancel()
         timer.join()
-        progress.stop()
+        shown.stop()

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.interpreter import Plan
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling import Bond, Neighbour, Status, Why, elsewhere, explain
+from fuzzytime.scheduling import Bond, Limits, Neighbour, Status, Why, elsewhere, explain
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
@@ -17,6 +17,9 @@ MINUTE = 60.0
 MOST_NAMED = 3
 """How many others a sentence names."""
 
+MOST_SECONDS = 1.0
+"""Time spent at most on all lines under a plan; of what is left then only those in the way are named."""
+
 WORTH_NAMING = 0.2
 """Others that would lose a smaller share of what the first would lose are not named."""
 
@@ -24,7 +27,8 @@ WORTH_NAMING = 0.2
 def loss_lines(plan: Plan) -> list[tuple[int, str]]:
     """Give for each skill that is not fully satisfied its position, and in a line what that is due to."""
     short = [position for position, got in enumerate(plan.schedule.satisfactions) if got < 1 - SHOWN]
-    return [(why.position, _loss(why, plan)) for why in explain(plan.schedule, short)]
+    found = explain(plan.schedule, short, limits=Limits(seconds=MOST_SECONDS))
+    return [(why.position, _loss(why, plan)) for why in found]
 
 
 def _loss(why: Why, plan: Plan) -> str:

@@ -103,6 +103,7 @@ class Planning:
             solver=self.solving.solver,
             threshold=self.solving.threshold,
             limits=self.solving.limits,
+            previous=self.plan,
         )
         self.planned_at = now
         return self.plan

@@ -96,8 +96,8 @@ class Conversation:
             started=tuple(_as_seen(one, now) for one in started if one.agent <= current.agents),
         )
 
-    def plan(self, now: datetime, state: State | None = None) -> Plan:
-        """Plan from a moment on.
+    def plan(self, now: datetime, state: State | None = None, previous: Plan | None = None) -> Plan:
+        """Plan from a moment on; the search begins from an earlier plan where there is one.
 
         Raises
         ------
@@ -111,6 +111,7 @@ class Conversation:
             solver=self.solver_of(current.solver),
             threshold=self.threshold,
             limits=self.limits,
+            previous=previous,
         )
 
     def note_started(self, made: Plan, now: datetime) -> list[Started]:

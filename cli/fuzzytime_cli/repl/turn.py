@@ -105,7 +105,7 @@ class Turns:
         self.version = self.conversation.store.version(self.conversation.name)
         if self.plan is not None:
             self.conversation.note_started(self.plan, now)
-        self.plan = self.conversation.plan(now)
+        self.plan = self.conversation.plan(now, previous=self.plan)
         return self.plan
 
     def _redrawn(self, now: datetime) -> list[Line]:

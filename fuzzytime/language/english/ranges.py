@@ -149,7 +149,7 @@ def range_on_day(said: Said, wall: Wall) -> Said | None:
     return refined(said, wall)
 
 
-@grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> <said>", weight=0.1)
+@grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
 def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | None = None) -> Said | None:
     """Tomorrow before 5pm, tomorrow evening by seven, friday between 1PM and 4 PM."""
     wall, said = (first, second) if third is None else (second, third)

@@ -11,23 +11,10 @@ from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 BINDING = frozenset(
-    {
-        "at",
-        "by",
-        "until",
-        "till",
-        "before",
-        "after",
-        "from",
-        "around",
-        "about",
-        "since",
-        "for",
-        "no later than",
-        "not before",
-        "between",
-    }
+    {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
 )
+"""First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
+
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
 
@@ -190,7 +177,7 @@ class Judge:
         return False
 
     def _is_other_order(self, place: int) -> bool:
-        """Whether a word begins another order: "dim the lights and lock the door by 10"."""
+        """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
         text, behind = self.texts[place], self.texts[place + 1 : place + 3]
         joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
         return joined or text in {".", ";", "!", "?", "then"}
@@ -285,19 +272,7 @@ def _is_bound_to_hour(said: Said) -> bool:
 
 
 _TIMELY = frozenset(
-    {
-        "preposition_at",
-        "preposition_before",
-        "preposition_after",
-        "part",
-        "day",
-        "weekday",
-        "month",
-        "word",
-        "day_part",
-        "unit",
-        "zone",
-        "hedge",
-        "hedge_after",
-    }
+    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
+    | {"part", "day", "weekday", "month", "day_part", "unit"}
 )
+"""Categories of words that may follow a time and belong to it, or to another."""

@@ -10,20 +10,11 @@ from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
 
 TELLING = frozenset(
-    {
-        "unit",
-        "day",
-        "weekday",
-        "weekdays",
-        "part",
-        "day_part",
-        "hh:mm",
-        "hh:mm:ss",
-        "y-m-d",
-        "month",
-        "unfinished",
-    }
+    {"unit", "day", "weekday", "weekdays", "part", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
+    | {"unfinished"}
 )
+"""Categories of pieces that look like time."""
+
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 

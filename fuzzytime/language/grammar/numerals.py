@@ -47,7 +47,6 @@ _SHAPES = tuple(
         ("15h30", r"(\d{1,2})h(\d\d)(?!\d)"),
         ("decimal", r"(\d{1,9}\.\d{1,9})"),
         ("ratio", r"(\d{1,2})/(\d{1,2})(?!\d)"),
-        ("y-m-d", r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})(?!\d)"),
         ("n-n-n", r"(\d{1,2})[-/.](\d{1,2})[-/.](\d{4}|\d\d)(?!\d)"),
         ("n/n", r"(\d{1,2})[-/](\d{1,2})(?!\d)"),
         ("n.n", r"(\d{1,2})\.(\d{1,2})(?!\d)"),
@@ -56,6 +55,10 @@ _SHAPES = tuple(
         ("yyyymmdd", r"(\d{4})(\d\d)(\d\d)(?!\d)"),
     )
 )
+SURE_DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})(?!\d)")
+DATE_WORDS = 4
+"""Words of a typed date behind its first."""
+
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
 """Shapes whose first two numbers are month and day, in the order of the policy."""
 
@@ -64,7 +67,11 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
     """Give every number that starts at a word."""
     word = words[start]
     if word.is_digits:
-        yield from _typed(words, start, lexicon)
+        date = _sure_date(words, start)
+        if date is None:
+            yield from _typed(words, start, lexicon)
+        elif date.start == start:
+            yield date
     elif (
         word.text == "." and start + 1 < len(words) and words[start + 1].is_digits and words[start + 1].glued
     ):
@@ -75,6 +82,18 @@ def numeral_pieces(words: Sequence[Word], start: int, lexicon: Lexicon) -> Itera
             )
     else:
         yield from _spoken(words, start, lexicon)
+
+
+def _sure_date(words: Sequence[Word], place: int) -> Piece | None:
+    """Give the date, typed from the year to the day, that a number belongs to: it is nothing else then."""
+    first = place
+    while first and words[first].glued and place - first < DATE_WORDS:
+        first -= 1
+    run, ends = _run(words, first)
+    match = SURE_DATE.match(run)
+    if match is None or match.end() not in ends or ends[match.end()] <= place:
+        return None
+    return Piece("y-m-d", first, ends[match.end()], Typed(match.groups()), 0.0, "shape")
 
 
 def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piece]:

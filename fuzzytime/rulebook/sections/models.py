@@ -84,6 +84,8 @@ def _bell(scope: Scope, node: Node, key: str) -> BellForm | None:
         if not math.isfinite(part.constant):
             scope.reader.mistake(found[name], f"{key}.{name}", "must be finite")
             return None
+    if all(width.value(probe) <= 0 for probe in _PROBES):
+        scope.reader.mistake(found["width"], f"{key}.width", "a bell's width must be above 0")
     return BellForm(centre, width, slope)
 
 
