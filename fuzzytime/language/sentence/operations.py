@@ -90,6 +90,10 @@ class Reader:
     def _object(self, verb: int, particle: int | None) -> list[int]:
         direct = self.tree.children(verb, *OBJECTS)
         words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
+        if not words:
+            # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
+            named = self._words([p for p in direct if p > verb], verb)
+            words = named if any(self.tree.nodes[p].tag.startswith("NN") for p in named) else []
         words = [place for place in words if place != particle]
         # "Have the rice ready": what it results in says which moment is meant, not what is done.
         while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:
