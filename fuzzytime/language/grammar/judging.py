@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint, Unit
 
@@ -225,7 +226,8 @@ class Judge:
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
-        if self.texts[piece.end - 1] in self.lexicon.ordinals and not self._may_end(piece):
+        day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
+        if day and not self._may_end(piece):
             # "After the first one is done"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
@@ -237,11 +239,18 @@ class Judge:
             return bound and self._may_end(piece)
         if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
             return False
+        weekly = isinstance(wall.days, Fields) and wall.days.weekly
+        if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
+            # "Before the sun goes down"
+            return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
         return not (
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
+
+    def _is_ambiguous(self, piece: Piece) -> bool:
+        return self.texts[piece.end - 1] in self.lexicon.ambiguous
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""

@@ -56,6 +56,8 @@ class Lexicon:
         Words that begin what says where.
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
+    impersonal
+        What "it" does or is when it stands for nothing: "rains", "dark".
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
     changing, counting, amount_nouns
@@ -84,6 +86,7 @@ class Lexicon:
     places: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
+    impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
     changing: frozenset[tuple[str, ...]]

@@ -11,6 +11,9 @@ from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition
 
 BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
+UNLESS = "unless"
+"""The marker whose clause must not hold."""
+
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
 DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
@@ -200,6 +203,7 @@ class _Clauses:
         inside = set(nodes)
         subjects = [p for p in self.tree.children(verb, *SUBJECTS) if p in inside]
         negated = any(p in inside for p in self.tree.children(verb, "neg"))
+        negated ^= text.lower().startswith(UNLESS)
         if not subjects:
             return Condition(text=text, negated=negated)
         subject = " ".join(

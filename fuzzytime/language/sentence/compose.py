@@ -130,7 +130,7 @@ class _Composer:
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(replace(clause.condition, text=text), sketch.operation),
+                condition=_named(replace(clause.condition, text=text), sketch.operation, self.lexicon),
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
@@ -199,9 +199,11 @@ def _referred(requirement: TimeRequirement, reference: Reference | None) -> Time
     return replace(requirement, reference=reference, reference_said=True)
 
 
-def _named(condition: Condition, operation: Operation | None) -> Condition:
+def _named(condition: Condition, operation: Operation | None, lexicon: Lexicon) -> Condition:
     """Put a name for a pronoun: "stir the sauce until it thickens"."""
     if condition.subject not in PRONOUNS or operation is None or operation.object is None:
+        return condition
+    if condition.subject == "it" and condition.word in lexicon.impersonal:
         return condition
     words = [word for word in operation.object.lower().split() if content_words(word)]
     return replace(condition, subject=" ".join(words) or condition.subject)

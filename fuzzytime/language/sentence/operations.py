@@ -9,6 +9,9 @@ from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.tree import Tree
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
+NAMING = ("NN", "DT", "PRP$")
+"""Tags of words that show that a thing is named."""
+
 PLACES = ("prep", "advmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -90,6 +93,13 @@ class Reader:
     def _object(self, verb: int, particle: int | None) -> list[int]:
         direct = self.tree.children(verb, *OBJECTS)
         words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
+        if not words:
+            # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
+            named = self._words([p for p in direct if p > verb], verb)
+            words = named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        if not words and particle is not None:
+            # "Let the dog out": the tree has it for a sentence, "the dog is out".
+            words = self._words(self.tree.children(particle, *SUBJECTS), verb)
         words = [place for place in words if place != particle]
         # "Have the rice ready": what it results in says which moment is meant, not what is done.
         while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:

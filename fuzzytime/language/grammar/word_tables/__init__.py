@@ -76,6 +76,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
+        impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
@@ -86,7 +87,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections", "particles", "places", "persons",
+    "clauses", "corrections", "particles", "places", "persons", "impersonal",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
