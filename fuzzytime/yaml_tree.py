@@ -11,6 +11,7 @@ import yaml
 
 MAX_DEPTH = 32
 MAX_NODES = 12_000
+MAX_LINES = 20_000
 
 _LOADER: type[yaml.SafeLoader] = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
@@ -82,8 +83,10 @@ def parse_tree(text: str, note: Note) -> Node:
     Raises
     ------
     TreeError
-        If it is not well-formed, empty, several documents, or beyond `MAX_DEPTH` or `MAX_NODES`.
+        If it is not well-formed, empty, several documents, or beyond `MAX_DEPTH`, `MAX_NODES` or `MAX_LINES`.
     """
+    if text.count("\n") > MAX_LINES:
+        raise TreeError(f"a file must not have more than {MAX_LINES:,} lines", MAX_LINES, 0)
     builder = _Builder(note)
     try:
         for event in yaml.parse(text, Loader=_LOADER):

@@ -91,6 +91,7 @@ def test_a_bomb_of_aliases_is_only_its_text() -> None:
 
 
 def test_too_many_values_are_refused() -> None:
+    assert mistakes_of("a: 1\n" * 30_000) == ["20001:1 a file must not have more than 20,000 lines"]
     assert mistakes_of("[" + "1," * 30_000 + "]") == ["1:24000 a file must not hold more than 12,000 values"]
 
 
