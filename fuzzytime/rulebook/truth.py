@@ -108,6 +108,7 @@ class _Evaluation:
         self._combinations: dict[tuple[str, ...], tuple[Combination, ...]] = {}
         self._values: dict[tuple[str, int | None], Floats] = {}
         self._truths: dict[tuple[Formula, Combination], Truth] = {}
+        self._bounds: dict[tuple[Formula, Combination, Direction], Floats] = {}
 
     def combinations(self, formula: Formula) -> tuple[Combination, ...]:
         """Give the combinations of forecasts to follow a formula over, the same ones for the same signals."""
@@ -136,7 +137,7 @@ class _Evaluation:
             low = 1.0 - part.high
             return Truth(low, low if part.certain else 1.0 - part.low)
         if isinstance(formula, Window):
-            return self._windowed(formula, self.truth(formula.part, combination))
+            return self._windowed(formula, combination)
         parts = [self.truth(part, combination) for part in formula.parts]
         norm = self.world.tables.norm
         join = norm.conjunction if isinstance(formula, And) else norm.disjunction
@@ -151,15 +152,30 @@ class _Evaluation:
             self._values[key] = self.world.values(variable, self.grid, combination)
         return self._values[key]
 
-    def _windowed(self, window: Window, part: Truth) -> Truth:
-        grid, curves = self.grid, len(part.low)
+    def _windowed(self, window: Window, combination: Combination) -> Truth:
+        grid, curves = self.grid, len(self.truth(window.part, combination).low)
         extent = Extent.of(window.length, window.reach, grid.step)
-        backwards = -1 if window.direction is Direction.NEXT else 1
-        # Both bounds at once: what lies before the first point is 0 to the lower one, 1 to the upper one.
-        bounds = np.concatenate([part.low, part.high])[:, grid.regular][:, ::backwards]
+        bounds = self._looked_at(window.part, combination, window.direction)
         unknown = np.repeat([[0.0], [1.0]], curves, axis=0)
-        found = _OPERATORS[window.operator](bounds, extent, unknown)[:, ::backwards]
+        found = _OPERATORS[window.operator](bounds, extent, unknown)
+        if window.direction is Direction.NEXT:
+            found = found[:, ::-1]
         return Truth(on_all_times(found[:curves], grid), on_all_times(found[curves:], grid))
+
+    def _looked_at(self, part: Formula, combination: Combination, direction: Direction) -> Floats:
+        """Give both bounds of a part at the regular times, in the order in which a window passes over them.
+
+        What lies before the first point is 0 to the lower one, 1 to the upper one.
+        """
+        key = part, combination, direction
+        found = self._bounds.get(key)
+        if found is None:
+            truth = self.truth(part, combination)
+            found = np.concatenate([truth.low, truth.high])[:, self.grid.regular]
+            if direction is Direction.NEXT:
+                found = np.ascontiguousarray(found[:, ::-1])
+            self._bounds[key] = found
+        return found
 
 
 def crossings(formula: Formula, world: World, grid: Grid) -> list[float]:

@@ -74,8 +74,10 @@ def _largest(padded: Floats, extent: Extent, size: int) -> Floats:
 
 
 def _padded(trace: Floats, number: int, unknown: float | Floats) -> Floats:
-    before = np.broadcast_to(np.asarray(unknown, float), (*trace.shape[:-1], number))
-    return np.concatenate([before, trace], axis=-1)
+    padded = np.empty((*trace.shape[:-1], number + trace.shape[-1]))
+    padded[..., :number] = unknown
+    padded[..., number:] = trace
+    return padded
 
 
 def _shifted(padded: Floats, steps: float, padding: int, size: int) -> Floats:
