@@ -207,7 +207,8 @@ def _rounded(low: float, high: float) -> tuple[float, float]:
 def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = True) -> list[str]:
     """Explain one skill of a plan, from its words to its start."""
     interpreted = plan.skills[position]
-    clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
+    given = interpreted.wish.given
+    clock = Clock(given, with_seconds=bool(given.second))
     lines = [f"{interpreted.identifier}: {plain(getattr(interpreted.wish, 'text', interpreted.skill.name))}"]
     reading = interpreted.reading
     if reading is not None:
