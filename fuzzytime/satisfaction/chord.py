@@ -16,13 +16,17 @@ def linear_chord_error(first: Floats, last: Floats) -> Floats:
 
     With m = (r − 1) / log r and r = last / first, the largest distance is log m − 1 + 1 / m.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
-        step = np.maximum(first, last) / np.minimum(first, last) - 1
+    low, high = np.minimum(first, last), np.maximum(first, last)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        step = high / low - 1
         mean = step / np.log1p(step)
         error = np.log(mean) - 1 + 1 / mean
+        # Beside the least numbers that there are r overflows, where log r does not.
+        distance = np.log(high) - np.log(low)
+        error = np.where(np.isinf(step), distance - np.log(distance) - 1, error)
     # The closed form cancels near r = 1; there the error is below (r − 1)² / 8.
     error = np.where(step < 1e-3, np.minimum(step, 1.0) ** 2 / 8, error)
-    return np.where(np.minimum(first, last) > 0, error, np.inf)
+    return np.where(low > 0, error, np.inf)
 
 
 def cell_chord_errors(function: SatisfactionFunction, edges: ArrayLike) -> Floats:

@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Bell, Floored, SatisfactionFunction, Trapezoid, cell_chord_errors
+from fuzzytime.satisfaction.chord import linear_chord_error
 from satisfaction.shapes_of import plain
 
 
@@ -40,3 +41,10 @@ def test_chord_errors_vanish_with_the_square_of_the_step() -> None:
 
 def test_a_plateau_has_no_chord_error() -> None:
     assert cell_chord_errors(Trapezoid(0, 10, 20, 30), np.array([10.0, 15, 20])).tolist() == [0, 0]
+
+
+def test_beside_the_least_numbers_the_error_is_still_finite_and_grows() -> None:
+    first = np.array([1e-300, 1e-310, 5e-324])
+    errors = linear_chord_error(first, np.ones(3))
+    assert np.isfinite(errors).all()
+    assert (np.diff(errors) > 0).all()
