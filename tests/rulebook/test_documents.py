@@ -100,3 +100,13 @@ def test_both_profiles_are_checked_whichever_is_chosen(tmp_path: Path) -> None:
         "profiles.study.plateau",
         "profiles.everyday.plateau",
     ]
+
+
+def test_a_variable_of_nothing_is_a_mistake_at_its_place(tmp_path: Path) -> None:
+    path = tmp_path / "nothing.yaml"
+    path.write_text(
+        "fuzzytime: 1\nvariables:\n  rung: {since: , terms: {long: {rising: [1 min, 2 min]}}}\n"
+        "rules:\n  - if: rung is long\n    then: {t: 2 min}\n"
+    )
+    (mistake,) = check([path])
+    assert (mistake.line, mistake.message) == (3, "must name a signal or an event")

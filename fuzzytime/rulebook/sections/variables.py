@@ -10,7 +10,7 @@ from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.sections.signals import read_per, read_value
 from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.rulebook.variables import Power, Source, Term, Variable
-from fuzzytime.yaml_nodes import Node, suggestion
+from fuzzytime.yaml_nodes import Node, Scalar, suggestion
 
 _SHAPES = {"trapezoid": 4, "triangle": 3, "rising": 2, "falling": 2}
 """The shapes of terms, and how many breakpoints each has."""
@@ -61,6 +61,8 @@ def _signal(scope: Scope, node: Node, key: str, source: Source) -> str:
     names = scope.names
     name = scope.reader.string(node, key)
     if not name:
+        if isinstance(node, Scalar) and not node.refused:
+            scope.reader.mistake(node, key, "must name a signal or an event")
         return name
     if name not in names.units:
         scope.reader.mistake(node, key, f"unknown signal {name!r}{suggestion(name, names.units)}")
