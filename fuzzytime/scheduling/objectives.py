@@ -6,6 +6,7 @@ and energy (section on scheduling) as further aspects of a schedule.
 """
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import ClassVar, Protocol
@@ -80,16 +81,16 @@ class Objective(Protocol):
         ...
 
 
-class _EachForItself:
+class _EachForItself(ABC):
     """An objective that is a sum over the skills."""
 
     __slots__ = ()
 
     reorders: ClassVar[bool] = True
 
+    @abstractmethod
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
         """Give the wish for one skill's start."""
-        raise NotImplementedError
 
     def wishes(self, arrangement: Arrangement) -> Sequence[SatisfactionFunction]:
         """Give the wish for each skill's start, close to 1 everywhere before the reach."""

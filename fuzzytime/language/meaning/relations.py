@@ -1,5 +1,6 @@
 """Days in relation to today or another day: this and next, so long after, and two said side by side."""
 
+from abc import abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass
 from datetime import date, timedelta
@@ -44,9 +45,9 @@ class _Single(Calendar):
         """Always."""
         return True
 
+    @abstractmethod
     def period(self, today: Today) -> Days | None:
         """Give the period; None where there is none, such as a fifth Monday."""
-        raise NotImplementedError
 
     def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
         """Give the period."""
