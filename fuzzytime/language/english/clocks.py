@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Clock, Duration, Half, Part, Quantity, Wall
+from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

@@ -3,13 +3,7 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import (
-    Coming,
-    Duration,
-    Quantity,
-    UnitWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.nested import WeekOf, Within
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Stretch, Which

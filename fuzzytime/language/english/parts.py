@@ -4,16 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import (
-    Edge,
-    Ending,
-    Half,
-    Part,
-    Rest,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Edge, Ending, Rest, Wall
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
+from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()

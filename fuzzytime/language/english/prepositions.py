@@ -6,17 +6,8 @@ from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Coming,
-    Edge,
-    Ending,
-    Goal,
-    Offset,
-    Said,
-    TimeWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()

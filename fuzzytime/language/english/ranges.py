@@ -8,17 +8,8 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Duration,
-    Ending,
-    Goal,
-    Offset,
-    Range,
-    Said,
-    TimeWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, Ending, Goal, Offset, Range, Said, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()

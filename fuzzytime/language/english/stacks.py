@@ -5,12 +5,9 @@ from dataclasses import replace
 from fuzzytime.language.english.days import from_anchor
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Duration,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.relations import Relative, narrowed, same_day
+from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
 

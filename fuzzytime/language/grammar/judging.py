@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -49,9 +49,12 @@ class Judge:
         said: Said = piece.value
         if self._runs_on(piece) or self._is_excepted(piece):
             return False
+        time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
-        time = said.time
+        if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
+            # "Write for two hours before noon" says how long, and a bound.
+            return False
         if isinstance(time, Duration):
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
@@ -121,6 +124,18 @@ class Judge:
         return (
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
         )
+
+    def _is_distance(self, piece: Piece) -> bool:
+        """Whether it is so long before or after another time."""
+        time = piece.value.time
+        if isinstance(time, Wall) and time.clock is not None and time.clock.shift:
+            return bool({"before", "after"} & set(self.texts[piece.start : piece.end]))
+        return isinstance(time, Offset) and time.anchor is not None
+
+    def _appoints(self, piece: Piece) -> bool:
+        """Whether words before make "for" say when: "an alarm for two hours before noon"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        return bool(self.lexicon.appointing & set(before))
 
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""

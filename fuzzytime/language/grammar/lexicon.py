@@ -46,14 +46,18 @@ class Lexicon:
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, corrections, addresses, amounts, results
         Words that the reading of sentences uses, by meaning.
-    wanting, forgetting, causing
-        Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
+    wanting, forgetting
+        Verbs above the one that is meant: "I want to", "don't forget to".
+    causing, letting
+        Verbs that bring something about: "have … ready", "let … rest".
     intransitive
         Verbs that take no object, so that they share none either: "stop and open the door".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
         Words that begin what says where.
+    appointing
+        Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     impersonal
@@ -81,9 +85,11 @@ class Lexicon:
     wanting: frozenset[str]
     forgetting: frozenset[str]
     causing: frozenset[str]
+    letting: frozenset[str]
     intransitive: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
+    appointing: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
     impersonal: frozenset[str]

@@ -7,14 +7,11 @@ from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import (
-    Clock,
     Coming,
     Edge,
     Ending,
-    Half,
     HourMark,
     Offset,
-    Part,
     Range,
     Rest,
     SameTime,
@@ -24,6 +21,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 

@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-)
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounding import Grounding
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, UngroundedError, shifted
 from fuzzytime.language.policy import Policy

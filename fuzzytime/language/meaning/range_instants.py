@@ -5,8 +5,9 @@ from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import DAY_SECONDS, Clock, Half, Range, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import Instants, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.policy import SameWeekday
 
 if TYPE_CHECKING:

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.small_clauses import small_clause
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
 
@@ -43,10 +44,13 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     for _ in range(4):
         lemma = tree.nodes[root].lemma
         below = _complement(tree, root, lemma)
-        if below is None:
+        if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
             break
         if lemma in lexicon.forgetting:
             negated = False
+        elif lemma in lexicon.wanting and tree.nodes[below].tag == "VBN":
+            # "I want the floor cleaned by noon": the result is what is wanted then.
+            reference = Reference.FINISH
         elif (
             lemma in lexicon.wanting
             or (lemma == "let" and _lets(tree, root))
@@ -99,6 +103,12 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
     return None
 
 
+def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
+    lets = tree.nodes[place].lemma == "let" and _lets(tree, place)
+    return not lets and small_clause(tree, place, lexicon) is not None
+
+
 def _lets(tree: Tree, place: int) -> bool:
     """Whether it is "let us" or "lets", not "let me know"."""
     following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
@@ -134,6 +144,11 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
 
 def _results(tree: Tree, place: int) -> Iterator[int]:
     """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
-    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
+    nouns = tree.children(place, "dobj")
+    modifying = (p for noun in nouns for p in tree.children(noun, "amod", "acl") if p > noun)
+    for below in (
+        *tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"),
+        *modifying,
+    ):
         yield below
         yield from _results(tree, below)

@@ -6,7 +6,8 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Clock, Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})

@@ -15,6 +15,7 @@ ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 
 OPENED = frozenset({"and", "but", "please", "then"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
@@ -32,7 +33,7 @@ class Segment:
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
-        return text[slice(*self.connective_span)].lower() == "and"
+        return text[slice(*self.connective_span)].lower() in {"and", ","}
 
     @property
     def empty(self) -> bool:
@@ -125,14 +126,18 @@ def _segment(
     return Segment(span, connective, said)
 
 
-def further_verbs(tree: Tree, root: int) -> list[int]:
+def further_verbs(tree: Tree, root: int, times: Sequence[Span] = ()) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
+    timed = {place for span in times for place in tree.at(*span)}
     found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
+        if place > 1 and place != root and _governs(tree, place) and place + 1 not in timed:
+            found.append(place)
+            continue
         if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
             continue
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
@@ -143,6 +148,14 @@ def further_verbs(tree: Tree, root: int) -> list[int]:
         if place > root or _leads(tree, place, root):
             found.append(start)
     return found
+
+
+def _governs(tree: Tree, place: int) -> bool:
+    """Whether a word taken for a noun has an object: "vacuum the rug and dust the shelves"."""
+    node = tree.nodes[place]
+    if node.tag != "NN" or node.relation != "conj" or tree.nodes[place - 1].lower not in {"and", "&"}:
+        return False
+    return place + 2 < len(tree.nodes) and tree.nodes[place + 1].lower in ARTICLES
 
 
 def _is_bare(node: Node) -> bool:

@@ -65,6 +65,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        letting=frozenset(form[0] for form in speech.words("verbs", "letting")),
         intransitive=frozenset(form[0] for form in speech.words("verbs", "intransitive")),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
@@ -72,6 +73,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for form in (form_of(name.text),)
         },
         places=frozenset(form[0] for form in speech.words("places")),
+        appointing=frozenset(form[0] for form in speech.words("appointing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
@@ -87,7 +89,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections", "particles", "places", "persons", "impersonal",
+    "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
