@@ -56,15 +56,10 @@ def today_in(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
-@grammar.rule("said", "in <quantity>", weight=-0.2)
+@grammar.rule("said", "in <quantity>", weight=-0.1)
 def in_number(quantity: Quantity) -> Said | None:
     """In 15: minutes."""
-    if (
-        not 1 <= quantity.value <= 240
-        or quantity.indefinite
-        or quantity.hedges
-        or quantity.value != int(quantity.value)
-    ):
+    if not 1 <= quantity.value <= 240 or quantity.indefinite or quantity.value != int(quantity.value):
         return None
     return _length(minutes_of(quantity), Constraint.AT, "in")
 

@@ -150,10 +150,18 @@ def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None
     return Repeat(walls=(Wall(Fields(day=number)),))
 
 
-@grammar.rule("repeat", "the? <ordinal> <weekday> of every|each month", weight=0.3)
-def weekday_of_every(number: int, weekday: int) -> Repeat:
-    """The first monday of every month."""
-    return Repeat(walls=(Wall(Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH))),))
+@grammar.rule(
+    "repeat",
+    "the? <ordinal> <series> of every|each <series>",
+    "the? last <series> of every|each <series>",
+    weight=0.3,
+)
+def nth_of_every(first: int | Calendar, second: Calendar, third: Calendar | None = None) -> Repeat | None:
+    """The first monday of every month, the last day of each year."""
+    number, inner, outer = (-1, first, second) if third is None else (first, second, third)
+    if not isinstance(number, int) or not isinstance(inner, Calendar) or not isinstance(outer, Cycle):
+        return None
+    return Repeat(walls=(Wall(Nth(number, inner, outer)),)) if inner != outer else None
 
 
 @grammar.rule("repeat", "a? daily", "a? nightly", "everyday", "day in day out", "each day of the week")

@@ -32,6 +32,9 @@ REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
+CLOCK_DIGITS = 4
+"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
+
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
@@ -154,6 +157,9 @@ class Judge:
     def _may_end(self, piece: Piece) -> bool:
         """Whether what follows does not make its last word count or describe something."""
         follower = self._follower(piece)
+        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
+            # "At ten to": of which hour is not said.
+            return False
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         return follower in self.lexicon.function_words or self._is_in_front(piece) or self._timely(piece.end)
@@ -278,7 +284,9 @@ class Judge:
         if said.preposition == "through" and self._is_number(before):
             # "Pages 3 through 7"
             return False
-        sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
+        digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
+        hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
+        sure = said.preposition == "at" and hour
         if not sure and self._measured(piece):
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:

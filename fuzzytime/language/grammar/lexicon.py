@@ -8,7 +8,7 @@ from typing import Any
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
-from fuzzytime.language.policy import Policy
+from fuzzytime.language.policy import Hours, Policy
 from fuzzytime.requirement import Constraint
 from fuzzytime.resources import rules_directory
 
@@ -66,6 +66,8 @@ class Lexicon:
         Words beside which a number is an amount.
     changing, counting, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
+    usual_hours
+        By words for what people do, the hours at which they do it.
     function_words
         Words that may follow a bare number without making it a count.
     """
@@ -99,6 +101,7 @@ class Lexicon:
     counting: frozenset[str]
     amount_nouns: frozenset[str]
     function_words: frozenset[str]
+    usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 
     @classmethod

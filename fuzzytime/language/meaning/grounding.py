@@ -25,6 +25,9 @@ from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
+FOLLOWING = timedelta(hours=6)
+"""How long after a clock time the next one of a text, without am or pm, hardly is before it."""
+
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
 
@@ -41,11 +44,14 @@ class Grounding:
         What decides.
     lasting : float
         Seconds that what is asked for was said to last, 0 where nothing was said.
+    since : datetime, optional
+        The clock time that was said before in the same text.
     """
 
     now: datetime
     policy: Policy
     lasting: float = 0.0
+    since: datetime | None = None
 
     @property
     def today(self) -> Today:
@@ -179,12 +185,18 @@ class Grounding:
     def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
         plausible = [moment for moment in moments if self._is_plausible(moment)]
         chosen = (plausible or moments)[0]
+        if self.since is not None and chosen < self.since:
+            # "Open it at eight and close it at nine": the nine that follows.
+            follows = [moment for moment in moments if self.since < moment < self.since + FOLLOWING]
+            chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
     def _is_plausible(self, moment: datetime) -> bool:
         """Whether people are up, for as long as what is asked for is said to last."""
         first, last = self.policy.plausible_from, self.policy.plausible_to
+        if first > last:
+            return moment.time() >= first or moment.time() < last
         end = moment + timedelta(seconds=self.lasting)
         return first <= moment.time() < last and (
             not self.lasting or (end.date() == moment.date() and end.time() <= last)

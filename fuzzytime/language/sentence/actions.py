@@ -10,6 +10,7 @@ from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
+RESULTS = frozenset({"JJ", "VBN"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +140,9 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
     ):
         return Reference.FINISH
-    return None
+    brought = small_clause(tree, place, lexicon) if lemma in lexicon.causing else None
+    # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
+    return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
 
 
 def _results(tree: Tree, place: int) -> Iterator[int]:

@@ -159,7 +159,7 @@ def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[
         following: list[_Waiting] = []
         for one, tree, front in zip(waiting, found, fronts, strict=True):
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else list(_cut(one, part))
+            cut = [] if last_round else list(_cut(one, part, lexicon))
             following += [_waiting(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
@@ -220,14 +220,16 @@ def _lowered(text: str) -> str:
     return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text
 
 
-def _cut(one: _Waiting, part: Part) -> Iterator[Segment]:
+def _cut(one: _Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     """Give the pieces of a segment around its first further verb; none where there is none."""
     root = part.tree.root
     if root is None:
         return
     first, last = one.segment.span
     times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
-    starts = [part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, times))]
+    starts = [
+        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
+    ]
     starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
     for start in starts:
         chain = _chain(one, part, start)

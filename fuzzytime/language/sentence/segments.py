@@ -6,10 +6,13 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Offset, Phrase
 from fuzzytime.language.sentence.tree import Node, Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
+TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
+"""Words that are typed with a full stop which ends nothing."""
+
 ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
@@ -48,7 +51,10 @@ def segments_of(
     inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
     cuts: list[tuple[int, int, str]] = []
     place = 0
+    following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     while place < len(words):
+        if place in following:
+            cuts.append((place, place, ""))
         if place in inside:
             place += 1
             continue
@@ -62,6 +68,13 @@ def segments_of(
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, lexicon.addresses))
+
+
+def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a time in front of an order counts from the order before: "…, five minutes later serve"."""
+    later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
+    joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
+    return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
 
 
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:
@@ -87,8 +100,7 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     if after and not after.isspace():
         return False
     before = words[place - 1] if place else None
-    # "Dr. Green", "a.m.": one capital follows, or a single letter stands before.
-    return before is None or not (len(before.text) <= 2 and before.is_letters)
+    return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
 
 
 def _between(
@@ -126,7 +138,7 @@ def _segment(
     return Segment(span, connective, said)
 
 
-def further_verbs(tree: Tree, root: int, times: Sequence[Span] = ()) -> list[int]:
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
@@ -135,7 +147,7 @@ def further_verbs(tree: Tree, root: int, times: Sequence[Span] = ()) -> list[int
     timed = {place for span in times for place in tree.at(*span)}
     found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
-        if place > 1 and place != root and _governs(tree, place) and place + 1 not in timed:
+        if place > 1 and place != root and _governs(tree, place, lexicon) and place + 1 not in timed:
             found.append(place)
             continue
         if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
@@ -150,12 +162,15 @@ def further_verbs(tree: Tree, root: int, times: Sequence[Span] = ()) -> list[int
     return found
 
 
-def _governs(tree: Tree, place: int) -> bool:
-    """Whether a word taken for a noun has an object: "vacuum the rug and dust the shelves"."""
-    node = tree.nodes[place]
-    if node.tag != "NN" or node.relation != "conj" or tree.nodes[place - 1].lower not in {"and", "&"}:
+def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
-    return place + 2 < len(tree.nodes) and tree.nodes[place + 1].lower in ARTICLES
+    behind = tree.nodes[place + 1].lower
+    if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
 
 def _is_bare(node: Node) -> bool:

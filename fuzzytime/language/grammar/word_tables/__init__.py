@@ -6,7 +6,7 @@ from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
-from fuzzytime.language.grammar.word_tables.policies import read_policy
+from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
     read_hedges,
@@ -41,6 +41,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     connectives = by_form(speech, "connectives")
     indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
     policy = read_policy(days)
+    usual_hours = read_usual_hours(days)
     mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
     if mistakes:
         raise DocumentError(mistakes)
@@ -83,6 +84,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
+        usual_hours=usual_hours,
         policy=policy,
     )
 
@@ -96,5 +98,5 @@ _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
     "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
     "holidays",
-    "meridiem", "zones", "policy",
+    "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
