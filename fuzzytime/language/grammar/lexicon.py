@@ -64,6 +64,8 @@ class Lexicon:
         What "it" does or is when it stands for nothing: "rains", "dark".
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
+    dividing
+        Verbs beside which a number says into how many parts.
     changing, counting, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
     usual_hours
@@ -97,6 +99,7 @@ class Lexicon:
     impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
+    dividing: frozenset[str]
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
     amount_nouns: frozenset[str]

@@ -108,7 +108,11 @@ class _Clauses:
         verb = self._verb(nodes)
         if verb is None and kind in {"when", "until"}:
             said = self.tree.text[start : content[1]]
-            condition = self._happening(nodes, said) or self._state(nodes, said)
+            condition = self._happening(nodes, said)
+            if condition is None and form[0] == "the":
+                # "The minute steak"
+                return None
+            condition = condition or self._state(nodes, said)
             if condition is None:
                 return self._event(kind, form, span, content, nodes, duration)
             return Clause(kind=kind, marker=" ".join(form), span=span, content=content, condition=condition)

@@ -80,6 +80,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
+        dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
