@@ -2,16 +2,19 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
+    HourMark,
     Offset,
     Range,
     Repeat,
     Said,
+    SameTime,
     Time,
     Wall,
 )
@@ -39,6 +42,27 @@ def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     return narrowed_repeat(repeat, wall)
 
 
+@grammar.rule("repeat", "<repeat> ,|and|or at? <wall>", "at? <wall> ,|and|or <repeat>", weight=0.3)
+def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
+    """Every day at 8 am and 8 pm, at eight and nine every day."""
+    repeat, wall = (first, second) if isinstance(first, Repeat) else (second, first)
+    if not isinstance(repeat, Repeat) or not isinstance(wall, Wall) or wall.clock is None:
+        return None
+    clocked = bool(repeat.walls) and all(old.clock is not None for old in repeat.walls)
+    if not clocked or wall.days is not None or wall.part is not None:
+        return None
+    clock = replace(wall.clock, bare=False, pair=False)
+    more = dict.fromkeys(replace(old, clock=clock) for old in repeat.walls)
+    return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
+
+
+@grammar.rule("repeat", "<repeat> at? <same>", weight=0.2)
+def every_mark(repeat: Repeat, mark: SameTime | HourMark) -> Repeat | None:
+    """Every hour on the hour."""
+    counted = repeat.every is not None and repeat.every.unit in SMALL and repeat.starting is None
+    return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
+
+
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
     days = wall.days
@@ -63,10 +87,12 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         return None
     walls = []
     for old in repeat.walls:
-        if (old.clock and wall.clock) or (old.part and wall.part):
+        if old.clock and wall.clock:
+            return None
+        if old.part and wall.part and not (old.part.start <= wall.part.start < old.part.end):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
-        walls.append(replace(old, clock=clock, part=old.part or wall.part))
+        walls.append(replace(old, clock=clock, part=wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
 
 

@@ -35,7 +35,7 @@ def coming_deadline(goal: Goal) -> Said:
     "said",
     "in the? <duration>",
     "in <duration> time",
-    "in <duration> ' time",
+    "in <duration> '|'s time",
     "in <duration> from now",
     weight=0.3,
 )
@@ -153,7 +153,7 @@ def duration_alone(duration: Duration) -> Said:
     return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
 
 
-@grammar.rule("said", "<duration> <forward>", "<duration> ' <forward>", weight=0.3)
+@grammar.rule("said", "<duration> <forward>", "<duration> '|'s <forward>", weight=0.3)
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)

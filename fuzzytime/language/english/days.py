@@ -124,7 +124,14 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
     return None if away is None else Within(Fields(weekday=number), WeekOf(away))
 
 
-@grammar.rule("days", "<weekday> week", "a week on|from <weekday>", "a week <weekday>", weight=0.2)
+@grammar.rule(
+    "days",
+    "<weekday> week",
+    "a week on|from <weekday>",
+    "a week <weekday>",
+    "<weekday> in a|one week",
+    weight=0.2,
+)
 def weekday_week(number: int) -> Calendar:
     """Tuesday week: a week after the next Tuesday."""
     return Away(1, Unit.WEEK, Fields(weekday=number))

@@ -49,6 +49,15 @@ def at_clock(clock: Clock) -> Said:
     return Said(Wall(clock=clock), None, "at")
 
 
+@grammar.rule("said", "at <hedge> <clock>", "at <clock> <hedge_after>", weight=0.35)
+def at_hedged_clock(first: str | Clock, second: Clock | str) -> Said | None:
+    """At exactly 1830, at 1830 sharp."""
+    clock, hedge = (first, second) if isinstance(first, Clock) else (second, first)
+    if not isinstance(clock, Clock) or not isinstance(hedge, str):
+        return None
+    return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", (hedge,))
+
+
 @grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
     """At 2.30 tomorrow."""

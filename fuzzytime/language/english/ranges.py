@@ -156,6 +156,10 @@ def refined(said: Said, wall: Wall) -> Said | None:
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
     if not (said.constraint in bounds or beside) or wall.clock is not None or said.lasting is not None:
         return None
+    if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
+        # As in "after breakfast tomorrow".
+        whole = wall.days is not None and wall.part is None and wall.days.grain is Unit.DAY
+        return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
     if isinstance(said.time, Wall) and said.time.clock is not None:
         time = joined(said.time, wall)
         return None if time is None else replace(said, time=time)

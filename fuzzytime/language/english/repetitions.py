@@ -71,7 +71,7 @@ def every_weekday(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(weekday=number)),))
 
 
-@grammar.rule("repeat", "every|each other|second <weekday>", weight=0.1)
+@grammar.rule("repeat", "every|each other|second <weekday>", weight=0.4)
 def every_other_weekday(number: int) -> Repeat:
     """Every other friday."""
     return Repeat(walls=(Wall(Fields(weekday=number)),), skip=2)
@@ -115,16 +115,22 @@ def weekday_part(part: Part) -> Repeat:
     return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for day in range(5)))
 
 
-@grammar.rule("repeat", "<weekday> <parts>", weight=0.2)
-def weekly_part(number: int, part: Part) -> Repeat:
-    """Tuesday afternoons."""
-    return Repeat(walls=(Wall(Fields(weekday=number), part),))
+@grammar.rule("weekday list", "<weekday>")
+def one_weekday(number: int) -> tuple[int, ...]:
+    """Tuesday, in "tuesday and friday nights"."""
+    return (number,)
 
 
-@grammar.rule("repeat", "every|each <weekday> <part>", weight=0.1)
-def every_weekday_part(number: int, part: Part) -> Repeat:
-    """Every friday evening."""
-    return Repeat(walls=(Wall(Fields(weekday=number), part),))
+@grammar.rule("weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>")
+def another_weekday(numbers: tuple[int, ...], number: int) -> tuple[int, ...]:
+    """Monday, wednesday and friday."""
+    return (*numbers, number)
+
+
+@grammar.rule("repeat", "on? <weekday list> <parts>", "every|each <weekday list> <part>", weight=0.2)
+def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
+    """Tuesday afternoons, every friday evening, tuesday and friday nights."""
+    return Repeat(walls=tuple(Wall(Fields(weekday=number), part) for number in numbers))
 
 
 @grammar.rule("repeat", "every|each <date>", "every|each <feast>", weight=0.1)

@@ -89,8 +89,11 @@ class Judge:
 
     def _is_added(self, piece: Piece) -> bool:
         """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
-        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         earlier = self.texts[: piece.start - 1]
+        if "not" in earlier[-NEAR:]:
+            # "Not today but tomorrow"
+            return True
+        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
 
     def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
@@ -112,6 +115,9 @@ class Judge:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
         if piece.end < len(self.words):
             word = self.words[piece.end]
+            if word.text == "'s":
+                # "A day's work"
+                return True
             last = self.words[piece.end - 1]
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True

@@ -87,7 +87,8 @@ class Grounding:
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
         if isinstance(said, SameTime):
             days = next(self.days(said.days))
-            moment = datetime.combine(days.first, self.now.time())
+            week = days.first + timedelta(days=(self.now.weekday() - days.first.weekday()) % 7)
+            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             moment = self.now.replace(minute=said.minute, second=0, microsecond=0)

@@ -71,8 +71,17 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
 
 def _order_before(tree: Tree, root: int) -> int:
     """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
-    for place in tree.children(root, "csubj", "aux"):
+    for place in tree.children(root, "csubj", "aux", "auxpass"):
         node = tree.nodes[place]
+        if node.relation == "auxpass":
+            # "Get dressed"
+            if (
+                node.lemma == "get"
+                and node.tag in {"VB", "VBP"}
+                and not tree.children(root, "aux", *SUBJECTS)
+            ):
+                return place
+            continue
         bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
             return place

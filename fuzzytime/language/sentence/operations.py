@@ -33,7 +33,7 @@ class Reader:
         verb = action.place
         node = self.tree.nodes[verb]
         clause = small_clause(self.tree, verb, self.lexicon)
-        result = [] if clause is None else self._result(clause)
+        result = self._participle(verb) if clause is None else self._result(clause)
         particle = self._particle(verb, result)
         moved = self._moved_object(verb, particle)
         whole = moved or self._object(verb, particle, clause)
@@ -60,6 +60,11 @@ class Reader:
     def _result(self, clause: SmallClause) -> list[int]:
         """Give the words that say what an object does or becomes, up to the first that is about time."""
         return list(takewhile(lambda place: not self.timed(place), clause.result(self.tree)))
+
+    def _participle(self, verb: int) -> list[int]:
+        """Give the participle behind "get", as in "get dressed"."""
+        node = self.tree.nodes[verb]
+        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
 
     def _particle(self, verb: int, result: Sequence[int]) -> int | None:
         """Give the word that belongs to the verb: "put the kettle on", "turn on the oven".

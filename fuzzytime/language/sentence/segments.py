@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Offset, Phrase
+from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
 from fuzzytime.language.sentence.tree import Node, Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
@@ -51,16 +51,18 @@ def segments_of(
     inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
     cuts: list[tuple[int, int, str]] = []
     place = 0
+    vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
-        if place in inside:
+        if place in inside and place not in vague:
             place += 1
             continue
-        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, inside) else None
-        if found is not None:
-            end = _end_of(words, place, len(found))
+        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
+        end = 0 if found is None else _end_of(words, place, len(found))
+        # "Do it when you're done": nothing follows.
+        if found is not None and end < len(words) and words[end].text not in ENDS:
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
@@ -83,11 +85,16 @@ def _end_of(words: Sequence[Word], place: int, length: int) -> int:
     return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
 
 
-def _opens(words: Sequence[Word], place: int, inside: set[int]) -> bool:
-    """Whether a connective here opens an instruction: no time, and no word inside one ("the next step")."""
-    if place + 1 >= len(words) or place in inside:
+def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
+    """Whether a connective here opens an instruction, and is no word inside one ("the next step").
+
+    A vague time does where an instruction begins: "wipe the table; afterwards sweep the floor".
+    """
+    if place + 1 >= len(words):
         return False
     before = words[place - 1].text if place else ","
+    if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
+        return False
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
 
 
@@ -150,11 +157,17 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if place > 1 and place != root and _governs(tree, place, lexicon) and place + 1 not in timed:
             found.append(place)
             continue
+        if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+            found.append(place)
+            continue
         if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
             continue
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
             continue
         start = _first_of(tree, place)
+        while start and start - 1 in timed:
+            # "Set the table, and by seven have the soup ready"
+            start -= 1
         if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
             continue
         if place > root or _leads(tree, place, root):
@@ -171,6 +184,13 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
+
+
+def _is_passive_order(tree: Tree, place: int) -> bool:
+    """Whether it is the "get" of "get dressed", beside another order."""
+    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
+    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
+    return bare and over.relation in COORDINATE and not tree.children(node.head, *SUBJECTS)
 
 
 def _is_bare(node: Node) -> bool:
