@@ -150,6 +150,18 @@ def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calenda
     return found
 
 
+@grammar.rule("days", "<duration> on <weekday>", weight=0.6)
+def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
+    """A fortnight on friday: two weeks after the next."""
+    return from_anchor(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
+
+
+@grammar.rule("days", "<weekday> fortnight", weight=0.2)
+def weekday_fortnight(number: int) -> Calendar:
+    """Friday fortnight."""
+    return Away(2, Unit.WEEK, Fields(weekday=number))
+
+
 @grammar.rule("days", "<duration> from|after|following|since <days>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""

@@ -71,7 +71,13 @@ def every_weekday(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(weekday=number)),))
 
 
-@grammar.rule("repeat", "every|each other|second <weekday>", weight=0.4)
+@grammar.rule(
+    "repeat",
+    "every|each other|second|alternate <weekday>",
+    "on? alternate <weekday>|<weekdays>",
+    "on? every other <weekdays>",
+    weight=0.4,
+)
 def every_other_weekday(number: int) -> Repeat:
     """Every other friday."""
     return Repeat(walls=(Wall(Fields(weekday=number)),), skip=2)

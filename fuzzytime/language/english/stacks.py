@@ -50,6 +50,14 @@ def stacked(first: Wall, second: Wall) -> Wall | None:
     return joined(first, second)
 
 
+@grammar.rule("wall", "<wall> at|@ <wall>", "<wall> , at <wall>", weight=0.15)
+def stacked_clock(first: Wall, second: Wall) -> Wall | None:
+    """The 20th at 10: a number behind "at" is a clock time."""
+    if second.clock is None:
+        return None
+    return joined(first, replace(second, clock=replace(second.clock, bare=False)))
+
+
 @grammar.rule("wall", "<date> t <clock> z?", weight=0.5)
 def iso(days: Calendar, clock: Clock) -> Wall:
     """2026-03-05T14:30."""

@@ -62,6 +62,9 @@ class Judge:
             return self._accepts_wall(piece, said, time)
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, Repeat) and self._before(piece) in {"most", "some", "many", "few"}:
+            # "Most evenings": which, is not said.
+            return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self._describes(piece)
         if isinstance(time, Range):

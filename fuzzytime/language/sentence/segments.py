@@ -203,7 +203,9 @@ def _follows_order(tree: Tree, root: int) -> bool:
     start = _first_of(tree, root)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
         return False
-    orders = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start and tree.nodes[p].tag == "VB")
+    before = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start)
+    # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
+    orders = (p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb))
     return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
 
 
