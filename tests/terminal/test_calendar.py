@@ -81,6 +81,12 @@ def test_what_would_be_looked_for_without_end_is_refused(rule: str, message: str
         taken(tmp_path, f"DTSTART:20260101T000000Z\nDURATION:PT2S\nRRULE:{rule}")
 
 
+@pytest.mark.parametrize("start", ["DTSTART;TZID=Europe/:20260329T100000", "DTSTART;VALUE=DATE,:20260329"])
+def test_a_calendar_that_its_library_cannot_read_is_refused(start: str, tmp_path: Path) -> None:
+    with pytest.raises(FuzzytimeError, match=r"busy\.ics must be an iCalendar file of at most 4 MB$"):
+        taken(tmp_path, f"{start}\nDURATION:PT1H")
+
+
 def test_what_is_no_calendar_is_refused_by_name(tmp_path: Path) -> None:
     (tmp_path / "mine.ics").write_bytes(b"\x00\xff")
     with pytest.raises(FuzzytimeError, match=r"mine\.ics must be an iCalendar file"):

@@ -16,6 +16,17 @@ AHEAD = 14 * DAY
 STEPS = {"HOURLY": HOUR, "MINUTELY": MINUTE, "SECONDLY": 1.0}
 """Seconds between the occurrences of events that repeat more often than daily."""
 
+_BROKEN = (
+    ValueError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    OSError,  # a zone's name is looked up as a file's
+)
+"""What the calendar's library raises where a file or an event is not as it should be."""
+
 
 def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
     """Give the busy times of a calendar file within the next two weeks, in seconds from now.
@@ -37,8 +48,9 @@ def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
         raise FuzzytimeError(f"a calendar file must be readable, got {str(path)!r}") from error
     try:
         calendar = icalendar.Calendar.from_ical(raw)
-    except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
-        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB: {error}") from error
+    except _BROKEN as error:
+        reason = f": {error}" if isinstance(error, ValueError) else ""  # others are of the library's inside
+        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB{reason}") from error
     busy: list[Busy] = []
     for event in calendar.walk("VEVENT"):
         if (
@@ -57,7 +69,7 @@ def _busy_of(event: "object", now: datetime) -> list[Busy]:
         start = _instant(event.decoded("DTSTART"), now)  # type: ignore[attr-defined]
         length = _length(event, start, now)
         starts = _occurrences(event, start, length, now)
-    except (ValueError, KeyError, TypeError, AttributeError, OverflowError):
+    except _BROKEN:
         return []  # an event without a usable time blocks none
     what = str(event.get("SUMMARY", ""))  # type: ignore[attr-defined]
     found = []
