@@ -1,10 +1,12 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
+import json
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 
+from terminal.running import ran
 from terminal.talking import NINE, Talk
 
 
@@ -212,3 +214,20 @@ def test_exit_leaves_and_is_no_task() -> None:
     talk = Talk()
     assert talk.turns.take("exit", NINE).over
     assert talk.entries == []
+
+
+def test_a_skill_has_one_name_in_a_plan_a_run_and_a_conversation(tmp_path: Path) -> None:
+    lines = ("Boil the eggs in five minutes, then set the table", "Make coffee soon")
+    now = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
+    given = tuple(word for line in lines for word in ("-i", line))
+    planned = json.loads(ran("plan", *given, "--format", "json", *now, folder=tmp_path).out)
+    happened = [
+        json.loads(line) for line in ran("run", *given, "--simulate", *now, folder=tmp_path).out.splitlines()
+    ]
+    talk = Talk()
+    for line in lines:
+        talk.say(line)
+    assert talk.turns.plan is not None
+    assert [skill["id"] for skill in planned["skills"]] == ["s1", "s1.2", "s2"]
+    assert sorted(event["id"] for event in happened if event["type"] == "start") == ["s1", "s1.2", "s2"]
+    assert [one.identifier for one in talk.turns.plan.skills] == ["s1", "s1.2", "s2"]
