@@ -188,7 +188,7 @@ def _made(
 
 
 def _identified(skills: Sequence[Interpreted]) -> list[Interpreted]:
-    """Give every skill an identifier of its own: its wish's, and to further skills of one eggs.2, eggs.3, …"""
+    """Give every skill an identifier of its own: its wish's, and further skills of one eggs.2, eggs.3."""
     taken = {interpreted.identifier for interpreted in skills}
     seen: Counter[str] = Counter()
     identified = []

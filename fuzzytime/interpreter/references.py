@@ -22,7 +22,7 @@ from fuzzytime.yaml_nodes import suggestion
 
 @dataclass(slots=True)
 class Links:
-    """Which wishes there are, by name, and which skills came of each instruction, by its position among all."""
+    """The names of all wishes; and the skills that came of each instruction, by its position among all."""
 
     wishes: frozenset[str] = frozenset()
     instructions: list[range] = field(default_factory=list)
