@@ -18,7 +18,7 @@ from fuzzytime.rulebook.formula import (
     variables,
 )
 from fuzzytime.rulebook.tables import Tables
-from fuzzytime.rulebook.windows import Extent, mostly, sometime, throughout
+from fuzzytime.rulebook.windows import Extent, Past, mostly, sometime, throughout
 from fuzzytime.rulebook.world import Combination, Grid, World, on_all_times
 from fuzzytime.satisfaction import Floats
 
@@ -108,7 +108,7 @@ class _Evaluation:
         self._combinations: dict[tuple[str, ...], tuple[Combination, ...]] = {}
         self._values: dict[tuple[str, int | None], Floats] = {}
         self._truths: dict[tuple[Formula, Combination], Truth] = {}
-        self._bounds: dict[tuple[Formula, Combination, Direction], Floats] = {}
+        self._pasts: dict[tuple[Formula, Combination, Direction], Past] = {}
 
     def combinations(self, formula: Formula) -> tuple[Combination, ...]:
         """Give the combinations of forecasts to follow a formula over, the same ones for the same signals."""
@@ -153,28 +153,28 @@ class _Evaluation:
         return self._values[key]
 
     def _windowed(self, window: Window, combination: Combination) -> Truth:
-        grid, curves = self.grid, len(self.truth(window.part, combination).low)
-        extent = Extent.of(window.length, window.reach, grid.step)
-        bounds = self._looked_at(window.part, combination, window.direction)
-        unknown = np.repeat([[0.0], [1.0]], curves, axis=0)
-        found = _OPERATORS[window.operator](bounds, extent, unknown)
+        past = self._past(window.part, combination, window.direction)
+        found = _OPERATORS[window.operator](past, Extent.of(window.length, window.reach, self.grid.step))
         if window.direction is Direction.NEXT:
             found = found[:, ::-1]
-        return Truth(on_all_times(found[:curves], grid), on_all_times(found[curves:], grid))
+        found = on_all_times(found, self.grid)
+        curves = len(found) // 2
+        return Truth(found[:curves], found[curves:])
 
-    def _looked_at(self, part: Formula, combination: Combination, direction: Direction) -> Floats:
+    def _past(self, part: Formula, combination: Combination, direction: Direction) -> Past:
         """Give both bounds of a part at the regular times, in the order in which a window passes over them.
 
         What lies before the first point is 0 to the lower one, 1 to the upper one.
         """
         key = part, combination, direction
-        found = self._bounds.get(key)
+        found = self._pasts.get(key)
         if found is None:
             truth = self.truth(part, combination)
-            found = np.concatenate([truth.low, truth.high])[:, self.grid.regular]
+            bounds = np.concatenate([truth.low, truth.high])[:, self.grid.regular]
             if direction is Direction.NEXT:
-                found = np.ascontiguousarray(found[:, ::-1])
-            self._bounds[key] = found
+                bounds = np.ascontiguousarray(bounds[:, ::-1])
+            found = Past(bounds, np.repeat([[0.0], [1.0]], len(truth.low), axis=0))
+            self._pasts[key] = found
         return found
 
 

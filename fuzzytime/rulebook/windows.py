@@ -8,6 +8,7 @@ Windows that look ahead are these on the reversed trace.
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -39,38 +40,72 @@ def _snapped(steps: float) -> float:
     return float(round(steps)) if abs(steps - round(steps)) < _ROUNDING * max(steps, 1.0) else steps
 
 
-def sometime(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
-    """Give sup_a min(w(a), φ(t − a))."""
-    padded = _padded(trace, extent.padding, unknown)
-    size = trace.shape[-1]
-    found = _largest(padded, extent, size)
-    fade = extent.whole - extent.full
-    for age in range(math.floor(extent.full) + 1, math.ceil(extent.whole)):
-        start = extent.padding - age
-        weight = (extent.whole - age) / fade
-        np.maximum(found, np.minimum(padded[..., start : start + size], weight), out=found)
+class Past:
+    """Traces, and what stands before their first points, as windows look back over them.
+
+    The largest values over 1, 2, 4 … points are worked out once for all windows over the same traces (the
+    sparse table of Bender and Farach-Colton, LATIN 2000: two of its rows cover any width).
+
+    Parameters
+    ----------
+    trace : array of shape (curves, k)
+    unknown : number, or array of shape (curves, 1)
+        What stands before the first point.
+    """
+
+    def __init__(self, trace: Floats, unknown: float | Floats) -> None:
+        self.trace = trace
+        self.unknown = unknown
+        self._doubled = [trace]
+
+    @cached_property
+    def negated(self) -> "Past":
+        """1 − φ."""
+        return Past(1.0 - self.trace, 1.0 - self.unknown)
+
+    def largest(self, points: int) -> Floats:
+        """Give the largest value of the last so many points, with what stands before the first."""
+        points = min(points, self.trace.shape[-1] + 1)
+        level = points.bit_length() - 1
+        while len(self._doubled) <= level:
+            self._doubled.append(_larger(self._doubled[-1], 1 << len(self._doubled) - 1))
+        found = _larger(self._doubled[level], points - (1 << level))
+        before = found[..., : points - 1]
+        np.maximum(before, self.unknown, out=before)
+        return found
+
+    def earlier(self, steps: float) -> Floats:
+        """Give the traces so many steps earlier, linear between points."""
+        padded = _padded(self.trace, math.ceil(steps), self.unknown)
+        return _shifted(padded, steps, math.ceil(steps), self.trace.shape[-1])
+
+
+def _larger(trace: Floats, points: int) -> Floats:
+    """Give the larger of each point and the one so many points earlier, where there is one."""
+    found = trace.copy()
+    if 0 < points < trace.shape[-1]:
+        np.maximum(trace[..., points:], trace[..., :-points], out=found[..., points:])
     return found
 
 
-def throughout(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
-    """Give inf_a max(1 − w(a), φ(t − a)): there is no time in the window when φ fails."""
-    return np.asarray(1.0 - sometime(1.0 - trace, extent, 1.0 - unknown))
-
-
-def _largest(padded: Floats, extent: Extent, size: int) -> Floats:
-    """Give the largest value over the full part of the window, by doubling the width that is looked at."""
+def sometime(past: Past, extent: Extent) -> Floats:
+    """Give sup_a min(w(a), φ(t − a))."""
     whole_steps = math.floor(extent.full)
-    wanted, width, found = whole_steps + 1, 1, padded
-    while 2 * width <= wanted:
-        found = np.maximum(found[..., width:], found[..., :-width])
-        width *= 2
-    if width < wanted:
-        rest = wanted - width
-        found = np.maximum(found[..., rest:], found[..., :-rest])
-    largest = found[..., extent.padding - whole_steps :][..., :size].copy()
+    found = past.largest(whole_steps + 1)
     if extent.full > whole_steps:
-        np.maximum(largest, _shifted(padded, extent.full, extent.padding, size), out=largest)
-    return largest
+        np.maximum(found, past.earlier(extent.full), out=found)
+    fade = extent.whole - extent.full
+    for age in range(whole_steps + 1, math.ceil(extent.whole)):
+        weight = (extent.whole - age) / fade
+        known, before = found[..., age:], found[..., :age]
+        np.maximum(known, np.minimum(past.trace[..., : known.shape[-1]], weight), out=known)
+        np.maximum(before, np.minimum(past.unknown, weight), out=before)
+    return found
+
+
+def throughout(past: Past, extent: Extent) -> Floats:
+    """Give inf_a max(1 − w(a), φ(t − a)): there is no time in the window when φ fails."""
+    return np.asarray(1.0 - sometime(past.negated, extent))
 
 
 def _padded(trace: Floats, number: int, unknown: float | Floats) -> Floats:
@@ -124,10 +159,10 @@ class Integrals:
         )
 
 
-def mean(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
+def mean(past: Past, extent: Extent) -> Floats:
     """Give ∫ w·φ / ∫ w over the window."""
-    size = trace.shape[-1]
-    integrals = Integrals.of(trace, extent.padding, unknown)
+    size = past.trace.shape[-1]
+    integrals = Integrals.of(past.trace, extent.padding, past.unknown)
     now, _ = integrals.back(0.0, size)
     full, full_second = integrals.back(extent.full, size)
     area = now - full
@@ -139,10 +174,10 @@ def mean(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
     return np.asarray(area / (extent.full + fade / 2))
 
 
-def mostly(trace: Floats, extent: Extent, unknown: float | Floats) -> Floats:
+def mostly(past: Past, extent: Extent) -> Floats:
     """Give Q(∫ w·φ / ∫ w) with Q(p) = (p − 0.5) / 0.3, cut to [0, 1]."""
     # Running integrals leave 1 − 1e-15 where all of the window holds: rounding keeps it all.
-    share = np.round(mean(trace, extent, unknown), 12)
+    share = np.round(mean(past, extent), 12)
     return np.asarray(np.clip((share - 0.5) / 0.3, 0.0, 1.0))
 
 

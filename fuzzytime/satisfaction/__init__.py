@@ -1,10 +1,13 @@
 """ψ: how satisfied a person is with a start time (the paper's eq. 3)."""
 
 from fuzzytime.satisfaction.algebra import ALWAYS, NEVER, averaged, points_of, product
+from fuzzytime.satisfaction.bell import Bell
 from fuzzytime.satisfaction.chord import cell_chord_errors
 from fuzzytime.satisfaction.clipped import Clipped
+from fuzzytime.satisfaction.floored import Floored
 from fuzzytime.satisfaction.protocol import EMPTY, EVERYWHERE, Floats, Interval, SatisfactionFunction
-from fuzzytime.satisfaction.shapes import Bell, Floored, Rectangle, Sampled, Trapezoid, Triangle
+from fuzzytime.satisfaction.sampled import Sampled
+from fuzzytime.satisfaction.trapezoid import Rectangle, Trapezoid, Triangle
 
 __all__ = [
     "ALWAYS",

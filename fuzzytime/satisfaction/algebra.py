@@ -11,7 +11,8 @@ import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction.protocol import Floats, Interval, SatisfactionFunction
-from fuzzytime.satisfaction.shapes import Sampled, Trapezoid
+from fuzzytime.satisfaction.sampled import Sampled
+from fuzzytime.satisfaction.trapezoid import Trapezoid
 
 TOLERANCE = 1e-4
 """How far points may lie from the function that they stand for."""

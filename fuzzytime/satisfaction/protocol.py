@@ -7,6 +7,8 @@ from typing import ClassVar, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from fuzzytime.errors import FuzzytimeError
+
 Floats = NDArray[np.float64]
 
 ACCEPTABLE = 0.5
@@ -109,3 +111,15 @@ class SatisfactionFunction(Protocol):
     def widened(self, factor: float, anchor: float) -> "SatisfactionFunction":
         """Give ψ(anchor + (t − anchor) / factor): ``factor`` times as wide about a time that stays."""
         ...
+
+
+def check_factor(factor: float) -> None:
+    """Check that ψ may be widened by a factor.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is not above 0 and finite.
+    """
+    if not 0 < factor < math.inf:
+        raise FuzzytimeError(f"a factor of width must be above 0 and finite, got {factor}")

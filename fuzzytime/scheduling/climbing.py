@@ -59,9 +59,7 @@ class HillClimbing:
         """Climb until every climber has stood still for long."""
         generator = np.random.default_rng(self.seed)
         landscape = Landscape(problem, SLOTS)
-        best = landscape.drawn(generator, self.climbers)
-        if warm is not None:
-            best = best.replaced(np.array([0]), landscape.of_draft(warm), np.array([0]))
+        best = landscape.begun(generator, self.climbers, warm)
         cost, _ = landscape.scheduled(best)
         still = np.zeros(self.climbers, np.int64)
         while (still < self.patience).any() and not watch.is_over():
@@ -75,8 +73,7 @@ class HillClimbing:
             up = climbing[better]
             best = best.replaced(up, tried, (np.arange(climbing.size) * self.neighbours + least)[better])
             cost[up] = costs.min(axis=1)[better]
-        found = landscape.settled(best, int(cost.argmin()))
-        return found if warm is None or found.cost < warm.cost else warm
+        return landscape.ended(best, int(cost.argmin()), warm)
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,9 +116,7 @@ class SimulatedAnnealing:
         """Walk while it cools down, and give the best that was passed."""
         generator = np.random.default_rng(self.seed)
         landscape = Landscape(problem, SLOTS)
-        here = landscape.drawn(generator, self.chains)
-        if warm is not None:
-            here = here.replaced(np.array([0]), landscape.of_draft(warm), np.array([0]))
+        here = landscape.begun(generator, self.chains, warm)
         cost, _ = landscape.scheduled(here)
         best, least = here, cost.copy()
         for temperature in np.geomspace(self.hottest, self.coldest, self.steps):
@@ -136,8 +131,7 @@ class SimulatedAnnealing:
             better = np.flatnonzero(cost < least - IMPROVEMENT)
             best = best.replaced(better, here, better)
             least[better] = cost[better]
-        found = landscape.settled(best, int(least.argmin()))
-        return found if warm is None or found.cost < warm.cost else warm
+        return landscape.ended(best, int(least.argmin()), warm)
 
 
 def at_least_one(**numbers: int) -> None:

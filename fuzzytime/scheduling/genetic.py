@@ -6,7 +6,7 @@ from typing import ClassVar
 import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.scheduling.climbing import IMPROVEMENT, SLOTS, at_least_one
+from fuzzytime.scheduling.climbing import SLOTS, at_least_one
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.solver import Draft
@@ -58,9 +58,7 @@ class Genetic:
         """Breed generation after generation, and give the best member of the last."""
         generator = np.random.default_rng(self.seed)
         landscape = Landscape(problem, SLOTS)
-        members = landscape.drawn(generator, self.population)
-        if warm is not None:
-            members = members.replaced(np.array([0]), landscape.of_draft(warm), np.array([0]))
+        members = landscape.begun(generator, self.population, warm)
         cost, _ = landscape.scheduled(members)
         for _ in range(self.generations):
             if watch.is_over():
@@ -69,8 +67,7 @@ class Genetic:
             children = self._children(generator, landscape, members, cost)
             members = children.replaced(np.arange(ELITE), members, elite)
             cost, _ = landscape.scheduled(members)
-        found = landscape.settled(members, int(cost.argmin()))
-        return found if warm is None or found.cost < warm.cost - IMPROVEMENT else warm
+        return landscape.ended(members, int(cost.argmin()), warm)
 
     def _children(
         self, generator: np.random.Generator, landscape: Landscape, members: Wishes, cost: np.ndarray

@@ -124,6 +124,11 @@ class Landscape:
             generator.integers(self._first[jobs], self._last[jobs] + 1), self._drawn_agents(generator, jobs)
         )
 
+    def begun(self, generator: np.random.Generator, rows: int, warm: Draft | None) -> Wishes:
+        """Draw rows to search from, the first of them a known draft where there is one."""
+        drawn = self.drawn(generator, rows)
+        return drawn if warm is None else drawn.replaced(np.array([0]), self.of_draft(warm), np.array([0]))
+
     def _drawn_agents(self, generator: np.random.Generator, jobs: Ints) -> Ints:
         scores = generator.random((*jobs.shape, len(self.agents))) + self._able.T[jobs]
         return np.asarray(scores.argmax(axis=-1))
@@ -157,8 +162,9 @@ class Landscape:
         agents = np.searchsorted(self.agents, draft.agents)
         return Wishes(slots[None], agents[None])
 
-    def settled(self, wishes: Wishes, row: int) -> Draft:
-        """Give a row as a draft, timed in continuous time."""
+    def ended(self, wishes: Wishes, row: int, warm: Draft | None) -> Draft:
+        """Give a row as a draft, timed in continuous time; the known draft where that is as good."""
         _, starts = self.scheduled(wishes.rows(np.array([row])))
         hints = np.where(starts[0] >= 0, self.grid.times(starts[0]), np.nan)
-        return settled(self.problem, hints, self.agents[wishes.agents[row]], 4 * self.grid.step)
+        found = settled(self.problem, hints, self.agents[wishes.agents[row]], 4 * self.grid.step)
+        return found if warm is None or found.cost < warm.cost else warm

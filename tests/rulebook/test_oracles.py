@@ -10,7 +10,7 @@ import pytest
 
 from fuzzytime.context import Context
 from fuzzytime.rulebook.inference import hear, takagi_sugeno
-from fuzzytime.rulebook.windows import Extent, sometime, throughout
+from fuzzytime.rulebook.windows import Extent, Past, sometime, throughout
 from fuzzytime.rulebook.world import World
 from rulebook.books import book
 
@@ -64,5 +64,5 @@ def test_crisp_windows_equal_those_of_rtamt() -> None:
     once = [0.9, 0.9, 0.8, 0.8, 0.8, 0.6, 0.6]
     historically = [0.1, 0.3, 0.2, 0.2, 0.2, 0.2, 0.0]
     extent = Extent(3.0, 3.0)
-    assert sometime(samples, extent, 0.0)[0, 3:].tolist() == once
-    assert throughout(samples, extent, 0.0)[0, 3:] == pytest.approx(historically)
+    assert sometime(Past(samples, 0.0), extent)[0, 3:].tolist() == once
+    assert throughout(Past(samples, 0.0), extent)[0, 3:] == pytest.approx(historically)

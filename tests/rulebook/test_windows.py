@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from fuzzytime.rulebook.windows import Extent, mean, mostly, slope, sometime, throughout
+from fuzzytime.rulebook.windows import Extent, Past, mean, mostly, slope, sometime, throughout
 from fuzzytime.satisfaction import Floats
 
 TRACES = hnp.arrays(float, st.tuples(st.integers(1, 3), st.integers(2, 40)), elements=st.floats(0, 1))
@@ -35,14 +35,14 @@ def brute_sometime(trace: Floats, extent: Extent, unknown: float) -> Floats:
 @given(TRACES, st.one_of(CRISP, SOFT), st.sampled_from([0.0, 1.0]))
 def test_sometime_is_the_supremum_over_the_window(trace: Floats, extent: Extent, unknown: float) -> None:
     np.testing.assert_allclose(
-        sometime(trace, extent, unknown), brute_sometime(trace, extent, unknown), atol=1e-12
+        sometime(Past(trace, unknown), extent), brute_sometime(trace, extent, unknown), atol=1e-12
     )
 
 
 @given(TRACES, st.one_of(CRISP, SOFT), st.sampled_from([0.0, 1.0]))
 def test_throughout_is_not_sometime_not(trace: Floats, extent: Extent, unknown: float) -> None:
     dual = 1 - brute_sometime(1 - trace, extent, 1 - unknown)
-    np.testing.assert_allclose(throughout(trace, extent, unknown), dual, atol=1e-12)
+    np.testing.assert_allclose(throughout(Past(trace, unknown), extent), dual, atol=1e-12)
 
 
 @given(TRACES, st.integers(0, 20))
@@ -50,8 +50,8 @@ def test_crisp_windows_are_those_of_signal_temporal_logic(trace: Floats, steps: 
     extent = Extent(float(steps), float(steps))
     for t in range(steps, trace.shape[-1]):
         window = trace[:, t - steps : t + 1]
-        np.testing.assert_array_equal(sometime(trace, extent, 0.0)[:, t], window.max(axis=1))
-        np.testing.assert_allclose(throughout(trace, extent, 0.0)[:, t], window.min(axis=1), atol=1e-15)
+        np.testing.assert_array_equal(sometime(Past(trace, 0.0), extent)[:, t], window.max(axis=1))
+        np.testing.assert_allclose(throughout(Past(trace, 0.0), extent)[:, t], window.min(axis=1), atol=1e-15)
 
 
 def brute_mean(trace: Floats, extent: Extent, unknown: float) -> Floats:
@@ -76,13 +76,15 @@ def brute_mean(trace: Floats, extent: Extent, unknown: float) -> Floats:
 def test_the_mean_is_the_integral_over_the_window(length: float, softness: float, unknown: float) -> None:
     trace = np.random.default_rng(1).random((2, 12))
     extent = Extent.of(length, length * (1 + softness), 1.0)
-    np.testing.assert_allclose(mean(trace, extent, unknown), brute_mean(trace, extent, unknown), atol=2e-4)
+    np.testing.assert_allclose(
+        mean(Past(trace, unknown), extent), brute_mean(trace, extent, unknown), atol=2e-4
+    )
 
 
 def test_mostly_asks_for_more_than_half() -> None:
     shares = np.array([0.4, 0.5, 0.65, 0.8, 1.0])
     traces = np.repeat(shares[:, None], 20, axis=1)
-    now = mostly(traces, Extent(5.0, 6.25), 0.0)[:, -1]
+    now = mostly(Past(traces, 0.0), Extent(5.0, 6.25))[:, -1]
     assert now == pytest.approx([0.0, 0.0, 0.5, 1.0, 1.0])
 
 
@@ -93,13 +95,13 @@ OPERATORS = st.sampled_from([sometime, throughout, mostly])
 def test_operators_are_monotone(trace: Floats, more: float, extent: Extent, operator: object) -> None:
     assert callable(operator)
     raised = np.minimum(trace + more, 1.0)
-    assert (operator(raised, extent, 0.0) >= operator(trace, extent, 0.0) - 1e-9).all()
+    assert (operator(Past(raised, 0.0), extent) >= operator(Past(trace, 0.0), extent) - 1e-9).all()
 
 
 @given(TRACES, SOFT, OPERATORS)
 def test_operators_stay_between_0_and_1_and_in_shape(trace: Floats, extent: Extent, operator: object) -> None:
     assert callable(operator)
-    found = operator(trace, extent, 0.0)
+    found = operator(Past(trace, 0.0), extent)
     assert found.shape == trace.shape
     assert ((found >= 0) & (found <= 1)).all()
 
