@@ -8,13 +8,13 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import Question
-from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.faults import message_of, underlined
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.session import Started
+from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
 _UNREAD = {ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO}
@@ -50,7 +50,7 @@ class Turns:
             self._refresh(now)
             return [
                 "Say what you want done and when: flip the pancakes in about two minutes.",
-                ":help shows the commands, Ctrl-D leaves; everything is kept.",
+                f":help shows the commands, Ctrl-D leaves; {self._kept()}.",
             ]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
@@ -76,8 +76,10 @@ class Turns:
                 reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
         except FuzzytimeError as error:
             return Reply((Text(plain(str(error)), style="red"),))
+        except NotKeptError:
+            raise  # whether to go on without a memory is not decided here
         except OSError as error:
-            return Reply((Text(plain(f"{error.filename or ''}: {error.strerror or error}"), style="red"),))
+            return Reply((Text(plain(message_of(error)), style="red"),))
         return reply
 
     def tick(self, now: datetime) -> list[Line]:
@@ -90,6 +92,9 @@ class Turns:
         return lines
 
     # -- inside ---------------------------------------------------------------------------------------------
+
+    def _kept(self) -> str:
+        return "everything is kept" if self.conversation.store.path is not None else "nothing is kept"
 
     def _question_put(self) -> Pending | None:
         """Give the question that the last turn ended with; it is put once."""
