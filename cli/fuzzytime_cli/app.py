@@ -85,6 +85,7 @@ def _called(arguments: list[str]) -> int:
 
 def main() -> None:
     """Run the command as the shell does."""
+    _hold_closed_streams()
     code = run(sys.argv[1:])
     if code in {Exit.CLOSED_PIPE, Exit.IO_ERROR} and sys.stdout is not None:
         # What could not be written Python must not try to write again, and complain, on the way out.
@@ -92,3 +93,14 @@ def main() -> None:
     if code == Exit.INTERRUPT:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.exit(code)
+
+
+def _hold_closed_streams() -> None:
+    """Let what was closed by the shell (``>&-``) lead nowhere: no file that is opened may take its place."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # the lowest number that is free: this one
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - as long as the process

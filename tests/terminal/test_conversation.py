@@ -97,7 +97,7 @@ def test_a_reading_moves_what_waits_for_it() -> None:
 def test_why_explains_from_the_words_to_the_start() -> None:
     talk = Talk()
     talk.say("Place the pan on the stove in about four minutes")
-    answer = talk.say(":why 1")
+    answer = " ".join(talk.say(":why 1").split())
     assert "place ← minutes (oblique temporal) ← four (number), about (hedge), in (preposition)" in answer
     assert "rules/lookup.yaml" in answer
 

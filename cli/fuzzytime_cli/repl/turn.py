@@ -1,5 +1,6 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
+import textwrap
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -48,10 +49,12 @@ class Turns:
         entries = self.conversation.state.entries
         if not entries:
             self._refresh(now)
-            return [
+            kept = "everything" if self.conversation.store.path is not None else "nothing"
+            greeting = (
                 "Say what you want done and when: flip the pancakes in about two minutes.",
-                f":help shows the commands, Ctrl-D leaves; {self._kept()}.",
-            ]
+                f":help shows the commands, Ctrl-D leaves; {kept} is kept.",
+            )
+            return [line for sentence in greeting for line in textwrap.wrap(sentence, self.width)]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
 
@@ -92,9 +95,6 @@ class Turns:
         return lines
 
     # -- inside ---------------------------------------------------------------------------------------------
-
-    def _kept(self) -> str:
-        return "everything is kept" if self.conversation.store.path is not None else "nothing is kept"
 
     def _question_put(self) -> Pending | None:
         """Give the question that the last turn ended with; it is put once."""
