@@ -23,10 +23,12 @@ import sys
 from datetime import datetime, timezone
 from pathlib import Path
 from fuzzytime_cli.faults import exit_of
-from fuzzytime_cli.session import SessionStore
-store = SessionStore(Path(sys.argv[1]))
+from fuzzytime_cli.session import NotKeptError, open_store
+store, trouble = open_store(Path(sys.argv[1]))
 number = 0
 try:
+    if trouble:
+        raise NotKeptError(f"this is not kept: {trouble}")
     while True:
         number += 1
         text = f"step {number}"

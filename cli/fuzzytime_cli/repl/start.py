@@ -15,7 +15,7 @@ from fuzzytime_cli.assembly import Assembly, data_folder
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import message_of, report
 from fuzzytime_cli.options import Moment, Solving, Understanding
-from fuzzytime_cli.render import Screen, plain
+from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.turn import Line, Turns
@@ -88,12 +88,12 @@ class _Talk:
 
     def open(self) -> None:
         """Greet."""
-        with self.lock:
+        with self._measured():
             self.screen.write(*self.turns.opened(self.clock()))
 
     def take(self, line: str) -> tuple[bool, str]:
         """Answer a line; say whether to go on, and with which words on the prompt."""
-        with self.lock:
+        with self._measured():
             try:
                 reply = self.turns.take(line, self.clock())
             except NotKeptError as error:
@@ -102,6 +102,14 @@ class _Talk:
                 reply = Reply((Text(plain(message_of(error)), style="red"),), edit=line)
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
+
+    @contextmanager
+    def _measured(self) -> Iterator[None]:
+        """Take the turn, on the terminal as wide as it is by now."""
+        with self.lock:
+            if self.screen.interactive:
+                self.turns.width = terminal_width()
+            yield
 
     def beat(self) -> None:
         """Say what starts now; a turn that is being taken goes first."""

@@ -1,7 +1,7 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
 import textwrap
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from rich.text import Text
@@ -43,6 +43,7 @@ class Turns:
     plan: Plan | None = None
     version: int = -1
     pending: Pending | None = None
+    news: list[Started] = field(default_factory=list)
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -109,7 +110,7 @@ class Turns:
         """Plan from a moment on: what has started by then stays."""
         self.version = self.conversation.store.version(self.conversation.name)
         if self.plan is not None:
-            self.conversation.note_started(self.plan, now)
+            self.news += self.conversation.note_started(self.plan, now)
         self.plan = self.conversation.plan(now, previous=self.plan)
         return self.plan
 
@@ -117,7 +118,9 @@ class Turns:
         before = self.plan
         made = self._refresh(now)
         started = {one.identifier for one in self.conversation.store.started(self.conversation.name)}
-        lines: list[Line] = [Text(line, style="yellow") for line in move_lines(before, made, started)]
+        lines: list[Line] = [start_line(one) for one in self.news]
+        self.news.clear()
+        lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         for one in self.conversation.running(now):
             lines.append(
                 Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
@@ -167,8 +170,8 @@ def question_lines(question: Question) -> list[Line]:
 
 
 def problem_lines(problem: Problem) -> list[Line]:
-    """Give a problem as lines, with the words underlined; notes are drawn with the plan."""
-    if problem.kind is ProblemKind.NOTE:
+    """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
+    if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
         return []
     lines: list[Line] = [Text(plain(problem.message), style="red")]
     if problem.span is not None and problem.text:
