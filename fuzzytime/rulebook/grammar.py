@@ -10,6 +10,7 @@
              ["about" | "roughly" | "exactly"] NUMBER UNIT {NUMBER UNIT}
 """
 
+import math
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
@@ -196,8 +197,8 @@ class _Parser:
         length = self._stretch()
         while self._next is not None and _NUMBER.fullmatch(self._next):
             length += self._stretch()
-        if length == 0:
-            self.problems.append(Problem("a window must be longer than 0", at))
+        if not 0 < length < math.inf:
+            self.problems.append(Problem("a window must be longer than 0 and have an end", at))
         return Window(Operator(operator), Direction(direction), length, softness, part)
 
     def _stretch(self) -> float:
