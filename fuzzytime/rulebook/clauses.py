@@ -2,7 +2,7 @@
 
 "When φ" is ψ(t) = min(⟦φ⟧(t), ℓ(t − t*)): t* is the first time at which the trace reaches 0.95 of its
 maximum, ℓ is 1 for ``core`` seconds and falls to 0 over ``fade`` seconds. "While φ" is the trace itself,
-"unless φ" is "while not φ", and "until φ" is 1 as long as it has not come true.
+"until φ" is 1 as long as it has not come true.
 """
 
 import math
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fuzzytime.rulebook.drawing import drawn
-from fuzzytime.rulebook.formula import Formula, Not
+from fuzzytime.rulebook.formula import Formula
 from fuzzytime.rulebook.reasons import why_never
 from fuzzytime.rulebook.resolution import Trace
 from fuzzytime.rulebook.thinning import thinned
@@ -44,9 +44,7 @@ class Awaited:
 
 
 def wait_for(formula: Formula, model: str, core: float, fade: float, world: World, horizon: float) -> Awaited:
-    """Give ψ of a clause by its model: ``when``, ``while``, ``unless`` or ``until``."""
-    if model == "unless":
-        formula = formula.part if isinstance(formula, Not) else Not(formula)
+    """Give ψ of a clause by its model: ``when``, ``while`` or ``until``."""
     changes = world.settled(formula) + world.memory(formula)
     ahead = min(horizon, max(changes, 1.0))
     past = min(-world.first_reading(formula), max(ahead, _SHOWN_PAST))

@@ -8,12 +8,13 @@ from fuzzytime.requirement import Anchor, Condition, Constraint, Reference
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.beside import at_a_distance, not_happened, on_one_side
 from fuzzytime.rulebook.clauses import wait_for
-from fuzzytime.rulebook.formula import Formula, variables, with_hedges_of
+from fuzzytime.rulebook.formula import And, Formula, Or, Window, variables, with_hedges_of
 from fuzzytime.rulebook.inference import Base, Chosen, Heard, choose, matching, signals_of
 from fuzzytime.rulebook.lookup import Found, find
+from fuzzytime.rulebook.phrases import names
 from fuzzytime.rulebook.question import Question, Said, notes_on
 from fuzzytime.rulebook.rules import Rule
-from fuzzytime.rulebook.sentences import Understood, names, understand
+from fuzzytime.rulebook.sentences import Understood, understand
 from fuzzytime.rulebook.tables import Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.satisfaction import ALWAYS, NEVER
@@ -104,7 +105,8 @@ def _clause(question: Question) -> Said:
     rules = [
         rule
         for rule in matching(replace(requirement, condition=condition), question.verb, tables)
-        if rule.effect.model not in CLAUSE_MODELS or _is_about(rule, condition, question)
+        if rule.effect.model not in CLAUSE_MODELS
+        or (_binds_as(rule, row) and _is_about(rule, condition, question))
     ]
     heard = question.heard(rules)
     notes = (*understood.notes, *notes_on(row.name, heard))
@@ -117,12 +119,23 @@ def _clause(question: Question) -> Said:
         return _adapted(question, found, chosen, notes)
     rest = max(0.0, 1.0 - sum(part.weight for part in heard if not part.rule.effect.only_scales))
     formula = _strongest(heard, chosen.model, understood.formula, rest)
-    if formula is not None and understood.formula not in (None, formula):
+    if isinstance(understood.formula, And | Or | Window):
+        # Who says so much means just that; what rules say of core and fade stands.
+        formula = understood.formula
+    elif formula is not None and understood.formula not in (None, formula):
         formula = with_hedges_of(understood.formula, formula)
     if formula is None:
         reason = _why_not_understood(understood, rules, question)
         return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
     return _awaited(question, formula, chosen, notes)
+
+
+def _binds_as(rule: Rule, row: Row) -> bool:
+    """Tell whether a rule waits in the way that the clause's own word does, or names that word.
+
+    "When the pan is hot" has a rule of its own; "until the pan is hot" and "while it is hot" mean otherwise.
+    """
+    return rule.effect.model == row.model or "preposition" in rule.match.keys
 
 
 def _is_about(rule: Rule, condition: Condition, question: Question) -> bool:

@@ -10,7 +10,7 @@ from fuzzytime.rulebook.variables import Source
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Scalar
 
-CLAUSE_MODELS = ("when", "while", "unless", "until")
+CLAUSE_MODELS = ("when", "while", "until")
 """Models of clauses, which need no breakpoints: they follow a condition's trace."""
 
 
