@@ -29,6 +29,9 @@ from fuzzytime.scheduling.solver import Draft
 FIRST_SLOTS = 1500
 """Slots of the first grid, at least."""
 
+FINER = 20
+"""How much finer than that it may be, so that all durations are whole numbers of slots."""
+
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
@@ -122,25 +125,37 @@ class _Search:
         goal = OPTIMAL_GAP * problem.weight
         # Labels relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
-        step, enough = step_for(problem, FIRST_SLOTS), ENOUGH * max(job.weight for job in problem.jobs)
+        step, enough = step_for(problem, FIRST_SLOTS, FINER), ENOUGH * max(job.weight for job in problem.jobs)
         if bytes_for(problem, step) > watch.limits.memory:
             return
-        grid = grid_of(problem, step)
+        left, grid = problem, grid_of(problem, step)
         relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
         relaxation.improve(self.best.cost, STEPS, enough, watch)
-        self.lower, left = relaxation.lower, relaxation.narrowed(problem)
+        self.lower = relaxation.lower
+        self._repair(relaxation, enough)
         while self.best.cost - self.lower > goal and not watch.is_over():
-            step = fine_enough(problem, self.best, step, goal / 2)
-            if bytes_for(left, step) > watch.limits.memory:
-                step = relaxation.grid.step
-            if step < relaxation.grid.step:
-                relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
-                relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
             solved = self._close(relaxation)
-            relaxation.fix(self.best.cost)
-            left, step = relaxation.narrowed(left), step / REFINEMENT
+            if self.best.cost - self.lower <= goal:
+                break
+            left = relaxation.narrowed(left)
+            step = fine_enough(problem, self.best, step / REFINEMENT, goal / 2)
             if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
                 break
+            relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
+            relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
+
+    def _repair(self, relaxation: Relaxation, enough: float) -> None:
+        """Search around the relaxation's cheapest path, as long as that finds something better."""
+        known = np.inf
+        while self.best.cost < known and self.best.cost - self.lower > enough and not self.watch.is_over():
+            known = self.best.cost
+            begin = self._timed(relaxation.grid, relaxation.visited())
+            found = LocalSearch().search(self.problem, self.watch.share(0.3), begin)
+            if found.cost < known:
+                self.best = found
+                relaxation.fix(found.cost)
+                relaxation.improve(found.cost, STEPS, enough, self.watch)
+                self.lower = max(self.lower, relaxation.lower)
 
     def _close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
@@ -150,11 +165,14 @@ class _Search:
         budget, width = cells // 16, BEAM
         while not self._is_over():
             threshold = min(self.best.cost, self.lower + delta)
-            found = self._labels(relaxation, threshold, budget, None)
+            program, found = self._labels(relaxation, threshold, budget, None)
+            if self._is_over():
+                break
+            if found.exact and self.best.cost <= threshold:
+                relaxation.keep([program.used_below(self.best.cost)])
+                return True
             if found.exact:
-                if found.starts is not None or threshold >= self.best.cost:
-                    return True
-                delta *= 2
+                delta = 2 * delta if found.starts is None else np.inf
                 continue
             if budget >= cells:
                 return False
@@ -166,7 +184,9 @@ class _Search:
     def _is_over(self) -> bool:
         return self.best.cost - self.lower <= CLOSED * self.problem.weight or self.watch.is_over()
 
-    def _labels(self, relaxation: Relaxation, threshold: float, cells: int, width: int | None) -> Found:
+    def _labels(
+        self, relaxation: Relaxation, threshold: float, cells: int, width: int | None
+    ) -> tuple[LabelProgram, Found]:
         """Run labels below a threshold once, and learn from what they find."""
         grid, prices = relaxation.grid, relaxation.prices
         (arcs,) = relaxation.arcs_below(threshold)
@@ -176,17 +196,16 @@ class _Search:
         program = LabelProgram(arcs, grid.durations, grid.slots, prices, base, before)
         found = program.run(threshold, self.watch, cells, width)
         if found.starts is not None:
-            self._learn(grid, found.starts)
+            draft = self._timed(grid, found.starts)
+            self.best = draft if draft.cost < self.best.cost else self.best
         if found.exact:
             self.lower = max(self.lower, min(found.cost, threshold))
-        return found
+        return program, found
 
-    def _learn(self, grid: Grid, slots: Ints) -> None:
-        """Time the order that labels found, with what they leave out where it was."""
+    def _timed(self, grid: Grid, slots: Ints) -> Draft:
+        """Time the order of some starts, with what takes no slot where it was."""
         hints = np.where(slots >= 0, grid.times(slots), np.nan)
         instant = grid.durations == 0
         hints[instant] = self.best.starts[instant]
         agents = np.full(slots.size, self.problem.lanes[0].agents[0], np.int64)
-        draft = settled(self.problem, hints, agents, 2 * grid.step)
-        if draft.cost < self.best.cost:
-            self.best = draft
+        return settled(self.problem, hints, agents, 2 * grid.step)

@@ -79,11 +79,11 @@ ROUND_STEPS = tuple(
 """Steps that people's times are whole numbers of, from long to short."""
 
 
-def step_for(problem: Problem, slots: int) -> float:
+def step_for(problem: Problem, slots: int, finer: float = 5) -> float:
     """Give a round step that lays at least so many slots over a problem's horizon.
 
-    Of the steps down to a fifth of the longest such one, the longest that divides all durations is taken;
-    where none does, the longest.
+    Of the steps down to so much finer than the longest such one, the longest that divides all durations is
+    taken; where none does, the longest.
     """
     first = min(job.earliest for job in problem.jobs)
     last = max(job.latest + job.duration for job in problem.jobs)
@@ -92,7 +92,7 @@ def step_for(problem: Problem, slots: int) -> float:
     fine = [step for step in sorted(ROUND_STEPS, reverse=True) if step * slots <= span] or [span / slots]
     for step in fine:
         shares = durations / step
-        if step < fine[0] / 5 * (1 - ROUNDING):
+        if step < fine[0] / finer * (1 - ROUNDING):
             break
         if (np.abs(shares - np.rint(shares)) <= ROUNDING * np.maximum(1.0, shares)).all():
             return step

@@ -7,8 +7,9 @@ cleared, and labels that have become equal are one. With
 
     cost(label) = base + Σ over done jobs of (c + λ) + Σ over closed jobs not done of λ
 
-and B the cheapest path to the end at the same prices (`fuzzytime.scheduling.paths`), every schedule that
-continues a label costs at least cost + B[t]: labels for which that reaches the threshold are dropped. So a
+and B the cheapest path to the end at the same prices (`fuzzytime.scheduling.paths`) that does not begin with
+a job of S, every schedule that continues a label costs at least cost + B[t]: labels for which that reaches the
+threshold are dropped. So a
 schedule that is found is optimal, and where none is found every schedule costs at least the threshold, unless
 something else was cut off: by the width of a beam, or for want of room.
 
@@ -28,7 +29,7 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.memory import Masks, memory_for
-from fuzzytime.scheduling.paths import Arcs, block_bounds, values_to_end
+from fuzzytime.scheduling.paths import Arcs, Ways, block_bounds, ways_to_end
 
 LONGEST_BLOCK = 64
 
@@ -51,6 +52,30 @@ class _Piece(NamedTuple):
     cost: Floats
     column: int
     origin: int
+
+
+class _Ahead(NamedTuple):
+    """The cheapest ways from each slot to the end, the bits of their first jobs, and the second cheapest."""
+
+    cost: Floats
+    first: Masks
+    second: Floats
+
+    @classmethod
+    def of(cls, beyond: Ways, bounds: Ints, opens: Ints, bits: Masks) -> "_Ahead":
+        """Lay ways to the end over blocks; what opens later may share its bit, and gives none."""
+        size = int(bounds[-1])
+        block = np.repeat(np.arange(bounds.size - 1), np.diff(bounds))[: beyond.last.size]
+        known = (beyond.last >= 0) & (opens[beyond.last] <= block)
+        cost, second, first = np.zeros(size), np.zeros(size), np.zeros(size, np.uint64)
+        cost[: known.size], second[: known.size] = beyond.cost, beyond.second
+        first[: known.size] = np.where(known, bits[beyond.last], 0)
+        return cls(cost, first, second)
+
+    def at(self, masks: Masks, begin: int, stop: int) -> Floats:
+        """Give for each set, for each slot, what the rest costs at least: its first job is not done yet."""
+        done = (masks[:, None] & self.first[begin:stop]) != 0
+        return np.where(done, self.second[begin:stop], self.cost[begin:stop])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,23 +118,24 @@ class Labels:
         base: float,
         before: Sequence[Sequence[int]],
     ) -> None:
-        self.durations, self.prices = durations, prices
+        self._arcs, self.durations, self.prices = arcs, durations, prices
         count, duration = durations.size, durations[arcs.job]
         longest = min(LONGEST_BLOCK, int(durations.max(initial=1)))
         self.bounds = block_bounds(0, slots, arcs.start, duration, longest)
         self.blocks = self.bounds.size - 1
-        self.beyond = np.zeros(int(self.bounds[-1]))
-        self.beyond[: slots + 1] = values_to_end(arcs, durations, slots, prices)
+        beyond = ways_to_end(arcs, durations, slots, prices)
         block = np.searchsorted(self.bounds, arcs.start, "right") - 1
         opens, closes = np.full(count, self.blocks), np.full(count, -1)
         np.minimum.at(opens, arcs.job, block)
         np.maximum.at(closes, arcs.job, block)
         self.memory = memory_for(opens, closes, self.blocks, before, prices)
         bit = self.memory.of_job
+        self.ahead = _Ahead.of(beyond, self.bounds, opens, bit)
         # What has no bit is rejected: for want of starts, or, incomplete, for want of bits.
         self.base = base + float(prices[bit == 0].sum())
         self.needed = [np.bitwise_or.reduce(bit[list(firsts)], initial=np.uint64(0)) for firsts in before]
         possible = [bool(bit[job]) and all(bit[first] for first in before[job]) for job in range(count)]
+        self._history: list[tuple[Masks, Floats] | None] = []
         self.moves: list[list[_Move]] = [[] for _ in range(self.blocks)]
         order = np.lexsort((arcs.start, arcs.job, block))
         key = (block * count + arcs.job)[order]
@@ -117,13 +143,14 @@ class Labels:
         for low, high in pairwise(cuts.tolist() if key.size else ()):
             number, job = divmod(int(key[low]), count)
             if possible[job]:
-                self.moves[number].append(self._move(arcs.select(order[low:high]), job, number))
+                self.moves[number].append(self._move(arcs.select(order[low:high]), job, number, beyond))
 
-    def _move(self, arcs: Arcs, job: int, number: int) -> _Move:
+    def _move(self, arcs: Arcs, job: int, number: int, beyond: Ways) -> _Move:
         first, end = int(arcs.start[0]), int(arcs.end[0])
         cost = np.full(int(arcs.start[-1]) - first + 1, np.inf)
         cost[arcs.start - first] = arcs.gain + self.prices[job]
-        return _Move(job, first - int(self.bounds[number]), cost, cost + self.beyond[end : end + cost.size])
+        after = beyond.without(np.arange(end, end + cost.size), np.array(job))
+        return _Move(job, first - int(self.bounds[number]), cost, cost + after)
 
     def run(self, threshold: float, watch: Stopwatch, cells: int, width: int | None = None) -> Found:
         """Search the best schedule that costs less than a threshold.
@@ -141,7 +168,7 @@ class Labels:
         """
         limit = threshold - self.base
         exact, used = self.memory.complete, 0
-        history: list[tuple[Masks, Floats] | None] = [None] * self.blocks
+        history = self._history = [None] * self.blocks
         arriving: list[list[_Piece]] = [[] for _ in range(self.blocks)]
         arriving[0].append(_Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
         for number in range(self.blocks):
@@ -150,11 +177,11 @@ class Labels:
             begin, stop = int(self.bounds[number]), int(self.bounds[number + 1])
             masks, cost = self._merged(arriving[number], number, stop - begin)
             arriving[number] = []
-            total = cost + self.beyond[begin:stop]
+            total = cost + self.ahead.at(masks, begin, stop)
             promising = total < limit
             alive = np.flatnonzero(promising.any(axis=1))
             if width is not None and alive.size > width:
-                alive = np.argpartition(total.min(axis=1), width - 1)[:width]
+                alive = np.sort(np.argpartition(total.min(axis=1), width - 1)[:width])
                 exact = False
             if not alive.size:
                 continue
@@ -167,36 +194,87 @@ class Labels:
             for move in self.moves[number]:
                 if used > cells or watch.is_over():
                     return Found(exact=False)
-                used += self._add(move, masks, cost, limit, number, arriving)
-        return self._best(history, limit, exact=exact)
+                rows, columns, after = self._done(move, masks, cost, limit)
+                used += after.size
+                for block, column, here in self._landings(number, move, columns):
+                    piece = after[:, here]
+                    some = np.isfinite(piece).any(axis=1)
+                    if some.any():
+                        sets = masks[rows[some]] | self.memory.of_job[move.job]
+                        arriving[block].append(_Piece(sets, piece[some], column, number))
+        return self._best(limit, exact=exact)
 
-    def _add(
-        self, move: _Move, masks: Masks, cost: Floats, limit: float, number: int, arriving: list[list[_Piece]]
-    ) -> int:
-        """Add a job to all labels of a block that may do it; give how many numbers that took."""
+    def _done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
+        """Add a job to all labels of a block that may do it: rows, columns, and costs, inf above the limit."""
         bit, needed = self.memory.of_job[move.job], self.needed[move.job]
         rows = np.flatnonzero((masks & (bit | needed)) == needed)
         before = cost[rows, move.column : move.column + move.cost.size]
         below = before + move.total < limit
         some = below.any(axis=1)
-        if not some.any():
-            return 0
         columns = np.flatnonzero(below.any(axis=0))
+        if not columns.size:
+            return rows[:0], slice(0, 0), np.empty((0, 0))
         low, high = int(columns[0]), int(columns[-1]) + 1
         after = np.where(below[some, low:high], before[some, low:high] + move.cost[low:high], np.inf)
-        masks = masks[rows[some]] | bit
-        begin = int(self.bounds[number]) + move.column + low + int(self.durations[move.job])
-        size = int(after.size)
-        block = int(np.searchsorted(self.bounds, begin, "right")) - 1
-        while after.shape[1]:
-            taken = min(after.shape[1], int(self.bounds[block + 1]) - begin)
-            piece = after[:, :taken]
-            some = np.isfinite(piece).any(axis=1)
-            if some.any():
-                column = begin - int(self.bounds[block])
-                arriving[block].append(_Piece(masks[some], piece[some], column, number))
-            after, begin, block = after[:, taken:], begin + taken, block + 1
-        return size
+        return rows[some], slice(move.column + low, move.column + high), after
+
+    def _landings(self, number: int, move: _Move, columns: slice) -> Iterator[tuple[int, int, slice]]:
+        """Tell where a job that starts in some columns of a block ends.
+
+        Gives the block, the column there from which on, and the part of the columns that ends in it.
+        """
+        end = int(self.bounds[number]) + columns.start + int(self.durations[move.job])
+        size, done = columns.stop - columns.start, 0
+        block = int(np.searchsorted(self.bounds, end, "right")) - 1
+        while done < size:
+            taken = min(size - done, int(self.bounds[block + 1]) - end)
+            yield block, end - int(self.bounds[block]), slice(done, done + taken)
+            end, done, block = end + taken, done + taken, block + 1
+
+    def used_below(self, threshold: float) -> Arcs:
+        """Give the arcs of all schedules that cost less than a threshold, after an exact run up to it.
+
+        A second sweep, from the end back, tells for every label what the rest costs at least.
+        """
+        limit, count = threshold - self.base, self.durations.size
+        rest: list[Floats] = [np.empty((0, 0))] * (self.blocks + 1)
+        used: list[Ints] = [np.empty(0, np.int64)]
+        for number in reversed(range(self.blocks)):
+            masks, cost = self._history[number] or (np.empty(0, np.uint64), np.empty((0, 0)))
+            if not masks.size:
+                continue
+            here = np.full(cost.shape, np.inf)
+            here[:, -1] = self._onward(rest, number, number + 1, masks, slice(0, 1))[:, 0]
+            for move in self.moves[number]:
+                rows, columns, after = self._done(move, masks, cost, limit)
+                sets = masks[rows] | self.memory.of_job[move.job]
+                for block, column, part in self._landings(number, move, columns):
+                    landing = slice(column, column + part.stop - part.start)
+                    onward = self._onward(rest, number, block, sets, landing)
+                    through = np.flatnonzero((after[:, part] + onward < limit).any(axis=0))
+                    first = columns.start + part.start
+                    used.append((int(self.bounds[number]) + first + through) * count + move.job)
+                    added = move.cost[first - move.column :][: onward.shape[1]]
+                    place = np.ix_(rows, np.arange(first, first + onward.shape[1]))
+                    here[place] = np.minimum(here[place], onward + added)
+            rest[number] = np.minimum.accumulate(here[:, ::-1], axis=1)[:, ::-1]
+        key = self._arcs.start * count + self._arcs.job
+        return self._arcs.select(np.isin(key, np.concatenate(used)))
+
+    def _onward(
+        self, rest: Sequence[Floats], origin: int, block: int, masks: Masks, columns: slice
+    ) -> Floats:
+        """Give what sets that are carried into a block cost from its columns on; inf where none was kept."""
+        sets, extra = self.memory.closed(origin, block, masks)
+        if block == self.blocks:
+            return extra[:, None]
+        known = self._history[block]
+        if known is None:
+            return np.full((masks.size, columns.stop - columns.start), np.inf)
+        row = np.minimum(np.searchsorted(known[0], sets), known[0].size - 1)
+        onward = rest[block][row, columns] + extra[:, None]
+        onward[known[0][row] != sets] = np.inf
+        return onward
 
     def _merged(self, pieces: list[_Piece], block: int, width: int) -> tuple[Masks, Floats]:
         """Make one matrix of all pieces that arrive in a block, each set once, then let time pass."""
@@ -216,33 +294,33 @@ class Labels:
             merged[rows, columns] = np.minimum(merged[rows, columns], cost)
         return masks, np.minimum.accumulate(merged, axis=1, out=merged)
 
-    def _best(self, history: list[tuple[Masks, Floats] | None], limit: float, *, exact: bool) -> Found:
+    def _best(self, limit: float, *, exact: bool) -> Found:
         """Give the best label of the last block."""
-        last = history[-1]
+        last = self._history[-1]
         if last is None:
             return Found(exact)
         final = last[1][:, -1] + self.memory.closed(self.blocks - 1, self.blocks, last[0])[1]
         row = int(final.argmin())
         if final[row] >= limit:
             return Found(exact)
-        return Found(exact, float(final[row] + self.base), self._traced(history, row))
+        return Found(exact, float(final[row] + self.base), self._traced(row))
 
-    def _traced(self, history: list[tuple[Masks, Floats] | None], row: int) -> Ints:
+    def _traced(self, row: int) -> Ints:
         """Walk back along equal costs from a label of the last block."""
         starts = np.full(self.durations.size, -1, np.int64)
         slack = ROUNDING * max(1.0, float(self.prices.max(initial=0.0)))
         block, column = self.blocks - 1, -1
         while True:
-            masks, cost = history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
+            masks, cost = self._history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
             value = cost[row, column] + slack
             column = int((cost[row] <= value).argmax())  # at the first slot with this cost something arrived
             slot = int(self.bounds[block]) + column
             if slot == 0:
                 return starts
-            for job, origin, past_column, added in self._arrivals(history, block, column, slot):
+            for job, origin, past_column, added in self._arrivals(block, column, slot):
                 bit = self.memory.of_job[job] if job is not None else np.uint64(0)
                 needed = self.needed[job] if job is not None else np.uint64(0)
-                past, past_cost = history[origin] or (masks, cost)
+                past, past_cost = self._history[origin] or (masks, cost)
                 after, extra = self.memory.closed(origin, block, past | bit)
                 same = (after == masks[row]) & ((past & (bit | needed)) == needed)
                 same &= past_cost[:, past_column] + added + extra <= value
@@ -254,15 +332,13 @@ class Labels:
             else:  # pragma: no cover - every label has a predecessor
                 raise RuntimeError("a label without a predecessor")
 
-    def _arrivals(
-        self, history: list[tuple[Masks, Floats] | None], block: int, column: int, slot: int
-    ) -> Iterator[tuple[int | None, int, int, float]]:
+    def _arrivals(self, block: int, column: int, slot: int) -> Iterator[tuple[int | None, int, int, float]]:
         """Give what may arrive at a slot: idling over a block's edge (no job), or a job that ends there."""
-        if column == 0 and history[block - 1] is not None:
+        if column == 0 and self._history[block - 1] is not None:
             yield None, block - 1, -1, 0.0
         origins = np.searchsorted(self.bounds, slot - self.durations, "right") - 1
         for origin in np.unique(origins[origins >= 0]).tolist():
-            for move in self.moves[origin] if history[origin] is not None else ():
+            for move in self.moves[origin] if self._history[origin] is not None else ():
                 place = slot - int(self.durations[move.job] + self.bounds[origin])
                 if origins[move.job] == origin and move.column <= place < move.column + move.cost.size:
                     yield move.job, origin, place, float(move.cost[place - move.column])

@@ -147,16 +147,15 @@ class _Stretch:
                 ends[agent] = min(ends[agent], plan.slots[job])
         self.origin = min(begins.values())
         self.durations = {job: durations[job] for job in members}
+        placed = [job for job in members if plan.placed[job]]
+        placed.sort(key=lambda job: (plan.slots[job], self.durations[job], job))
+        self.agent_of = {job: plan.agents[job] for job in placed}
         self.orders = {}
         for agent, lane in plan.lanes.items():
             begin, end = begins[agent] - self.origin, ends[agent] - self.origin
             curves = {job: self._cut(grid.curves[job][lane], job, end) for job in members}
-            self.orders[agent] = Order(curves, self.durations, begin, max(end, begin))
-        self.agent_of: dict[int, int] = {}
-        for job in sorted(members, key=lambda job: (plan.slots[job], self.durations[job], job)):
-            if plan.placed[job]:
-                agent = self.agent_of[job] = plan.agents[job]
-                self.orders[agent].insert(len(self.orders[agent].sequence), job)
+            mine = [job for job in placed if plan.agents[job] == agent]
+            self.orders[agent] = Order(curves, self.durations, begin, max(end, begin), mine)
         for job in members:
             if job not in self.agent_of:
                 self.reinsert(job)
@@ -177,9 +176,8 @@ class _Stretch:
 
     def reinsert(self, job: int) -> bool:
         """Put a job where it is best, and tell whether that gained anything."""
-        agent, place, now = self.agent_of.get(job), 0, self.gain
-        if agent is not None:
-            place = self.orders[agent].remove(job)
+        agent, now = self.agent_of.get(job), self.gain
+        removed = self.orders[agent].remove(job) if agent is not None else None
         rest = self.gain
         best, target, where = min(
             (rest - order.gain + cost, name, where)
@@ -190,8 +188,8 @@ class _Stretch:
             self.agent_of[job] = target
             self.orders[target].insert(where, job)
             return True
-        if agent is not None:
-            self.orders[agent].insert(place, job)
+        if agent is not None and removed is not None:
+            self.orders[agent].put_back(removed)
         return False
 
     def settle(self) -> None:

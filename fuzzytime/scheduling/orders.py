@@ -9,11 +9,22 @@ Job i put in at place k then makes the whole cost min over t of F_k(t) + c_i(t) 
 holds all places.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 import numpy as np
 
+from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Curve
+
+
+class Removed(NamedTuple):
+    """A job that was taken out, its place, and the rows of the tables that changed with that."""
+
+    job: int
+    place: int
+    forward: Floats
+    backward: Floats
 
 
 class Order:
@@ -27,17 +38,25 @@ class Order:
         Slots for each job.
     begin, end
         The slots between which the agent is free.
+    sequence
+        The jobs to begin with.
     """
 
     def __init__(
-        self, curves: Mapping[int, Curve], durations: Mapping[int, int], begin: int, end: int
+        self,
+        curves: Mapping[int, Curve],
+        durations: Mapping[int, int],
+        begin: int,
+        end: int,
+        sequence: Sequence[int] = (),
     ) -> None:
         self.curves = dict(curves)
         self.durations = durations
-        self.sequence: list[int] = []
+        self.sequence = list(sequence)
         self._forward = np.zeros((len(curves) + 1, end + 1))
         self._forward[0, :begin] = np.inf
         self._backward = np.zeros((len(curves) + 1, end + 1))
+        self._fill(0, len(self.sequence))
 
     @property
     def gain(self) -> float:
@@ -51,30 +70,46 @@ class Order:
             curve, duration = self.curves[job], self.durations[job]
             row, before = self._forward[place + 1], self._forward[place]
             row[:] = before
+            if not curve.gains.size:
+                continue
             ends = row[curve.first + duration : curve.stop + duration]
             np.minimum(ends, before[curve.first : curve.stop] + curve.gains, out=ends)
-            late = row[curve.first + duration :]
-            np.minimum.accumulate(late, out=late)
+            np.minimum.accumulate(ends, out=ends)
+            # F does not rise, so that one number is all that the rest has to learn.
+            late = row[curve.stop + duration :]
+            np.minimum(late, ends[-1], out=late)
         for place in range(last - 1, -1, -1):
             job = self.sequence[place]
             curve, duration = self.curves[job], self.durations[job]
             row, after = self._backward[place], self._backward[place + 1]
             row[:] = after
+            if not curve.gains.size:
+                continue
             starts = row[curve.first : curve.stop]
             np.minimum(
                 starts, after[curve.first + duration : curve.stop + duration] + curve.gains, out=starts
             )
-            early = row[: curve.stop][::-1]
-            np.minimum.accumulate(early, out=early)
+            np.minimum.accumulate(starts[::-1], out=starts[::-1])
+            early = row[: curve.first]
+            np.minimum(early, starts[0], out=early)
 
-    def remove(self, job: int) -> int:
-        """Take a job out, and give its place."""
-        place = self.sequence.index(job)
+    def remove(self, job: int) -> "Removed":
+        """Take a job out, and give what it takes to put it back."""
+        place, count = self.sequence.index(job), len(self.sequence)
+        forward, backward = self._forward[place + 1 : count + 1], self._backward[: place + 1]
+        removed = Removed(job, place, forward.copy(), backward.copy())
         del self.sequence[place]
-        count = len(self.sequence)
-        self._backward[place : count + 1] = self._backward[place + 1 : count + 2]
+        self._backward[place:count] = self._backward[place + 1 : count + 1]
         self._fill(place, place)
-        return place
+        return removed
+
+    def put_back(self, removed: "Removed") -> None:
+        """Put the job back that was taken out last, where it was."""
+        place, count = removed.place, len(self.sequence)
+        self._backward[place + 1 : count + 2] = self._backward[place : count + 1]
+        self.sequence.insert(place, removed.job)
+        self._forward[place + 1 : count + 2] = removed.forward
+        self._backward[: place + 1] = removed.backward
 
     def insert(self, place: int, job: int) -> None:
         """Put a job in at a place."""

@@ -20,7 +20,7 @@ from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.multipliers import Multipliers
 from fuzzytime.scheduling.orders import Order
-from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, values_to_end
+from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, ways_to_end
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.settle import lanes_of_agents, sequences
 from fuzzytime.scheduling.solver import Draft
@@ -66,8 +66,9 @@ class Relaxation:
         """Give D and a gradient."""
         value, gradient = self.base - float(prices.sum()), np.full(prices.size, -1.0)
         for agents, paths in zip(self.agents, self._paths, strict=True):
-            value += agents * float(paths.run(prices)[-1])
-            gradient += agents * paths.visits()
+            value += agents * float(paths.run(prices).cost[-1])
+            visited = [job for job, _ in paths.path()]
+            gradient += agents * np.bincount(visited, minlength=prices.size)
         return value, gradient
 
     def improve(self, upper: float, steps: int, enough: float, watch: Stopwatch) -> None:
@@ -96,9 +97,9 @@ class Relaxation:
         value, _ = self.evaluate(prices)
         for arcs, paths in zip(self.arcs, self._paths, strict=True):
             forward = paths.run(prices)
-            backward = values_to_end(arcs, self.grid.durations, self.grid.slots, prices)
-            through = forward[arcs.start] + arcs.gain + prices[arcs.job] + backward[arcs.end]
-            found.append(value - forward[-1] + through)
+            backward = ways_to_end(arcs, self.grid.durations, self.grid.slots, prices)
+            through = forward.without(arcs.start, arcs.job) + backward.without(arcs.end, arcs.job)
+            found.append(value - forward.cost[-1] + through + arcs.gain + prices[arcs.job])
         return found
 
     def arcs_below(self, limit: float) -> list[Arcs]:
@@ -106,9 +107,28 @@ class Relaxation:
         pairs = zip(self.arcs, self.reduced_costs(), strict=True)
         return [arcs.select(reduced < limit) for arcs, reduced in pairs]
 
+    def visited(self) -> Ints:
+        """Give the starts of the jobs that the best bound's paths visit, −1 for others.
+
+        Of several visits of one job that which satisfies most counts.
+        """
+        self.evaluate(self.prices)
+        starts, least = np.full(self.prices.size, -1), np.full(self.prices.size, np.inf)
+        for lane, paths in enumerate(self._paths):
+            for job, slot in paths.path():
+                curve = self.grid.curves[job][lane]
+                gain = curve.gains[slot - curve.first]
+                if gain < least[job]:
+                    starts[job], least[job] = slot, gain
+        return starts
+
     def fix(self, upper: float) -> None:
         """Delete the arcs that no schedule better than a known one uses."""
-        self.arcs = self.arcs_below(upper)
+        self.keep(self.arcs_below(upper))
+
+    def keep(self, arcs: list[Arcs]) -> None:
+        """Go on with these arcs only, for each lane."""
+        self.arcs = arcs
         self._paths = [Paths(arcs, self.grid.durations, self.grid.slots) for arcs in self.arcs]
 
     def narrowed(self, problem: Problem) -> Problem:
@@ -149,9 +169,7 @@ def prices_from(problem: Problem, grid: Grid, draft: Draft) -> Floats:
     for agent, row in sequences(problem, draft.starts, draft.agents).items():
         lane = lanes_of_agents(problem)[agent]
         curves = {job: grid.curves[job][lane] for job in row}
-        order = Order(curves, dict(enumerate(grid.durations.tolist())), 0, grid.slots)
-        for place, job in enumerate(row):
-            order.insert(place, job)
+        order = Order(curves, dict(enumerate(grid.durations.tolist())), 0, grid.slots, row)
         for job, price in order.prices().items():
             prices[job] = price
     return prices
