@@ -14,7 +14,7 @@ from typing import ClassVar
 import numpy as np
 
 from fuzzytime.errors import RefusedError
-from fuzzytime.satisfaction import cell_chord_errors
+from fuzzytime.satisfaction import Floats, cell_chord_errors
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
@@ -34,6 +34,9 @@ FINER = 20
 
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
+
+FASTEST_REFINEMENT = 8
+"""How much finer at most: what one grid deletes, the next need not have."""
 
 MOST_SLOTS = 1 << 18
 """Slots of the finest grid."""
@@ -118,11 +121,12 @@ class _Search:
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         self.problem, self.watch = problem, watch
         self.best, self.lower = best, 0.0
+        self.goal = OPTIMAL_GAP * problem.weight
+        self._repaired: Floats | None = None
 
     def run(self) -> None:
         """Bound and solve grid after grid until the gap closes or a limit is met."""
         problem, watch = self.problem, self.watch
-        goal = OPTIMAL_GAP * problem.weight
         # Labels relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
         step, enough = step_for(problem, FIRST_SLOTS, FINER), ENOUGH * max(job.weight for job in problem.jobs)
@@ -132,54 +136,54 @@ class _Search:
         relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
         relaxation.improve(self.best.cost, STEPS, enough, watch)
         self.lower = relaxation.lower
-        self._repair(relaxation, enough)
-        while self.best.cost - self.lower > goal and not watch.is_over():
+        while self.best.cost - self.lower > self.goal and not watch.is_over():
             solved = self._close(relaxation)
-            if self.best.cost - self.lower <= goal:
+            if self.best.cost - self.lower <= self.goal:
                 break
             left = relaxation.narrowed(left)
-            step = fine_enough(problem, self.best, step / REFINEMENT, goal / 2)
+            finest = fine_enough(problem, self.best, step / REFINEMENT, self.goal / 2)
+            step = max(finest, step / FASTEST_REFINEMENT)
             if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
                 break
             relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
             relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
 
-    def _repair(self, relaxation: Relaxation, enough: float) -> None:
-        """Search around the relaxation's cheapest path, as long as that finds something better."""
-        known = np.inf
-        while self.best.cost < known and self.best.cost - self.lower > enough and not self.watch.is_over():
-            known = self.best.cost
-            begin = self._timed(relaxation.grid, relaxation.visited())
-            found = LocalSearch().search(self.problem, self.watch.share(0.3), begin)
-            if found.cost < known:
-                self.best = found
-                relaxation.fix(found.cost)
-                relaxation.improve(found.cost, STEPS, enough, self.watch)
-                self.lower = max(self.lower, relaxation.lower)
-
     def _close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
-        delta = 0.01 * self.lower + ENOUGH * max(job.weight for job in self.problem.jobs)
+        delta = 0.1 * (self.best.cost - self.lower) + ENOUGH * max(job.weight for job in self.problem.jobs)
         budget, width = cells // 16, BEAM
         while not self._is_over():
             threshold = min(self.best.cost, self.lower + delta)
             program, found = self._labels(relaxation, threshold, budget, None)
-            if self._is_over():
-                break
+            if self.best.cost - self.lower <= self.goal:
+                return True
             if found.exact and self.best.cost <= threshold:
                 relaxation.keep([program.used_below(self.best.cost)])
                 return True
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
-                continue
-            if budget >= cells:
+            elif budget < cells:
+                budget, width = 4 * budget, 6 * width
+                self._repair(relaxation)
+                self._labels(relaxation, min(self.best.cost, self.lower + 4 * delta), cells, width)
+            else:
                 return False
-            budget, width = 4 * budget, 6 * width
-            if not self._is_over():
-                self._labels(relaxation, self.best.cost, cells, width)
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
+
+    def _repair(self, relaxation: Relaxation) -> None:
+        """Search around the cheapest path of the relaxation, once for the same prices."""
+        if relaxation.prices is self._repaired:
+            return
+        self._repaired = relaxation.prices
+        begin = self._timed(relaxation.grid, relaxation.visited())
+        found = LocalSearch().search(self.problem, self.watch.share(0.3), begin)
+        if found.cost < self.best.cost:
+            self.best = found
+            relaxation.fix(found.cost)
+            relaxation.improve(found.cost, STEPS, self.goal, self.watch)
+            self.lower = max(self.lower, relaxation.lower)
 
     def _is_over(self) -> bool:
         return self.best.cost - self.lower <= CLOSED * self.problem.weight or self.watch.is_over()

@@ -8,10 +8,13 @@ cleared, and labels that have become equal are one. With
     cost(label) = base + Σ over done jobs of (c + λ) + Σ over closed jobs not done of λ
 
 and B the cheapest path to the end at the same prices (`fuzzytime.scheduling.paths`) that does not begin with
-a job of S, every schedule that continues a label costs at least cost + B[t]: labels for which that reaches the
-threshold are dropped. So a
-schedule that is found is optimal, and where none is found every schedule costs at least the threshold, unless
-something else was cut off: by the width of a beam, or for want of room.
+a job of S, every schedule that continues a label costs at least cost + B[t]: labels for which that reaches
+the threshold are dropped. So a schedule that is found is optimal, and where none is found every schedule
+costs at least the threshold, unless something else was cut off: by the width of a beam, or for want of room.
+
+After an exact run a second sweep, from the end back, knows for every label what the rest costs at least, so
+that all starts can be deleted that no schedule below the threshold uses: far more than the bound deletes, and
+the next, finer grid is small.
 
 Labels come in blocks of slots no longer than the shortest job that starts in them: a matrix (set × slot), and
 a job is added to all sets and slots of a block at once. Tanaka, Fujikuma and Araki, An exact algorithm for
@@ -205,7 +208,7 @@ class Labels:
         return self._best(limit, exact=exact)
 
     def _done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
-        """Add a job to all labels of a block that may do it: rows, columns, and costs, inf above the limit."""
+        """Add a job to the labels of a block that may do it: rows, columns, costs, inf above the limit."""
         bit, needed = self.memory.of_job[move.job], self.needed[move.job]
         rows = np.flatnonzero((masks & (bit | needed)) == needed)
         before = cost[rows, move.column : move.column + move.cost.size]

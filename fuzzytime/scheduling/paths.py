@@ -171,7 +171,8 @@ class Paths:
                 arriving = scratch[:-2]
                 cost.take(source, out=arriving, mode="clip")
                 again = np.nonzero(last.take(source, mode="clip") == jobs)
-                arriving[again] = second[source[again]]
+                if again[0].size:
+                    arriving[again] = second[source[again]]
                 np.add(arriving, weight, out=arriving)
                 np.minimum.accumulate(scratch, axis=1, out=scratch)
             best = scratch.argmin(axis=0)
