@@ -76,6 +76,11 @@ def misspelt(name: str) -> str | None:
     return nearest(name, UNITS, 0.74 if len(name) > 3 and name.isalpha() else 1.0)
 
 
+def symbol(unit: str | None) -> str:
+    """Give a unit as people write it."""
+    return {"degC": "\u00b0C", "degF": "\u00b0F"}.get(unit or "", unit or "")
+
+
 def convert(value: float, source: str, target: str) -> float:
     """Convert a value between two units.
 

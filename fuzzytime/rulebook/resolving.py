@@ -8,7 +8,7 @@ from fuzzytime.requirement import Anchor, Condition, Constraint, Reference
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.beside import at_a_distance, not_happened, on_one_side
 from fuzzytime.rulebook.clauses import wait_for
-from fuzzytime.rulebook.formula import And, Formula, Or, Window, variables, with_hedges_of
+from fuzzytime.rulebook.formula import Formula, variables, with_hedges_of
 from fuzzytime.rulebook.inference import Base, Chosen, Heard, choose, matching, signals_of
 from fuzzytime.rulebook.lookup import Found, find
 from fuzzytime.rulebook.phrases import names
@@ -57,7 +57,7 @@ def _timed(question: Question) -> Said:
     if chosen.model in CLAUSE_MODELS:
         formula = _strongest(heard, chosen.model, None, 0.0)
         if formula is not None:
-            return _awaited(question, formula, chosen, notes)
+            return _awaited(question, formula, chosen, heard, notes)
     return _adapted(question, found, chosen, notes)
 
 
@@ -119,15 +119,16 @@ def _clause(question: Question) -> Said:
         return _adapted(question, found, chosen, notes)
     rest = max(0.0, 1.0 - sum(part.weight for part in heard if not part.rule.effect.only_scales))
     formula = _strongest(heard, chosen.model, understood.formula, rest)
-    if isinstance(understood.formula, And | Or | Window):
+    if understood.composed:
         # Who says so much means just that; what rules say of core and fade stands.
         formula = understood.formula
     elif formula is not None and understood.formula not in (None, formula):
         formula = with_hedges_of(understood.formula, formula)
     if formula is None:
-        reason = _why_not_understood(understood, rules, question)
+        reason = understood.reason if understood.composed else None
+        reason = reason or _why_not_understood(understood, rules, question)
         return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
-    return _awaited(question, formula, chosen, notes)
+    return _awaited(question, formula, chosen, heard, notes)
 
 
 def _binds_as(rule: Rule, row: Row) -> bool:
@@ -164,7 +165,9 @@ def _strongest(heard: tuple[Heard, ...], model: str, own: Formula | None, rest: 
     return formula
 
 
-def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[str, ...]) -> Said:
+def _awaited(
+    question: Question, formula: Formula, chosen: Chosen, heard: tuple[Heard, ...], notes: tuple[str, ...]
+) -> Said:
     core, fade = chosen.core * chosen.scale, chosen.fade * chosen.scale
     awaited = wait_for(formula, chosen.model, core, fade, question.world([formula]), question.horizon)
     parameters = {"core": core, "fade": fade} if chosen.model == "when" else {}
@@ -174,7 +177,7 @@ def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[
         satisfaction=awaited.satisfaction,
         model=chosen.model,
         parameters=MappingProxyType(parameters),
-        shares=chosen.shares,
+        shares=question.explained(formula, chosen.shares, heard),
         reason=awaited.reason,
         notes=notes,
         trace=awaited.trace,

@@ -22,12 +22,16 @@ from fuzzytime.rulebook.variables import Term, Variable
 
 @dataclass(frozen=True, slots=True)
 class Understood:
-    """A clause with the subject and word that were found in it; its formula, or why there is none."""
+    """A clause with the subject and word that were found in it; its formula, or why there is none.
+
+    ``composed`` says that it has several parts, or a length: no rule for one of its words can stand for it.
+    """
 
     condition: Condition
     formula: Formula | None
     reason: str | None = None
     notes: tuple[str, ...] = ()
+    composed: bool = False
 
 
 def understand(condition: Condition, tables: Tables) -> Understood:
@@ -36,14 +40,14 @@ def understand(condition: Condition, tables: Tables) -> Understood:
     if several is None:
         understood = _single(condition, tables)
     else:
-        understood = Understood(condition, several.formula, several.reason)
+        understood = Understood(condition, several.formula, several.reason, composed=True)
     if understood.formula is None or condition.lasting is None:
         return understood
     lasting = condition.lasting
     softness = max((SOFTNESS.get(hedge, 0.0) for hedge in lasting.fuzziness), default=0.0)
     length = lasting.number * UNIT_LENGTHS[lasting.unit]
     window = Window(Operator.THROUGHOUT, Direction.LAST, length, softness, understood.formula)
-    return replace(understood, formula=window)
+    return replace(understood, formula=window, composed=True)
 
 
 def _single(condition: Condition, tables: Tables) -> Understood:

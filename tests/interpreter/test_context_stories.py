@@ -237,6 +237,21 @@ def test_a_part_of_a_clause_that_no_signal_tells_is_said(interpreter: Interprete
         interpreter, Context.of({"pan_temp": 200}), "Fry the eggs when the pan is hot and the cook is happy"
     )
     assert rejection(made) == "fry the eggs: no signal tells 'cook is happy'"
+    assert made.skills[0].resolutions[0].reason is not None
+
+
+def test_the_row_of_a_clause_shows_the_sentence_s_own_condition_and_its_readings(
+    interpreter: Interpreter,
+) -> None:
+    context = Context.of({"pan_temp": 200, "oven_temp": 100})
+    made = told(interpreter, context, "Wipe the table when the pan is hot and the oven is not hot")
+    row, *_ = made.skills[0].resolutions[0].shares
+    assert row.name == "when"
+    assert [(atom.text, atom.degree.low, atom.reading) for atom in row.atoms] == [
+        ("pan is hot", 1, 200),
+        ("oven is hot", 0, 100),
+    ]
+    assert row.degree.low == 1
 
 
 def test_events_are_known_in_every_regular_tense(interpreter: Interpreter) -> None:
