@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -89,7 +90,7 @@ class Maker:
         self, requirement: TimeRequirement, operation: Operation | None, duration: OperationDuration
     ) -> Resolution:
         return self.rulebook.resolve(
-            requirement,
+            with_lasting(requirement),
             self.request.context,
             verb=operation.lemma if operation is not None else None,
             duration=duration.hands_on,
