@@ -50,6 +50,15 @@ class Edge(StrEnum):
     END = "end"
 
 
+@dataclass(frozen=True, slots=True)
+class Lasting:
+    """How long a condition must have held: "hot for about two minutes"."""
+
+    number: float
+    unit: Unit
+    fuzziness: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
     """A clause such as "when the pan is very hot": what must hold before the skill starts.
@@ -63,6 +72,7 @@ class Condition:
     word: str | None = None
     hedges: tuple[str, ...] = ()
     negated: bool = False
+    lasting: Lasting | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,6 +91,7 @@ class Anchor:
     edge: Edge = Edge.END
     lag: float = 0.0
     exact: bool = False
+    lasting: Lasting | None = None
 
 
 class Recurrence(Protocol):
@@ -93,6 +104,10 @@ class Recurrence(Protocol):
 
     def occurrences(self, until: float) -> tuple[float, ...]:
         """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
+        ...
+
+    def windows(self, until: float) -> tuple[tuple[float, float], ...]:
+        """Give the same with their ends: of "every morning", where each begins and is over."""
         ...
 
 

@@ -7,7 +7,6 @@ stopping at the first. Aliases, anchors, tags, merge keys, several documents, an
 or above `MAX_BYTES` are refused.
 """
 
-import difflib
 import math
 import re
 from collections.abc import Callable, Collection, Iterable
@@ -15,27 +14,16 @@ from pathlib import Path
 from typing import NoReturn, TypeVar
 
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
+from fuzzytime.spelling import nearest, suggestion
 from fuzzytime.times import format_duration, parse_duration
 from fuzzytime.yaml_tree import MAX_DEPTH, Mapping, Node, Place, Scalar, Sequence, TreeError, parse_tree
 
-__all__ = ["MAX_BYTES", "MAX_DEPTH", "Mapping", "Node", "Reader", "Scalar", "Sequence", "suggestion"]
+__all__ = ["MAX_BYTES", "MAX_DEPTH", "Mapping", "Node", "Reader", "Scalar", "Sequence"]
 
 MAX_BYTES = 1 << 20
 
 _NUMBER = re.compile(r"[-+]?(\d+(\.\d*)?|\.\d+)([eE][-+]?\d+)?")
 _T = TypeVar("_T")
-
-
-def suggestion(word: str, known: Iterable[str]) -> str:
-    """Say which known word was meant, or which there are, as the tail of a message."""
-    choices = sorted({str(choice) for choice in known})
-    close = difflib.get_close_matches(word, choices, 1, 0.6)
-    if close:
-        return f" (did you mean {close[0]!r}?)"
-    if not choices:
-        return ""
-    listed = ", ".join(choices[:12]) + (", …" if len(choices) > 12 else "")
-    return f" (known: {listed})"
 
 
 class Reader:
@@ -175,6 +163,8 @@ class Reader:
         found: dict[str, Node] = {}
         first: dict[str, int] = {}
         for name, value in node.entries:
+            if name.refused:
+                continue
             path = f"{key}.{name.text}" if key else name.text
             if name.text in first:
                 self.mistake(
@@ -188,12 +178,37 @@ class Reader:
             found[name.text] = value
         for name_required in required:
             if name_required not in first:
-                self.mistake(node, key, f"missing key {name_required!r}")
+                self.missing(node, key, (name_required,))
         return found
+
+    def missing(self, node: Node, key: str, names: Collection[str], message: str = "") -> None:
+        """Note that a mapping has none of these keys.
+
+        Nothing is said where something was said already: of what is no mapping, of a key that was refused,
+        and where one of these keys is there but misspelt.
+        """
+        if not isinstance(node, Mapping):
+            return
+        for name, _ in node.entries:
+            if name.refused or (name.text not in names and nearest(name.text, names)):
+                return
+        self.mistake(node, key, message or f"missing key {' or '.join(map(repr, names))}")
+
+    def one_of(self, node: Node, key: str, names: Collection[str], message: str) -> str | None:
+        """Give the one key of these that a mapping has; none or several is a mistake."""
+        keys = self.keys(node)
+        given = [name for name in keys if name in names]
+        if not given:
+            self.missing(node, key, names, message)
+        for name in given[1:]:
+            self.mistake(keys[name], f"{key}.{name}", f"{message}, got {given[0]!r} as well")
+        return given[0] if len(given) == 1 else None
 
     def keys(self, node: Node) -> dict[str, Scalar]:
         """Give the places of a mapping's keys."""
-        return {name.text: name for name, _ in node.entries} if isinstance(node, Mapping) else {}
+        if not isinstance(node, Mapping):
+            return {}
+        return {name.text: name for name, _ in node.entries if not name.refused}
 
     def refuse_keys(self, node: Node, key: str, names: Iterable[str], message: str) -> None:
         """Note a mistake at each of these keys that a mapping has."""
@@ -219,6 +234,13 @@ class Reader:
             return ""
         return node.text
 
+    def phrase(self, node: Node, key: str) -> str:
+        """Give a scalar's text, which must say something."""
+        text = self.string(node, key)
+        if isinstance(node, Scalar) and not text.strip():
+            self.mistake(node, key, "must not be empty")
+        return text
+
     def choice(self, node: Node, key: str, known: Collection[str]) -> str:
         """Give a scalar's text that must be one of the known ones."""
         text = self.string(node, key)
@@ -228,10 +250,17 @@ class Reader:
         return text
 
     def strings(self, node: Node, key: str) -> tuple[str, ...]:
-        """Give one text, or a list of texts."""
+        """Give one text, or a list of texts; none may be empty."""
         if isinstance(node, Scalar):
-            return (node.text,)
-        return tuple(self.string(item, f"{key}[{i}]") for i, item in enumerate(self.sequence(node, key)))
+            return (self.phrase(node, key),)
+        return tuple(self.phrase(item, f"{key}[{i}]") for i, item in enumerate(self.sequence(node, key)))
+
+    def choices(self, node: Node, key: str, known: Collection[str]) -> tuple[str, ...]:
+        """Give one text, or a list of texts, that must all be known ones."""
+        if isinstance(node, Scalar):
+            return (self.choice(node, key, known),)
+        items = enumerate(self.sequence(node, key))
+        return tuple(self.choice(item, f"{key}[{i}]", known) for i, item in items)
 
     def boolean(self, node: Node, key: str) -> bool:
         """Give ``true`` or ``false``."""

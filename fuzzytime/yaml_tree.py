@@ -5,7 +5,7 @@ mistake and not a bomb.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import yaml
 
@@ -92,10 +92,7 @@ def parse_tree(text: str, note: Note) -> Node:
         for event in yaml.parse(text, Loader=_LOADER):
             builder.take(event)
     except yaml.MarkedYAMLError as error:
-        mark = error.problem_mark or error.context_mark
-        problem = " ".join(part for part in (error.problem, error.context) if part)
-        line, column = (mark.line, mark.column) if mark else (0, 0)
-        raise TreeError(f"not valid YAML: {problem}", line, column) from error
+        raise _syntax_error(text, error) from error
     except yaml.reader.ReaderError as error:
         at = min(error.position, len(text))
         start = text.rfind("\n", 0, at) + 1
@@ -103,6 +100,24 @@ def parse_tree(text: str, note: Note) -> Node:
     if builder.document is None:
         raise TreeError("the file must not be empty", 0, 0)
     return builder.document
+
+
+def _syntax_error(text: str, error: yaml.MarkedYAMLError) -> TreeError:
+    """Say where to look: at a tab, at a quote or bracket of an earlier line that is still open, or there."""
+    mark, begun = error.problem_mark, error.context_mark
+    if mark is None:
+        return TreeError(f"not valid YAML: {error.problem or error}", 0, 0)
+    if text[mark.index : mark.index + 1] == "\t":
+        return TreeError(
+            "not valid YAML: lines must be indented by spaces, got a tab", mark.line, mark.column
+        )
+    problem = " ".join(part for part in (error.problem, error.context) if part)
+    opened = text[begun.index : begun.index + 1] if begun is not None else ""
+    if begun is not None and opened and opened in "[{\"'" and begun.line < mark.line:
+        return TreeError(
+            f"not valid YAML: {opened!r} is not closed: {error.problem}", begun.line, begun.column
+        )
+    return TreeError(f"not valid YAML: {problem}", mark.line, mark.column)
 
 
 @dataclass(slots=True)
@@ -170,6 +185,7 @@ class _Builder:
         for key, value in zip(opened.children[::2], opened.children[1::2], strict=True):
             if isinstance(key, Scalar) and key.text == "<<" and not key.quoted:
                 self._note(Place(key.line, key.column, key.index), "merge keys are not allowed, got '<<'")
+                entries.append((replace(key, refused=True), value))
             elif isinstance(key, Scalar):
                 entries.append((key, value))
             else:

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.errors import DocumentError, FuzzytimeError
+from fuzzytime.spelling import suggestion
 from fuzzytime.times import parse_duration
-from fuzzytime.yaml_nodes import MAX_BYTES, MAX_DEPTH, Mapping, Reader, Scalar, suggestion
+from fuzzytime.yaml_nodes import MAX_BYTES, MAX_DEPTH, Mapping, Reader, Scalar
 
 
 def mistakes_of(source: str | bytes) -> list[str]:
@@ -32,8 +33,8 @@ def test_scalars_stay_the_text_that_was_written(text: str) -> None:
     assert reader.mapping(reader.root(), "")[text] == Scalar(text, 0, len(text) + 2, len(text) + 2)
 
 
-TAB = "found character that cannot start any token while scanning for the next token"
-UNCLOSED = "did not find expected ',' or ']' while parsing a flow sequence"
+TAB = "lines must be indented by spaces, got a tab"
+UNCLOSED = "'[' is not closed: did not find expected ',' or ']'"
 
 
 @pytest.mark.parametrize(
@@ -57,7 +58,7 @@ UNCLOSED = "did not find expected ',' or ']' while parsing a flow sequence"
         ("a: \x00", ["1:4 not valid YAML: control characters are not allowed"]),
         ("b: 1\na: b: c", ["2:5 not valid YAML: mapping values are not allowed in this context"]),
         (b"k: v\na: \xff", ["2:4 text must be UTF-8, got byte 0xff"]),
-        ("a: [1, 2", [f"1:9 not valid YAML: {UNCLOSED}"]),
+        ("a: [1, 2", [f"1:4 not valid YAML: {UNCLOSED}"]),
         ("a: " + "x" * MAX_BYTES, [f"1:1 a file must not be larger than {MAX_BYTES:,} bytes"]),
     ],
 )

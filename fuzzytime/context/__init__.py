@@ -12,7 +12,7 @@ from fuzzytime.context.files import (
 )
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
-from fuzzytime.context.units import parse_quantity
+from fuzzytime.context.units import parse_quantity, symbol
 
 __all__ = [
     "Approach",
@@ -30,5 +30,6 @@ __all__ = [
     "read_context_lines",
     "read_context_node",
     "reading_of",
+    "symbol",
     "time_of",
 ]

@@ -12,9 +12,10 @@ from fuzzytime.context.readings import MAX_READINGS, Context, Reading, admitted
 from fuzzytime.context.signals import Signal
 from fuzzytime.context.units import parse_quantity
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
+from fuzzytime.spelling import suggestion
 from fuzzytime.times import parse_instant, seconds_between
 from fuzzytime.yaml_nodes import Mapping as MappingNode
-from fuzzytime.yaml_nodes import Node, Reader, Scalar, suggestion
+from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
 LONGEST_LINE = 4096
 LARGEST_FILE = 64 << 20

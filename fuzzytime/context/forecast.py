@@ -182,6 +182,12 @@ def _stretches(signal: Signal, times: Floats, values: Floats) -> list[tuple[floa
     noise = noise_of(times, values, _expected_noise(signal, values))
     freedom = freedom_of(times.size)
     found: dict[int, tuple[float, Readings]] = {}
+    gaps = np.flatnonzero(np.diff(times) > signal.max_gap)
+    since_gap = times.size - 1 - int(gaps[-1]) if gaps.size else 0
+    if since_gap > 1:
+        # Nobody knows what happened in a gap: a change of course within it needs no reason.
+        recent = Readings.of(times[-since_gap:], values[-since_gap:], noise, freedom)
+        found[since_gap] = (0.0, recent)
     for share in _STRETCHES:
         number = min(times.size, max(math.ceil(times.size * share), _FEWEST))
         odds = 0.0 if number == times.size else _CHANGE

@@ -7,7 +7,7 @@ from typing import ClassVar
 from fuzzytime.context.signals import Signal
 from fuzzytime.context.units import parse_quantity
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.yaml_nodes import suggestion
+from fuzzytime.spelling import suggestion
 
 MAX_READINGS = 200_000
 FARTHEST = 1e10

@@ -8,6 +8,7 @@ import re
 from dataclasses import dataclass
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.spelling import nearest
 from fuzzytime.times import UNITS as TIME_UNITS
 from fuzzytime.times import parse_duration
 
@@ -34,14 +35,24 @@ UNITS: dict[str, Unit] = {
     **dict.fromkeys(("K", "kelvin"), Unit("temperature", 1.0, -273.15)),
     **{name: Unit("time", size) for name, size in TIME_UNITS.items()},
     **_table("share", {"1": 1.0, "% percent": 0.01, "ppm": 1e-6}),
-    **_table("mass", {"mg": 1e-6, "g": 1e-3, "kg": 1.0, "lb lbs": 0.45359237, "oz": 0.028349523125}),
     **_table(
-        "length", {"mm": 1e-3, "cm": 1e-2, "metre meter": 1.0, "km": 1e3, "in inch": 0.0254, "ft": 0.3048}
+        "mass", {"mg": 1e-6, "g gram grams": 1e-3, "kg": 1.0, "lb lbs": 0.45359237, "oz": 0.028349523125}
     ),
-    **_table("volume", {"ml mL": 1e-3, "cl": 1e-2, "l L": 1.0, "gal": 3.785411784}),
-    **_table("power", {"mW": 1e-3, "W": 1.0, "kW": 1e3}),
+    **_table(
+        "length",
+        {
+            "mm": 1e-3,
+            "cm": 1e-2,
+            "metre metres meter meters": 1.0,
+            "km": 1e3,
+            "in inch": 0.0254,
+            "ft": 0.3048,
+        },
+    ),
+    **_table("volume", {"ml mL": 1e-3, "cl": 1e-2, "l L litre litres liter liters": 1.0, "gal": 3.785411784}),
+    **_table("power", {"mW": 1e-3, "W watt watts": 1.0, "kW": 1e3}),
     **_table("energy", {"J": 1.0, "kJ": 1e3, "Wh": 3600.0, "kWh": 3.6e6}),
-    **_table("voltage", {"mV": 1e-3, "V": 1.0, "kV": 1e3}),
+    **_table("voltage", {"mV": 1e-3, "V volt volts": 1.0, "kV": 1e3}),
     **_table("current", {"mA": 1e-3, "A": 1.0}),
     **_table("pressure", {"Pa": 1.0, "hPa mbar": 100.0, "kPa": 1e3, "bar": 1e5, "psi": 6894.757293168}),
     **_table("frequency", {"Hz": 1.0, "kHz": 1e3, "rpm": 1 / 60}),
@@ -51,6 +62,23 @@ UNITS: dict[str, Unit] = {
     **_table("illuminance", {"lx lux": 1.0}),
 }
 """Every known unit by every name that files and flags may use."""
+
+
+def misspelt(name: str) -> str | None:
+    """Give the known unit that was probably meant by one that is not in the table; None for a plain name.
+
+    >>> misspelt("degc"), misspelt("minuets"), misspelt("tasks"), misspelt("m/s2")
+    ('degC', 'minutes', None, None)
+    """
+    if name in UNITS:
+        return None
+    # In short names every letter counts: "pH" is not "mph".
+    return nearest(name, UNITS, 0.74 if len(name) > 3 and name.isalpha() else 1.0)
+
+
+def symbol(unit: str | None) -> str:
+    """Give a unit as people write it."""
+    return {"degC": "\u00b0C", "degF": "\u00b0F"}.get(unit or "", unit or "")
 
 
 def convert(value: float, source: str, target: str) -> float:
@@ -68,7 +96,9 @@ def convert(value: float, source: str, target: str) -> float:
         return value
     start, end = UNITS.get(source), UNITS.get(target)
     if start is None or end is None or start.dimension != end.dimension:
-        raise FuzzytimeError(f"a value in {source!r} cannot be converted to {target!r}")
+        meant = misspelt(source)
+        hint = f" (did you mean {meant!r}?)" if meant is not None else ""
+        raise FuzzytimeError(f"a value in {source!r} cannot be converted to {target!r}{hint}")
     return (start.size * value + start.zero - end.zero) / end.size
 
 

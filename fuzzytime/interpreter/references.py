@@ -17,7 +17,7 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval
 from fuzzytime.skills import FuzzyTask, Precedence
-from fuzzytime.yaml_nodes import suggestion
+from fuzzytime.spelling import suggestion
 
 
 @dataclass(slots=True)

@@ -8,9 +8,10 @@ from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.clauses import wait_for
 from fuzzytime.rulebook.extension import added
 from fuzzytime.rulebook.lookup import UNIT_LENGTHS, find
+from fuzzytime.rulebook.phrases import event_at_end, event_named
 from fuzzytime.rulebook.question import Question, Said
 from fuzzytime.rulebook.resolution import Share
-from fuzzytime.rulebook.sentences import event_at_end, event_named, understand
+from fuzzytime.rulebook.sentences import understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import NEVER, SatisfactionFunction, Trapezoid
 
@@ -43,7 +44,7 @@ def on_one_side(question: Question, anchor: Anchor) -> Question | None:
     requirement = question.requirement
     before = anchor.lag < 0 or requirement.constraint is Constraint.BEFORE
     if event_named(anchor.text, question.tables) is None:
-        condition = Condition(text=anchor.text)
+        condition = _condition(anchor)
         preposition = "before" if before else "after"
         clause = replace(
             requirement,
@@ -92,6 +93,10 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
     )
 
 
+def _condition(anchor: Anchor) -> Condition:
+    return Condition(text=anchor.text, lasting=anchor.lasting)
+
+
 def not_happened(anchor: Anchor) -> str:
     """Say that an anchor's event has no time."""
     return f"not yet: {anchor.text!r} has not happened, and no time is announced"
@@ -113,7 +118,7 @@ def _moment(
         if time is None:
             return None, not_happened(anchor), ()
         return Trapezoid(time, time, time, time), None, ()
-    understood = understand(Condition(text=anchor.text), question.tables)
+    understood = understand(_condition(anchor), question.tables)
     if understood.formula is None:
         return None, understood.reason, understood.notes
     world = question.world([understood.formula])

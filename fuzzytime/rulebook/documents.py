@@ -126,12 +126,15 @@ def read_over(
 def vocabulary_of(tables: Tables) -> Vocabulary:
     """Give the names that tables declare."""
     return Vocabulary(
+        prepositions=frozenset((*tables.prepositions, *tables.clauses)),
+        words=frozenset(tables.words),
         models=frozenset(tables.models),
         time_hedges=frozenset(tables.time_hedges),
         term_hedges=frozenset(tables.term_hedges),
         units={name: signal.unit for name, signal in tables.signals.items()},
         events=frozenset(name for name, signal in tables.signals.items() if signal.event),
         terms={name: frozenset(variable.terms) for name, variable in tables.variables.items()},
+        sources={name: variable.signal for name, variable in tables.variables.items()},
     )
 
 
@@ -145,19 +148,18 @@ def _opened(document: Document) -> Reader:
 
 
 def _tables(reader: Reader, root: Node, names: Vocabulary, profile: Profile) -> Tables:
-    allowed = ("fuzzytime", "source", "profiles", "hedges", *_SECTIONS, *_OTHERS)
-    found = reader.mapping(root, "", allowed, ("fuzzytime",))
+    scope = Scope(reader, names)
+    found = scope.row(root, "", ("fuzzytime", "profiles", "hedges", *_SECTIONS, *_OTHERS), ("fuzzytime",))
     if "fuzzytime" in found:
         version = reader.string(found["fuzzytime"], "fuzzytime")
         if version != VERSION:
             reader.mistake(found["fuzzytime"], "fuzzytime", f"the version must be {VERSION}, got {version!r}")
-    scope = Scope(reader, names)
     others = {name: read(scope, found[name], name) for name, read in _OTHERS.items() if name in found}
     tables = _lookup_tables(scope, found, "").overridden(Tables(**others))
     if "profiles" in found:
         for name, node in reader.mapping(found["profiles"], "profiles", tuple(Profile)).items():
             path = f"profiles.{name}"
-            sections = reader.mapping(node, path, ("source", "hedges", *_SECTIONS))
+            sections = scope.row(node, path, ("hedges", *_SECTIONS))
             own = _lookup_tables(scope, sections, f"{path}.")
             if name == profile:
                 tables = tables.overridden(own)

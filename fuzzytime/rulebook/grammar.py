@@ -10,14 +10,14 @@
              ["about" | "roughly" | "exactly"] NUMBER UNIT {NUMBER UNIT}
 """
 
-import math
 import re
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from fuzzytime.rulebook.formula import And, Direction, Formula, Is, Not, Operator, Or, Window
-from fuzzytime.times import UNITS
-from fuzzytime.yaml_nodes import suggestion
+from fuzzytime.spelling import nearest, suggestion
+from fuzzytime.times import DAY, UNITS
 
 SOFTNESS = {"exactly": 0.0, "about": 0.25, "roughly": 0.5}
 """How far a hedged window fades beyond its length, as a share of it."""
@@ -25,13 +25,17 @@ SOFTNESS = {"exactly": 0.0, "about": 0.25, "roughly": 0.5}
 KEYWORDS = frozenset({"and", "or", "not", "is", "in", "the", *Operator, *Direction, *SOFTNESS})
 """Words that no variable, term or hedge may be called."""
 
+NONE: Mapping[str, Collection[str]] = MappingProxyType({})
+
 LONGEST = 2000
 DEEPEST = 24
+LONGEST_WINDOW = 366 * DAY
 
 _COMMON_UNITS = ("s", "min", "h", "d", "seconds", "minutes", "hours", "days")
 
-_NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+")
-_TOKEN = re.compile(r"[A-Za-z_]\w*|\d+(?:\.\d+)?|\.\d+|[()]|\S")
+_DIGITS = r"[-+]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][-+]?\d+)?"
+_NUMBER = re.compile(_DIGITS)
+_TOKEN = re.compile(rf"[A-Za-z_]\w*|{_DIGITS}|[()]|&&|\|\||[<>=!]=|\S")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +54,12 @@ class Parsed:
     problems: tuple[Problem, ...]
 
 
-def parse_condition(text: str, terms: Mapping[str, Collection[str]], hedges: Collection[str]) -> Parsed:
+def parse_condition(
+    text: str,
+    terms: Mapping[str, Collection[str]],
+    hedges: Collection[str],
+    signals: Mapping[str, Collection[str]] = NONE,
+) -> Parsed:
     """Read a condition.
 
     Parameters
@@ -61,15 +70,14 @@ def parse_condition(text: str, terms: Mapping[str, Collection[str]], hedges: Col
         The names of each variable's terms.
     hedges
         The hedges of terms ("very").
+    signals
+        The names of each signal's variables, through which alone a condition speaks of it.
     """
     if len(text) > LONGEST:
         message = f"a condition must not be longer than {LONGEST} characters, got {len(text)}"
         return Parsed(None, (Problem(message, 0),))
-    parser = _Parser(text, terms, hedges)
-    try:
-        formula = parser.whole()
-    except _BrokenError as error:
-        return Parsed(None, (*parser.problems, error.problem))
+    parser = _Parser(text, terms, hedges, signals)
+    formula = parser.whole()
     return Parsed(None if parser.problems else formula, tuple(parser.problems))
 
 
@@ -84,10 +92,17 @@ class _BrokenError(Exception):
 class _Parser:
     """Reads one condition; unknown names are noted and read over."""
 
-    def __init__(self, text: str, terms: Mapping[str, Collection[str]], hedges: Collection[str]) -> None:
+    def __init__(
+        self,
+        text: str,
+        terms: Mapping[str, Collection[str]],
+        hedges: Collection[str],
+        signals: Mapping[str, Collection[str]],
+    ) -> None:
         self.problems: list[Problem] = []
         self._terms = terms
         self._hedges = hedges
+        self._signals = signals
         self._tokens = [(match[0], match.start()) for match in _TOKEN.finditer(text)]
         self._end = len(text.rstrip())
         self._at = 0
@@ -97,7 +112,11 @@ class _Parser:
 
     @property
     def _next(self) -> str | None:
-        return self._tokens[self._at][0] if self._at < len(self._tokens) else None
+        return self._ahead(0)
+
+    def _ahead(self, count: int) -> str | None:
+        at = self._at + count
+        return self._tokens[at][0] if at < len(self._tokens) else None
 
     @property
     def _offset(self) -> int:
@@ -111,21 +130,43 @@ class _Parser:
         self._at += 1
         return word
 
-    def _expected(self, what: str) -> _BrokenError:
+    def _expected(self, what: str, words: Collection[str] = ()) -> _BrokenError:
         found = "the end" if self._next is None else repr(self._next)
-        return _BrokenError(Problem(f"expected {what}, got {found}", self._offset))
+        close = nearest(self._next or "", words)
+        meant = f" (did you mean {close!r}?)" if close is not None else ""
+        return _BrokenError(Problem(f"expected {what}, got {found}{meant}", self._offset))
 
     def _unknown(self, message: str, word: str, known: Collection[str]) -> None:
+        """Note that the next word is not known."""
         self.problems.append(Problem(f"{message}{suggestion(word, known)}", self._offset))
 
     # -- the grammar ----------------------------------------------------------------------------------------
 
-    def whole(self) -> Formula:
-        """Read the text to its end."""
-        formula = self._any()
-        if self._next is not None:
-            raise self._expected("'and', 'or' or the end")
-        return formula
+    def whole(self) -> Formula | None:
+        """Read the text to its end; where its form is broken, what follows is still searched for mistakes."""
+        try:
+            formula = self._any()
+            self._check_end()
+        except _BrokenError as error:
+            self.problems.append(error.problem)
+        else:
+            return formula
+        while self._next is not None:
+            at = self._at
+            if _is_name(self._next) and self._ahead(1) == "is":
+                try:
+                    self._windowed(self._atom())
+                    self._check_end("and", "or", ")")
+                except _BrokenError as error:
+                    self.problems.append(error.problem)
+            self._at = max(self._at, at + 1)
+        return None
+
+    def _check_end(self, *others: str) -> None:
+        """Check that the text ends here, or goes on with one of these words."""
+        if self._next is not None and self._next not in others:
+            words = () if self._next in KEYWORDS else ("and", "or", *Operator)
+            raise self._expected("'and', 'or', a window or the end", words)
 
     def _any(self) -> Formula:
         parts = [self._all()]
@@ -157,30 +198,44 @@ class _Parser:
 
     def _atom(self) -> Formula:
         variable = self._name("a variable")
-        known = variable in self._terms
-        if not known:
-            self._at -= 1
+        terms = self._terms.get(variable, ())
+        if variable in self._signals and variable not in self._terms:
+            message = f"{variable!r} is a signal; a condition speaks of variables"
+            self._unknown(message, variable, self._signals[variable])
+        elif variable not in self._terms:
             self._unknown(f"unknown variable {variable!r}", variable, self._terms)
-            self._at += 1
+        self._at += 1
         if not self._take("is"):
-            raise self._expected("'is'")
+            raise self._expected("'is'", ("is",))
         negated = self._take("not") is not None
         hedges: list[str] = []
-        while self._next in self._hedges and not (known and self._next in self._terms[variable]):
-            hedges.append(self._name("a hedge"))
-        term = self._name("a term")
-        if known and term not in self._terms[variable]:
-            self._at -= 1
-            self._unknown(f"{variable!r} has no term {term!r}", term, self._terms[variable])
+        while self._hedge_stands(terms):
+            hedge = self._name("a hedge")
+            if hedge not in self._hedges:
+                self._unknown(f"unknown hedge {hedge!r}", hedge, self._hedges)
+            hedges.append(hedge)
             self._at += 1
+        term = self._name("a term")
+        if variable in self._terms and term not in terms:
+            self._unknown(f"{variable!r} has no term {term!r}", term, terms)
+        self._at += 1
         atom = Is(variable, term, tuple(hedges))
         return Not(atom) if negated else atom
 
+    def _hedge_stands(self, terms: Collection[str]) -> bool:
+        """Tell whether the next word is a hedge, perhaps a misspelt one: a term or a hedge follows."""
+        word, following = self._next or "", self._ahead(1)
+        if word in terms or not _is_name(word):
+            return False
+        if word in self._hedges or following in terms or following in self._hedges:
+            return True
+        return _is_name(following) and nearest(word, self._hedges) is not None and not nearest(word, terms)
+
     def _name(self, what: str) -> str:
+        """Give the next word, which must be a name, without taking it: a problem may stand at it."""
         word = self._next
-        if word is None or not (word[0].isalpha() or word[0] == "_") or word in KEYWORDS:
+        if word is None or not _is_name(word):
             raise self._expected(what)
-        self._at += 1
         return word
 
     def _windowed(self, part: Formula) -> Formula:
@@ -191,14 +246,18 @@ class _Parser:
         self._take("the")
         direction = self._take(*Direction)
         if direction is None:
-            raise self._expected("'last' or 'next'")
+            raise self._expected("'last' or 'next'", tuple(Direction))
+        if _is_name(self._next) and _NUMBER.fullmatch(self._ahead(1) or ""):
+            self._unknown(f"a window has no hedge {self._next!r}", self._next or "", SOFTNESS)
+            self._at += 1
         softness = SOFTNESS[self._take(*SOFTNESS) or "exactly"]
         at = self._offset
         length = self._stretch()
         while self._next is not None and _NUMBER.fullmatch(self._next):
             length += self._stretch()
-        if not 0 < length < math.inf:
-            self.problems.append(Problem("a window must be longer than 0 and have an end", at))
+        if not 0 < length <= LONGEST_WINDOW:
+            limit = f"longer than 0 and at most {LONGEST_WINDOW / DAY:g} d"
+            self.problems.append(Problem(f"a window must be {limit}", at))
         return Window(Operator(operator), Direction(direction), length, softness, part)
 
     def _stretch(self) -> float:
@@ -214,3 +273,7 @@ class _Parser:
             self._unknown(f"unknown unit of time {unit!r}", unit, _COMMON_UNITS)
         self._at += 1
         return float(number) * UNITS.get(unit, 1.0)
+
+
+def _is_name(word: str | None) -> bool:
+    return bool(word) and word is not None and word.isidentifier() and word not in KEYWORDS

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.rulebook.formula import Formula, Is, events, variables
+from fuzzytime.rulebook.formula import Formula, events, variables
 from fuzzytime.rulebook.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.rules import Rule
 from fuzzytime.rulebook.tables import Tables
@@ -101,14 +101,14 @@ def hear(rules: Sequence[Rule], world: World) -> tuple[Heard, ...]:
         names = signals_of(rule.condition, world.tables)
         missing = tuple(name for name in names if not world.known(name))
         if len(missing) < len(names) or not names:
-            degree, atoms = _now(rule.condition, world)
+            degree, atoms = holds_now(rule.condition, world)
             waits = rule.effect.model in CLAUSE_MODELS
             weight = rule.weight * (1.0 if waits else degree.low)
             heard.append(Heard(rule, weight, degree, atoms, missing))
     return tuple(heard)
 
 
-def _now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]]:
+def holds_now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]]:
     """Give how true a formula is at time 0, and each of its parts."""
     grid = world.grid(formula, 0.0)
     traced = trace(formula, world, grid)
@@ -117,17 +117,20 @@ def _now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]
         AtomDegree(
             str(part),
             Degree(float(truth.low[zero]), float(truth.high[zero])),
-            *(_reading(part, world) if isinstance(part, Is) else (None, None)),
+            *_reading(part, world),
         )
         for part, truth in traced.parts.items()
     )
     return Degree(float(traced.truth.low[zero]), float(traced.truth.high[zero])), atoms
 
 
-def _reading(atom: Is, world: World) -> tuple[float | None, str | None]:
-    """Give the value now of an atom's variable, as expected, and its unit."""
-    variable = world.tables.variables[atom.variable]
-    grid = world.grid(atom, 0.0)
+def _reading(part: Formula, world: World) -> tuple[float | None, str | None]:
+    """Give the value now of the variable that a part speaks of, as expected, and its unit."""
+    spoken = variables(part)
+    if len(spoken) != 1:
+        return None, None
+    variable = world.tables.variables[spoken[0]]
+    grid = world.grid(part, 0.0)
     combinations = world.combinations((variable.signal,))
     value = math.fsum(
         part.weight * float(world.values(variable, grid, part)[:, grid.zero].mean()) for part in combinations

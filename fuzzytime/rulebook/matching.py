@@ -32,6 +32,11 @@ class Match:
         texts = described(requirement, verb)
         return all(accepted & texts[key] for key, accepted in self.accepted)
 
+    def covers(self, other: "Match") -> bool:
+        """Tell whether all that another matches is matched by this one as well."""
+        others = dict(other.accepted)
+        return all(others.get(key, frozenset()) and others[key] <= texts for key, texts in self.accepted)
+
     @property
     def keys(self) -> frozenset[str]:
         """The keys that it names."""

@@ -1,14 +1,14 @@
 """What is asked of the tables, and what they say about one moment of an execution."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 
 from fuzzytime.context import Context
 from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook.adapt import said_width
 from fuzzytime.rulebook.formula import Formula
-from fuzzytime.rulebook.inference import Heard, hear, signals_of
+from fuzzytime.rulebook.inference import Heard, hear, holds_now, signals_of
 from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.resolution import HedgeEffect, Share, Trace
 from fuzzytime.rulebook.rules import Rule
@@ -45,6 +45,18 @@ class Question:
     def heard(self, rules: Sequence[Rule]) -> tuple[Heard, ...]:
         """Ask rules what they say now."""
         return hear(rules, self.world([rule.condition for rule in rules if rule.condition is not None]))
+
+    def explained(
+        self, formula: Formula, shares: Sequence[Share], heard: Sequence[Heard]
+    ) -> tuple[Share, ...]:
+        """Say of the row, which comes first, how far a sentence's own condition holds now.
+
+        One that is a rule's is explained by the rule.
+        """
+        if any(part.rule.condition == formula for part in heard):
+            return tuple(shares)
+        degree, atoms = holds_now(formula, self.world([formula]))
+        return (replace(shares[0], degree=degree, atoms=atoms), *shares[1:])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

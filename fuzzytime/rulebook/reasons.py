@@ -7,6 +7,7 @@ import numpy as np
 from fuzzytime.context.forecast import Forecast
 from fuzzytime.context.series import Series
 from fuzzytime.context.signals import Approach, Hold, Signal
+from fuzzytime.context.units import symbol
 from fuzzytime.rulebook.formula import Formula, Is, Not, nodes
 from fuzzytime.rulebook.inference import signals_of
 from fuzzytime.rulebook.truth import Traced
@@ -97,6 +98,5 @@ def outlook(signal: Signal, forecast: Forecast, until: float = math.inf) -> str:
 
 def with_unit(value: float, unit: str | None) -> str:
     """Print a value to three digits, with its unit as people write it."""
-    sign = {"degC": "\u00b0C", "degF": "\u00b0F"}.get(unit or "", unit or "")
     rounded = 0.0 if value == 0 else round(value, 2 - math.floor(math.log10(abs(value))))
-    return f"{rounded:g} {sign}".strip()
+    return f"{rounded:g} {symbol(unit)}".strip()

@@ -11,9 +11,10 @@ from fuzzytime.rulebook.clauses import wait_for
 from fuzzytime.rulebook.formula import Formula, variables, with_hedges_of
 from fuzzytime.rulebook.inference import Base, Chosen, Heard, choose, matching, signals_of
 from fuzzytime.rulebook.lookup import Found, find
+from fuzzytime.rulebook.phrases import names
 from fuzzytime.rulebook.question import Question, Said, notes_on
 from fuzzytime.rulebook.rules import Rule
-from fuzzytime.rulebook.sentences import Understood, names, understand
+from fuzzytime.rulebook.sentences import Understood, understand
 from fuzzytime.rulebook.tables import Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.satisfaction import ALWAYS, NEVER
@@ -56,7 +57,7 @@ def _timed(question: Question) -> Said:
     if chosen.model in CLAUSE_MODELS:
         formula = _strongest(heard, chosen.model, None, 0.0)
         if formula is not None:
-            return _awaited(question, formula, chosen, notes)
+            return _awaited(question, formula, chosen, heard, notes)
     return _adapted(question, found, chosen, notes)
 
 
@@ -104,7 +105,8 @@ def _clause(question: Question) -> Said:
     rules = [
         rule
         for rule in matching(replace(requirement, condition=condition), question.verb, tables)
-        if rule.effect.model not in CLAUSE_MODELS or _is_about(rule, condition, question)
+        if rule.effect.model not in CLAUSE_MODELS
+        or (_binds_as(rule, row) and _is_about(rule, condition, question))
     ]
     heard = question.heard(rules)
     notes = (*understood.notes, *notes_on(row.name, heard))
@@ -117,12 +119,24 @@ def _clause(question: Question) -> Said:
         return _adapted(question, found, chosen, notes)
     rest = max(0.0, 1.0 - sum(part.weight for part in heard if not part.rule.effect.only_scales))
     formula = _strongest(heard, chosen.model, understood.formula, rest)
-    if formula is not None and understood.formula not in (None, formula):
+    if understood.composed:
+        # Who says so much means just that; what rules say of core and fade stands.
+        formula = understood.formula
+    elif formula is not None and understood.formula not in (None, formula):
         formula = with_hedges_of(understood.formula, formula)
     if formula is None:
-        reason = _why_not_understood(understood, rules, question)
+        reason = understood.reason if understood.composed else None
+        reason = reason or _why_not_understood(understood, rules, question)
         return Said(satisfaction=NEVER, model=chosen.model, reason=reason, notes=notes)
-    return _awaited(question, formula, chosen, notes)
+    return _awaited(question, formula, chosen, heard, notes)
+
+
+def _binds_as(rule: Rule, row: Row) -> bool:
+    """Tell whether a rule waits in the way that the clause's own word does, or names that word.
+
+    "When the pan is hot" has a rule of its own; "until the pan is hot" and "while it is hot" mean otherwise.
+    """
+    return rule.effect.model == row.model or "preposition" in rule.match.keys
 
 
 def _is_about(rule: Rule, condition: Condition, question: Question) -> bool:
@@ -151,7 +165,9 @@ def _strongest(heard: tuple[Heard, ...], model: str, own: Formula | None, rest: 
     return formula
 
 
-def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[str, ...]) -> Said:
+def _awaited(
+    question: Question, formula: Formula, chosen: Chosen, heard: tuple[Heard, ...], notes: tuple[str, ...]
+) -> Said:
     core, fade = chosen.core * chosen.scale, chosen.fade * chosen.scale
     awaited = wait_for(formula, chosen.model, core, fade, question.world([formula]), question.horizon)
     parameters = {"core": core, "fade": fade} if chosen.model == "when" else {}
@@ -161,7 +177,7 @@ def _awaited(question: Question, formula: Formula, chosen: Chosen, notes: tuple[
         satisfaction=awaited.satisfaction,
         model=chosen.model,
         parameters=MappingProxyType(parameters),
-        shares=chosen.shares,
+        shares=question.explained(formula, chosen.shares, heard),
         reason=awaited.reason,
         notes=notes,
         trace=awaited.trace,

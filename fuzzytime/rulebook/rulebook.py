@@ -13,11 +13,12 @@ from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
 from fuzzytime.rulebook.durations import OperationDuration
 from fuzzytime.rulebook.execution import over_starts, reason_for_never
+from fuzzytime.rulebook.phrases import event_at_end
 from fuzzytime.rulebook.profile import Actor, Profile
 from fuzzytime.rulebook.question import Question
 from fuzzytime.rulebook.resolution import Resolution
 from fuzzytime.rulebook.resolving import answer
-from fuzzytime.rulebook.sentences import event_at_end, understand
+from fuzzytime.rulebook.sentences import understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR

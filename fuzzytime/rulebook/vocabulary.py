@@ -6,6 +6,7 @@ So a file may speak of what another declares, and every unknown name is a mistak
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
+from fuzzytime.rulebook.variables import Source
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Scalar
 
@@ -15,23 +16,41 @@ CLAUSE_MODELS = ("when", "while", "until")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Vocabulary:
-    """Declared names: ``units`` by signal (None for a bare number), ``terms`` by variable."""
+    """Declared names.
 
+    ``units`` are by signal (None for a bare number), ``terms`` and ``sources`` (the signal) by variable.
+    """
+
+    prepositions: frozenset[str]
+    words: frozenset[str]
     models: frozenset[str]
     time_hedges: frozenset[str]
     term_hedges: frozenset[str]
     units: Mapping[str, str | None]
     events: frozenset[str]
     terms: Mapping[str, frozenset[str]]
+    sources: Mapping[str, str]
+
+    @property
+    def variables(self) -> Mapping[str, frozenset[str]]:
+        """The variables of each signal."""
+        found: dict[str, set[str]] = {name: set() for name in self.units}
+        for variable, signal in self.sources.items():
+            found.setdefault(signal, set()).add(variable)
+        return {name: frozenset(variables) for name, variables in found.items()}
 
     @classmethod
     def of(cls, roots: Iterable[Node]) -> "Vocabulary":
         """Gather the names of documents; what is malformed is passed over here and reported later."""
+        prepositions, words = set[str](), set[str]()
         models, time_hedges, term_hedges, events = set[str](), set[str](), set[str](), set[str]()
         units: dict[str, str | None] = {}
         terms: dict[str, frozenset[str]] = {}
+        sources: dict[str, str] = {}
         for root in roots:
             for part in (root, *_children(_child(root, "profiles"))):
+                words.update(_names(_child(part, "words")))
+                prepositions.update(_names(_child(part, "prepositions")), _names(_child(part, "clauses")))
                 models.update(_names(_child(part, "models")))
                 hedges = _child(part, "hedges")
                 time_hedges.update(_names(_child(hedges, "time")))
@@ -46,24 +65,34 @@ class Vocabulary:
             variables = _child(root, "variables")
             for name in _names(variables):
                 terms[name] = frozenset(_names(_child(_child(variables, name), "terms")))
+                for kind in Source:
+                    source = _child(_child(variables, name), kind.value)
+                    if isinstance(source, Scalar):
+                        sources[name] = source.text
         return cls(
+            prepositions=frozenset(text.lower() for text in prepositions),
+            words=frozenset(text.lower() for text in words),
             models=frozenset(models),
             time_hedges=frozenset(time_hedges),
             term_hedges=frozenset(term_hedges),
             units=units,
             events=frozenset(events),
             terms=terms,
+            sources=sources,
         )
 
     def joined(self, other: "Vocabulary") -> "Vocabulary":
         """Give the names of both; what the other says of a name stands."""
         return Vocabulary(
+            prepositions=self.prepositions | other.prepositions,
+            words=self.words | other.words,
             models=self.models | other.models,
             time_hedges=self.time_hedges | other.time_hedges,
             term_hedges=self.term_hedges | other.term_hedges,
             units={**self.units, **other.units},
             events=(self.events - other.units.keys()) | other.events,
             terms={**self.terms, **other.terms},
+            sources={**self.sources, **other.sources},
         )
 
 

@@ -204,3 +204,65 @@ def test_dinner_is_cooked_by_readings_and_by_the_clock_together(interpreter: Int
     assert 1.6 * MINUTE <= flip <= 3.5 * MINUTE
     assert table < candles
     assert min(made.schedule.satisfactions) > 0.9
+
+
+SEVERAL = [
+    ("when the pan is hot and the oven is hot", (4, 9)),
+    ("when both the pan and the oven are hot", (4, 9)),
+    ("when the pan is hot or the oven is hot", (1.6, 3.3)),
+    ("when the pan is hot but not smoking", (1.6, 3.3)),
+    ("when the pan is neither cold nor hot", (0, 0)),
+    ("when the pan is hot and the timer rings", (12, 12.1)),
+    ("when the pan has been hot for two minutes", (3.6, 5.3)),
+    ("after the pan has been hot for about two minutes", (3.6, 6)),
+    ("before the pan is hot", (0, 0)),
+    ("unless the pan is hot", (0, 0)),
+    ("if the pan is hot", (1.6, 3.3)),
+    ("once the timer has rung", (12, 12.1)),
+]
+
+
+@pytest.mark.parametrize(("clause", "minutes"), SEVERAL)
+def test_every_part_of_a_clause_counts(
+    interpreter: Interpreter, clause: str, minutes: tuple[float, float]
+) -> None:
+    context = Context.of({"pan_temp": HEATING, "oven_temp": approach(180, 20, 210, 300)})
+    made = told(interpreter, context.merged(happens("timer", 12)), f"Fry the eggs {clause}")
+    (start,) = made.schedule.start_times
+    assert minutes[0] * MINUTE - 1 <= start <= minutes[1] * MINUTE + 1
+
+
+def test_a_part_of_a_clause_that_no_signal_tells_is_said(interpreter: Interpreter) -> None:
+    made = told(
+        interpreter, Context.of({"pan_temp": 200}), "Fry the eggs when the pan is hot and the cook is happy"
+    )
+    assert rejection(made) == "fry the eggs: no signal tells 'cook is happy'"
+    assert made.skills[0].resolutions[0].reason is not None
+
+
+def test_the_row_of_a_clause_shows_the_sentence_s_own_condition_and_its_readings(
+    interpreter: Interpreter,
+) -> None:
+    context = Context.of({"pan_temp": 200, "oven_temp": 100})
+    made = told(interpreter, context, "Wipe the table when the pan is hot and the oven is not hot")
+    row, *_ = made.skills[0].resolutions[0].shares
+    assert row.name == "when"
+    assert [(atom.text, atom.degree.low, atom.reading) for atom in row.atoms] == [
+        ("pan is hot", 1, 200),
+        ("oven is hot", 0, 100),
+    ]
+    assert row.degree.low == 1
+
+
+def test_events_are_known_in_every_regular_tense(interpreter: Interpreter) -> None:
+    for clause in ("when the guests arrive", "once the guests have arrived", "after the guests arrived"):
+        made = told(interpreter, happens("guests_arrive", 30), f"Make coffee {clause}")
+        (start,) = made.schedule.start_times
+        assert 30 * MINUTE <= start <= 31 * MINUTE, clause
+
+
+def test_a_sensor_that_comes_back_is_believed_from_then_on(interpreter: Interpreter) -> None:
+    before = [(time - 600, value) for time, value in HEATING]
+    context = Context.of({"pan_temp": [*before, (-20.0, 150.0), (-10.0, 155.0), (0.0, 160.0)]})
+    (start,) = told(interpreter, context, "Flip the pancakes when the pan is hot").schedule.start_times
+    assert 1 * MINUTE <= start <= 3 * MINUTE

@@ -5,7 +5,10 @@ from pathlib import Path
 import pytest
 
 from fuzzytime.errors import DocumentError
+from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Profile, Rulebook, check
+from fuzzytime.rulebook.documents import shipped_tables
+from fuzzytime.yaml_nodes import Reader
 
 SEEDED = Path(__file__).with_name("seeded_mistakes.yaml")
 
@@ -110,3 +113,12 @@ def test_a_variable_of_nothing_is_a_mistake_at_its_place(tmp_path: Path) -> None
     )
     (mistake,) = check([path])
     assert (mistake.line, mistake.message) == (3, "must name a signal or an event")
+
+
+def test_every_word_that_begins_a_clause_has_a_row() -> None:
+    lexicon = Reader.of_file(rules_directory() / "lexicon.yaml")
+    clauses = lexicon.mapping(lexicon.mapping(lexicon.root(), "")["clauses"], "clauses")
+    said = {form for kind, forms in clauses.items() for form in lexicon.strings(forms, kind)}
+    tables = shipped_tables(Profile.EVERYDAY)
+    # "Right after" is no clause's word but a hedge of one.
+    assert said - tables.clauses.keys() - tables.prepositions.keys() <= tables.time_hedges.keys()

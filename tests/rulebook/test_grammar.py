@@ -64,7 +64,7 @@ def test_conditions_are_read(text: str, expected: Formula) -> None:
         ("", [(0, "expected a variable, got the end")]),
         ("pan is hot and", [(14, "expected a variable, got the end")]),
         ("(pan is hot", [(11, "expected ')', got the end")]),
-        ("pan is hot)", [(10, "expected 'and', 'or' or the end, got ')'")]),
+        ("pan is hot)", [(10, "expected 'and', 'or', a window or the end, got ')'")]),
         ("pan is hot; import os", [(10, "got ';'")]),
         ("pan is hot mostly in the 10 min", [(25, "expected 'last' or 'next', got '10'")]),
         ("pan is hot mostly in the last min", [(30, "expected a number, got 'min'")]),
@@ -73,10 +73,18 @@ def test_conditions_are_read(text: str, expected: Formula) -> None:
             "pan is hot mostly in the last 10 mnutes",
             [(33, "unknown unit of time 'mnutes' (did you mean 'minutes'?)")],
         ),
-        ("pan is hot mostly in the last 0 min", [(30, "a window must be longer than 0 and have an end")]),
+        (f"pan is hot mostly in the last {'9' * 400} s", [(30, "a window must be longer than 0")]),
+        ("pan is hot mostly in the last 0 min", [(30, "a window must be longer than 0")]),
+        ("pan is vry hot", [(7, "unknown hedge 'vry' (did you mean 'very'?)")]),
+        ("pan is hot mosty in the last 5 min", [(11, "got 'mosty' (did you mean 'mostly'?)")]),
+        ("pan is hot mostly in the last abuot 5 min", [(30, "no hedge 'abuot' (did you mean 'about'?)")]),
+        ("pan is hot mostly in the last -5 min", [(30, "a window must be longer than 0")]),
+        ("pan is hot mostly in the last 1e400 min", [(30, "a window must be longer than 0")]),
+        # What follows a broken form is searched as well.
+        ("pan hot && pan is hto || pan is wram", [(4, "'is'"), (18, "'hot'"), (22, "'||'"), (32, "'warm'")]),
         (
-            f"pan is hot mostly in the last {'9' * 400} s",
-            [(30, "a window must be longer than 0 and have an end")],
+            "pan_temp is hot",
+            [(0, "'pan_temp' is a signal; a condition speaks of variables (known: pan)")],
         ),
         ("pan is __import__('os')", [(7, "'pan' has no term '__import__'"), (17, "got '('")]),
         ("not " * 30 + "pan is hot", [(96, "must not be nested deeper than 24")]),
@@ -84,7 +92,7 @@ def test_conditions_are_read(text: str, expected: Formula) -> None:
     ],
 )
 def test_problems_are_placed(text: str, problems: list[tuple[int, str]]) -> None:
-    parsed = parse_condition(text, TERMS, HEDGES)
+    parsed = parse_condition(text, TERMS, HEDGES, {"pan_temp": ["pan"]})
     assert parsed.formula is None
     assert [problem.offset for problem in parsed.problems] == [offset for offset, _ in problems]
     for problem, (_, message) in zip(parsed.problems, problems, strict=True):

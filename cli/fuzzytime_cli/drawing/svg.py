@@ -1,5 +1,7 @@
 """A chart as SVG."""
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -8,6 +10,7 @@ from fuzzytime_cli.drawing.markup import element, number, picture, words
 from fuzzytime_cli.formats.clock import Clock
 
 WIDTH, LEFT, RIGHT, PANEL, GAP, TOP, BOTTOM = 720, 56, 16, 120, 28, 24, 36
+ROW = 15
 COLOURS = ("#1f5fa8", "#b3541e", "#3d7a3a", "#7a4e9c", "#8a6d1a")
 STYLE = (
     "text{font:12px system-ui,sans-serif;fill:#333}.axis{stroke:#999;stroke-width:1}"
@@ -18,15 +21,22 @@ STYLE = (
 
 def chart_svg(chart: Chart, title: str) -> str:
     """Draw a chart as an SVG document."""
-    bottom = TOP + len(chart.panels) * (PANEL + GAP) - GAP
+    top = TOP + ROW * len(chart.marks)
+    bottom = top + len(chart.panels) * (PANEL + GAP) - GAP
     parts = []
     for index, panel in enumerate(chart.panels):
-        parts += _panel(panel, chart, TOP + index * (PANEL + GAP))
+        parts += _panel(panel, chart, top + index * (PANEL + GAP))
     parts += _ticks(chart, bottom)
-    for mark in chart.marks:
+    for index, mark in enumerate(chart.marks):
         x = float(_across(chart, np.asarray([mark.time]))[0])
-        parts.append(element("line", class_="mark", x1=x, y1=TOP, x2=x, y2=bottom))
-        parts.append(element("text", words(mark.label), x=x, y=TOP - 8, text_anchor="middle"))
+        y = ROW * (index + 1)
+        # Beside its line, on the side where there is room; each mark in a row of its own.
+        place = {"x": x - 4, "text_anchor": "end"} if x > WIDTH / 2 else {"x": x + 4}
+        # Not through the titles between the panels.
+        panels = [top + index * (PANEL + GAP) for index in range(len(chart.panels))]
+        lines = [(y - ROW + 4, y + 2), *((begin, begin + PANEL) for begin in panels)]
+        parts += [element("line", class_="mark", x1=x, y1=begin, x2=x, y2=end) for begin, end in lines]
+        parts.append(element("text", words(mark.label), y=y, **place))
     return picture(WIDTH, bottom + GAP + BOTTOM, title, STYLE, "".join(parts))
 
 
@@ -36,7 +46,10 @@ def _across(chart: Chart, times: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _panel(panel: Panel, chart: Chart, top: float) -> list[str]:
     bottom = top + PANEL
-    parts = [element("text", words(panel.title), x=LEFT, y=top - 6)]
+    title, legend = _title(panel)
+    parts = [element("text", title, x=LEFT, y=top - 6)]
+    if legend:
+        parts.append(element("text", legend, x=WIDTH - RIGHT, y=top - 6, text_anchor="end"))
     for share in (0.0, 0.5, 1.0):
         y = bottom - share * PANEL
         value = panel.low + share * (panel.high - panel.low)
@@ -45,14 +58,26 @@ def _panel(panel: Panel, chart: Chart, top: float) -> list[str]:
             element("text", words(f"{value:g}{panel.unit}"), x=LEFT - 6, y=y, dy=4, text_anchor="end")
         )
     for index, curve in enumerate(panel.curves):
-        colour = COLOURS[index % len(COLOURS)]
-        parts += _curve(curve, panel, chart, bottom, colour)
-        if len(panel.curves) > 1:
-            place = {"x": WIDTH - RIGHT - 4, "y": top + 14 + 15 * index}
-            parts.append(
-                element("text", words(curve.label), style=f"fill:{colour}", text_anchor="end", **place)
-            )
+        parts += _curve(curve, panel, chart, bottom, _colour(index))
     return parts
+
+
+def _colour(index: int) -> str:
+    return COLOURS[index % len(COLOURS)]
+
+
+def _title(panel: Panel) -> tuple[str, str]:
+    """Give a panel's title and, where that does not name its curves, a legend, in the curves' colours."""
+    if len(panel.curves) == 1:
+        return words(panel.title), ""
+    labels = [
+        element("tspan", words(curve.label), style=f"fill:{_colour(index)}")
+        for index, curve in enumerate(panel.curves)
+    ]
+    named = ", ".join(curve.label for curve in panel.curves)
+    if panel.title.endswith(named):
+        return words(panel.title.removesuffix(named)) + ", ".join(labels), ""
+    return words(panel.title), " ".join(labels)
 
 
 def _curve(curve: Curve, panel: Panel, chart: Chart, bottom: float, colour: str) -> list[str]:
@@ -60,6 +85,7 @@ def _curve(curve: Curve, panel: Panel, chart: Chart, bottom: float, colour: str)
         share = (values - panel.low) / ((panel.high - panel.low) or 1.0)
         return np.asarray(bottom - np.clip(share, -0.05, 1.05) * PANEL)
 
+    curve = _inside(curve, chart)
     x, y = _across(chart, curve.times), up(np.asarray(curve.values))
     parts = []
     if curve.band is not None:
@@ -72,6 +98,23 @@ def _curve(curve: Curve, panel: Panel, chart: Chart, bottom: float, colour: str)
     else:
         parts.append(element("path", d=path(x, y), fill="none", stroke=colour, stroke_width=2))
     return parts
+
+
+def _inside(curve: Curve, chart: Chart) -> Curve:
+    """Cut a curve at the ends of the time axis."""
+    times, values = np.asarray(curve.times), np.asarray(curve.values)
+    inside = (times >= chart.start) & (times <= chart.end)
+    if curve.dots or not times.size:
+        return replace(curve, times=times[inside], values=values[inside])
+    first = [chart.start] if times[0] < chart.start < times[-1] else []
+    last = [chart.end] if times[0] < chart.end < times[-1] else []
+
+    def cut(values: NDArray[np.float64]) -> NDArray[np.float64]:
+        before, behind = (np.interp(end, times, values) for end in (first, last))
+        return np.concatenate([before, values[inside], behind])
+
+    band = None if curve.band is None else (cut(curve.band[0]), cut(curve.band[1]))
+    return replace(curve, times=np.concatenate([first, times[inside], last]), values=cut(values), band=band)
 
 
 def path(x: NDArray[np.float64], y: NDArray[np.float64]) -> str:

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from fuzzytime.context import symbol
 from fuzzytime.interpreter import Interpreted, Plan
 from fuzzytime.rulebook import Trace
 from fuzzytime.satisfaction import SatisfactionFunction
@@ -52,7 +53,7 @@ def _trace_panels(trace: Trace, start: float, end: float) -> list[Panel]:
         seen = seen[np.isfinite(seen)]
         low, high = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
         margin = 0.05 * (high - low) or 1.0
-        unit = f" in {signal.unit}" if signal.unit else ""
+        unit = f" in {symbol(signal.unit)}" if signal.unit else ""
         title = f"{signal.name}{unit}" + (f": {signal.outlook}" if signal.outlook else "")
         panels.append(Panel(title, (readings, forecast), *_rounded(low - margin, high + margin)))
     if trace.atoms:

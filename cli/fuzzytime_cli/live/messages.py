@@ -21,8 +21,8 @@ from typing import Any
 from fuzzytime.context import Reading, Signal, parse_fields, reading_of, time_of
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import SpokenWish
+from fuzzytime.spelling import suggestion
 from fuzzytime.times import instant_after, parse_duration
-from fuzzytime.yaml_nodes import suggestion
 
 _TIMES = ("at", "at_s")
 _READING = ("signal", "value", "unit", "announced", *_TIMES)

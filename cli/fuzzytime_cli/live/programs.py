@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 
+from fuzzytime.spelling import suggestion
 from fuzzytime.times import instant_after
-from fuzzytime.yaml_nodes import suggestion
 from fuzzytime_cli.faults import NoInputError, UsageError
 from fuzzytime_cli.live.events import Start
 from fuzzytime_cli.live.feeds import CHUNK, lines_of

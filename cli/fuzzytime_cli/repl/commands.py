@@ -298,7 +298,7 @@ def command_of(line: str) -> tuple[Command, str]:
     FuzzytimeError
         If there is no such command.
     """
-    from fuzzytime.yaml_nodes import suggestion
+    from fuzzytime.spelling import suggestion
 
     name, _, rest = line[1:].strip().partition(" ")
     matching = [key for key in COMMANDS if key.startswith(name.lower())] if name else []

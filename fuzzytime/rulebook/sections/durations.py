@@ -5,9 +5,9 @@ from types import MappingProxyType
 from fuzzytime.rulebook.durations import Durations, Key, OperationDuration
 from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.times import DAY
-from fuzzytime.yaml_nodes import Mapping, Node, Reader
+from fuzzytime.yaml_nodes import Node, Reader
 
-_TIMES = ("hands_on", "elapsed", "source")
+_TIMES = ("hands_on", "elapsed")
 
 
 def read_durations(scope: Scope, node: Node, key: str) -> Durations:
@@ -16,18 +16,19 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
     found = reader.mapping(node, key, ("default", "operations"))
     default = None
     if "default" in found:
-        times = reader.mapping(found["default"], f"{key}.default", _TIMES)
+        times = scope.row(found["default"], f"{key}.default", _TIMES)
         default = _times(reader, found["default"], f"{key}.default", times, known=False)
     rows: dict[Key, OperationDuration] = {}
     if "operations" in found:
         path = f"{key}.operations"
         for verb, value in reader.mapping(found["operations"], path).items():
-            rows |= _operation(reader, value, f"{path}.{verb}", verb.lower())
+            rows |= _operation(scope, value, f"{path}.{verb}", verb.lower())
     return Durations(MappingProxyType(rows), default)
 
 
-def _operation(reader: Reader, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
-    found = reader.mapping(node, key, (*_TIMES, "objects"))
+def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
+    reader = scope.reader
+    found = scope.row(node, key, (*_TIMES, "objects"))
     rows: dict[Key, OperationDuration] = {}
     if "hands_on" in found or "elapsed" in found or "objects" not in found:
         own = _times(reader, node, key, found)
@@ -36,7 +37,7 @@ def _operation(reader: Reader, node: Node, key: str, verb: str) -> dict[Key, Ope
     if "objects" in found:
         path = f"{key}.objects"
         for thing, value in reader.mapping(found["objects"], path).items():
-            times = reader.mapping(value, f"{path}.{thing}", _TIMES)
+            times = scope.row(value, f"{path}.{thing}", _TIMES)
             row = _times(reader, value, f"{path}.{thing}", times)
             if row is not None:
                 rows[verb, thing.lower()] = row
@@ -48,8 +49,7 @@ def _times(
 ) -> OperationDuration | None:
     """Read ``hands_on`` and ``elapsed``; one alone stands for both."""
     if "hands_on" not in found and "elapsed" not in found:
-        if isinstance(node, Mapping):
-            reader.mistake(node, key, "missing key 'hands_on'")
+        reader.missing(node, key, ("hands_on", "elapsed"))
         return None
     given = {
         name: reader.duration(found[name], f"{key}.{name}", 0.0, 365 * DAY)

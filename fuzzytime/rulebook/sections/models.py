@@ -32,8 +32,9 @@ def read_models(scope: Scope, node: Node, key: str) -> Mapping[str, Model]:
         if name in CLAUSE_MODELS:
             scope.reader.mistake(keys[name], path, f"the model {name!r} is built in and cannot be changed")
             continue
-        found = scope.reader.mapping(value, path, (*FORMS, "constraint", "source"))
-        form = read_form(scope, found, value, path)
+        found = scope.row(value, path, (*FORMS, "constraint"))
+        given = scope.reader.one_of(value, path, FORMS, "must give either 'breakpoints' or 'bell'")
+        form = read_form(scope, found[given], path, given) if given is not None else None
         constraint = ""
         if "constraint" in found:
             constraint = scope.reader.choice(found["constraint"], f"{path}.constraint", tuple(Constraint))
@@ -43,15 +44,9 @@ def read_models(scope: Scope, node: Node, key: str) -> Mapping[str, Model]:
     return MappingProxyType(read)
 
 
-def read_form(scope: Scope, found: Mapping[str, Node], node: Node, key: str) -> Corners | BellForm | None:
-    """Read the form among the keys found in a mapping; None where there is no sound one."""
-    given = [name for name in FORMS if name in found]
-    if len(given) != 1:
-        scope.reader.mistake(node, key, "must give either 'breakpoints' or 'bell'")
-        return None
-    if given == ["bell"]:
-        return _bell(scope, found["bell"], f"{key}.bell")
-    return _corners(scope, found["breakpoints"], f"{key}.breakpoints")
+def read_form(scope: Scope, node: Node, key: str, form: str) -> Corners | BellForm | None:
+    """Read a form, one of `FORMS`; None where it is not sound."""
+    return (_bell if form == "bell" else _corners)(scope, node, f"{key}.{form}")
 
 
 def _corners(scope: Scope, node: Node, key: str) -> Corners | None:

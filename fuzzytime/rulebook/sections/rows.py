@@ -11,11 +11,13 @@ from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.sections.widths import LONGEST, MAX_FACTOR, read_factor
 from fuzzytime.rulebook.tables import Entry, Hedge, Model, Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
-from fuzzytime.yaml_nodes import Node, Scalar
+from fuzzytime.yaml_nodes import Node
 
-_ROW = ("model", *FORMS, "begun", "t", "w", "reference", "hedge", "core", "fade", "source")
+_ROW = ("model", *FORMS, "begun", "t", "w", "reference", "hedge", "core", "fade")
 _TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
 """Times that a row may fix, with the least value of each."""
+
+_HEDGE = ("widen", "shift", "spread", "model")
 
 _CLOSED: Mapping[str, type[StrEnum]] = {
     "constraint": Constraint,
@@ -48,7 +50,7 @@ def _rows(scope: Scope, node: Node, key: str, allowed: Collection[str] | None = 
     rows: dict[str, Row] = {}
     for text, value in scope.reader.mapping(node, key, allowed).items():
         path = f"{key}.{text}"
-        found = scope.reader.mapping(value, path, _ROW)
+        found = scope.row(value, path, _ROW)
         row = _row(scope, found, value, path, (text, scope.reader.place(keys[text])))
         if row is not None:
             rows[text.lower()] = row
@@ -62,12 +64,13 @@ def _row(
     name, source = called
     own: Model | None = None
     model = name
-    if "model" in found:
+    rule = "must give either 'model', or 'breakpoints' or 'bell' of its own"
+    given = scope.reader.one_of(node, key, ("model", *FORMS), rule)
+    if given == "model":
         models = (*scope.names.models, *CLAUSE_MODELS)
         model = scope.reader.choice(found["model"], f"{key}.model", models)
-        scope.reader.refuse_keys(node, key, FORMS, "must not stand beside 'model'")
-    else:
-        form = read_form(scope, found, node, key)
+    elif given is not None:
+        form = read_form(scope, found[given], key, given)
         own = Model(name, form, source) if form is not None else None
     begun = (
         scope.reader.choice(found["begun"], f"{key}.begun", scope.names.models) if "begun" in found else ""
@@ -77,11 +80,13 @@ def _row(
         for part, low in _TIMES
         if part in found
     }
-    hedges = _hedge_names(scope, found["hedge"], f"{key}.hedge") if "hedge" in found else ()
+    hedges: tuple[str, ...] = ()
+    if "hedge" in found:
+        hedges = scope.reader.choices(found["hedge"], f"{key}.hedge", scope.names.time_hedges)
     moment = ""
     if "reference" in found:
         moment = scope.reader.choice(found["reference"], f"{key}.reference", tuple(Reference))
-    if not model or (own is None and "model" not in found):
+    if not model or (own is None and given != "model"):
         return None
     return Row(
         name=name,
@@ -95,48 +100,46 @@ def _row(
     )
 
 
-def _hedge_names(scope: Scope, node: Node, key: str) -> tuple[str, ...]:
-    known = scope.names.time_hedges
-    if isinstance(node, Scalar):
-        return (scope.reader.choice(node, key, known),)
-    items = scope.reader.sequence(node, key)
-    return tuple(scope.reader.choice(item, f"{key}[{i}]", known) for i, item in enumerate(items))
-
-
 def read_entries(scope: Scope, node: Node, key: str) -> tuple[Entry, ...]:
     """Read direct entries: ``on`` and a row."""
     read: list[Entry] = []
     for i, item in enumerate(scope.reader.sequence(node, key)):
         path = f"{key}[{i}]"
-        found = scope.reader.mapping(item, path, ("name", "on", *_ROW), ("on",))
-        name = scope.reader.string(found["name"], f"{path}.name") if "name" in found else f"entry {i + 1}"
+        found = scope.row(item, path, ("name", "on", *_ROW), ("on",))
+        name = scope.reader.phrase(found["name"], f"{path}.name") if "name" in found else f"entry {i + 1}"
         row = _row(scope, found, item, path, (name, scope.reader.place(item)))
+        before = len(scope.reader.mistakes)
         match = read_match(scope, found["on"], f"{path}.on") if "on" in found else Match()
-        if row is not None:
-            read.append(Entry(match, row))
+        if row is None or "on" not in found or len(scope.reader.mistakes) > before:
+            continue
+        above = next((entry.row for entry in read if entry.match.covers(match)), None)
+        if above is not None:
+            message = f"never comes into play: {above.name!r} ({above.source}) speaks about all of it before"
+            scope.reader.mistake(item, path, message)
+        read.append(Entry(match, row))
     return tuple(read)
 
 
 def read_match(scope: Scope, node: Node, key: str) -> Match:
     """Read what requirements an entry or a rule speaks about."""
+    names = scope.names
+    known: Mapping[str, Collection[str]] = {
+        **{name: tuple(members) for name, members in _CLOSED.items()},
+        "cue": names.prepositions | names.words | frozenset(Constraint),
+        "preposition": names.prepositions,
+        "hedge": names.time_hedges,
+    }
     accepted: list[tuple[str, frozenset[str]]] = []
     for name, value in scope.reader.mapping(node, key, KEYS).items():
         path = f"{key}.{name}"
         if name == "number":
             texts: tuple[str, ...] = (f"{scope.reader.number(value, path):g}",)
-        elif name in _CLOSED:
-            texts = _closed_texts(scope, value, path, tuple(_CLOSED[name]))
+        elif name in known:
+            texts = scope.reader.choices(value, path, known[name])
         else:
             texts = scope.reader.strings(value, path)
         accepted.append((name, frozenset(text.lower() for text in texts)))
     return Match(tuple(accepted))
-
-
-def _closed_texts(scope: Scope, node: Node, key: str, members: tuple[str, ...]) -> tuple[str, ...]:
-    if isinstance(node, Scalar):
-        return (scope.reader.choice(node, key, members),)
-    items = scope.reader.sequence(node, key)
-    return tuple(scope.reader.choice(item, f"{key}[{i}]", members) for i, item in enumerate(items))
 
 
 def read_time_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Hedge]:
@@ -145,7 +148,9 @@ def read_time_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Hedge]:
     read: dict[str, Hedge] = {}
     for text, value in scope.reader.mapping(node, key).items():
         path = f"{key}.{text}"
-        found = scope.reader.mapping(value, path, ("widen", "shift", "spread", "model", "source"))
+        found = scope.row(value, path, _HEDGE)
+        if not found:
+            scope.reader.missing(value, path, _HEDGE)
         model = ""
         if "model" in found:
             model = scope.reader.choice(found["model"], f"{path}.model", scope.names.models)

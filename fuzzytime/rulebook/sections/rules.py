@@ -40,10 +40,10 @@ def read_rules(scope: Scope, node: Node, key: str) -> Mapping[str, Rule]:
     first: dict[str, int] = {}
     for i, item in enumerate(scope.reader.sequence(node, key)):
         path = f"{key}[{i}]"
-        found = scope.reader.mapping(item, path, ("name", "on", "if", "then", "weight", "source"), ("then",))
+        found = scope.row(item, path, ("name", "on", "if", "then", "weight"), ("then",))
         name = scope.reader.place(item)
         if "name" in found:
-            name = scope.reader.string(found["name"], f"{path}.name")
+            name = scope.reader.phrase(found["name"], f"{path}.name")
             path = f"{path}({name})"
             if name in first:
                 message = f"names of rules must differ, got {name!r} as on line {first[name]}"
@@ -68,7 +68,7 @@ def _condition(scope: Scope, node: Node, key: str) -> Formula | None:
     text = scope.reader.string(node, key)
     if not isinstance(node, Scalar):
         return None
-    parsed = parse_condition(text, scope.names.terms, scope.names.term_hedges)
+    parsed = parse_condition(text, scope.names.terms, scope.names.term_hedges, scope.names.variables)
     for problem in parsed.problems:
         scope.reader.mistake(node, key, problem.message, problem.offset)
     return parsed.formula

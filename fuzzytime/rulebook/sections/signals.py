@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from fuzzytime.context.signals import LARGEST, Approach, Course, Hold, Linear, Signal
-from fuzzytime.context.units import UNITS, convert, parse_quantity
+from fuzzytime.context.units import UNITS, convert, misspelt, parse_quantity
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.sections.widths import LONGEST
@@ -22,7 +22,7 @@ _COURSES: Mapping[str, tuple[str, ...]] = {
 _FOR_VALUES = ("unit", "range", "noise", "max_age", "max_gap", "forecast")
 """What only signals with values have."""
 
-_KEYS = (*_FOR_VALUES, "event", "words", "source")
+_KEYS = (*_FOR_VALUES, "event", "words")
 
 
 def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
@@ -33,7 +33,7 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
         path = f"{key}.{name}"
         if not name.isidentifier():
             scope.reader.mistake(keys[name], path, f"a signal's name must be one word, got {name!r}")
-        found = scope.reader.mapping(value, path, _KEYS)
+        found = scope.row(value, path, _KEYS)
         event = scope.reader.boolean(found["event"], f"{path}.event") if "event" in found else False
         if event:
             scope.reader.refuse_keys(value, path, _FOR_VALUES, "an event has no value")
@@ -72,6 +72,8 @@ def _unit(scope: Scope, node: Node, key: str) -> str:
     text = scope.reader.string(node, key)
     if isinstance(node, Scalar) and (not text.strip() or len(text) > 30):
         scope.reader.mistake(node, key, f"a unit must be a short text, got {text!r}")
+    elif (meant := misspelt(text)) is not None:
+        scope.reader.mistake(node, key, f"unknown unit {text!r} (did you mean {meant!r}?)")
     return text
 
 

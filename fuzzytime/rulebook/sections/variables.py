@@ -10,7 +10,8 @@ from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.rulebook.sections.signals import read_per, read_value
 from fuzzytime.rulebook.sections.widths import LONGEST
 from fuzzytime.rulebook.variables import Power, Source, Term, Variable
-from fuzzytime.yaml_nodes import Node, Scalar, suggestion
+from fuzzytime.spelling import suggestion
+from fuzzytime.yaml_nodes import Node, Scalar
 
 _SHAPES = {"trapezoid": 4, "triangle": 3, "rising": 2, "falling": 2}
 """The shapes of terms, and how many breakpoints each has."""
@@ -26,12 +27,12 @@ def read_variables(scope: Scope, node: Node, key: str) -> Mapping[str, Variable]
         path = f"{key}.{name}"
         _check_name(scope, keys[name], path, "a variable")
         allowed = (*Source, *_FOR_RATES, "words", "terms")
-        found = scope.reader.mapping(value, path, allowed, ("terms",))
-        sources = [source for source in Source if source in found]
-        if len(sources) != 1:
-            scope.reader.mistake(value, path, "must give exactly one of 'of', 'rate_of' and 'since'")
+        found = scope.row(value, path, allowed, ("terms",))
+        rule = "must give exactly one of 'of', 'rate_of' and 'since'"
+        given = scope.reader.one_of(value, path, tuple(Source), rule)
+        if given is None:
             continue
-        source = sources[0]
+        source = Source(given)
         signal = _signal(scope, found[source], f"{path}.{source}", source)
         over, per = _rate_parts(scope, found, value, path, source)
         unit = _unit(scope, signal, source)
@@ -91,7 +92,7 @@ def _rate_parts(
     if "over" in found:
         over = scope.reader.duration(found["over"], f"{key}.over", 1e-3, LONGEST)
     else:
-        scope.reader.mistake(node, key, "missing key 'over'")
+        scope.reader.missing(node, key, ("over",))
     if "per" in found:
         per = read_per(scope, found["per"], f"{key}.per")
     return over, per
@@ -99,16 +100,18 @@ def _rate_parts(
 
 def _terms(scope: Scope, node: Node, key: str, unit: str | None) -> Mapping[str, Term]:
     keys = scope.reader.keys(node)
+    if not keys:
+        scope.reader.missing(node, key, (), "must have at least one term")
     read: dict[str, Term] = {}
     for name, value in scope.reader.mapping(node, key).items():
         path = f"{key}.{name}"
         _check_name(scope, keys[name], path, "a term")
-        found = scope.reader.mapping(value, path, (*_SHAPES, "words", "source"))
-        shapes = [shape for shape in _SHAPES if shape in found]
-        if len(shapes) != 1:
-            scope.reader.mistake(value, path, f"must give exactly one shape of {', '.join(_SHAPES)}")
+        found = scope.row(value, path, (*_SHAPES, "words"))
+        rule = f"must give exactly one shape of {', '.join(_SHAPES)}"
+        shape = scope.reader.one_of(value, path, _SHAPES, rule)
+        if shape is None:
             continue
-        corners = _corners(scope, found[shapes[0]], f"{path}.{shapes[0]}", shapes[0], unit)
+        corners = _corners(scope, found[shape], f"{path}.{shape}", shape, unit)
         words = scope.reader.strings(found["words"], f"{path}.words") if "words" in found else ()
         if corners is not None:
             read[name] = Term(name, corners, tuple(text.lower() for text in words))
@@ -147,7 +150,7 @@ def read_term_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Power]:
         path = f"{key}.{name}"
         if name in KEYWORDS:
             scope.reader.mistake(keys[name], path, f"a hedge must not be a word of the grammar, got {name!r}")
-        found = scope.reader.mapping(value, path, ("power", "source"), ("power",))
+        found = scope.row(value, path, ("power",), ("power",))
         power = scope.reader.number(found["power"], f"{path}.power", 0.01, 100.0) if "power" in found else 1.0
         read[name.lower()] = Power(name, power or 1.0, scope.reader.place(keys[name]))
     return MappingProxyType(read)

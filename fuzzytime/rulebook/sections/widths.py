@@ -33,13 +33,13 @@ def read_positive_duration(scope: Scope, node: Node, key: str) -> float:
 
 def read_width(scope: Scope, node: Node, key: str) -> Points:
     """Read ``{base: 112.9 s, growth: 0.03406}`` or ``{points: {0 s: 4 min, 10 min: 10.7 min}}``."""
-    found = scope.reader.mapping(node, key, ("base", "growth", "points", "source"))
+    found = scope.row(node, key, ("base", "growth", "points"))
     if "points" in found:
         scope.reader.refuse_keys(node, key, ("base", "growth"), "must not stand beside 'points'")
         return _points(scope, found["points"], f"{key}.points", read_positive_duration, extended=True)
     for name in ("base", "growth"):
         if name not in found:
-            scope.reader.mistake(node, key, f"missing key {name!r} (or 'points')")
+            scope.reader.missing(node, key, (name, "points"))
     base = read_positive_duration(scope, found["base"], f"{key}.base") if "base" in found else 1.0
     growth = scope.reader.number(found["growth"], f"{key}.growth", 0.0, 10.0) if "growth" in found else 0.0
     return Points((0.0, HOUR), (base, base + growth * HOUR), extended=True, source=scope.reader.place(node))
@@ -50,7 +50,7 @@ def read_actors(scope: Scope, node: Node, key: str) -> Mapping[Actor, Points]:
     read: dict[Actor, Points] = {}
     for name, value in scope.reader.mapping(node, key, tuple(Actor)).items():
         path = f"{key}.{name}"
-        found = scope.reader.mapping(value, path, ("width", "source"), ("width",))
+        found = scope.row(value, path, ("width",), ("width",))
         if "width" in found:
             read[Actor(name)] = _points(scope, found["width"], f"{path}.width", read_factor, extended=False)
     return MappingProxyType(read)
@@ -72,7 +72,7 @@ def _points(
             points[time], last = value, time
     if not points:
         if not keys:
-            scope.reader.mistake(node, key, "must have at least one point")
+            scope.reader.missing(node, key, (), "must have at least one point")
         return Points((0.0,), (1.0,))
     return Points(tuple(points), tuple(points.values()), extended, scope.reader.place(node))
 
@@ -84,7 +84,7 @@ def read_plateau(scope: Scope, node: Node, key: str) -> float:
 
 def read_clock(scope: Scope, node: Node, key: str) -> Mapping[Unit, float]:
     """Read the largest half-base of a wall-clock time by its grain."""
-    found = scope.reader.mapping(node, key, (*Unit, "source"))
+    found = scope.row(node, key, tuple(Unit))
     read = {
         name: read_positive_duration(scope, found[name], f"{key}.{name}") for name in Unit if name in found
     }
@@ -93,13 +93,13 @@ def read_clock(scope: Scope, node: Node, key: str) -> Mapping[Unit, float]:
 
 def read_repetition(scope: Scope, node: Node, key: str) -> float:
     """Read the share of a series' interval that the half-base of an occurrence may have at most."""
-    found = scope.reader.mapping(node, key, ("share", "source"), ("share",))
+    found = scope.row(node, key, ("share",), ("share",))
     return scope.reader.number(found["share"], f"{key}.share", 1e-3, 1.0) if "share" in found else 1.0
 
 
 def read_roundness(scope: Scope, node: Node, key: str) -> Roundness:
     """Read when a number is round, by unit, and the factor where it is not."""
-    found = scope.reader.mapping(node, key, ("steps", "factor", "source"), ("steps", "factor"))
+    found = scope.row(node, key, ("steps", "factor"), ("steps", "factor"))
     steps: Mapping[Unit, float] = {}
     if "steps" in found:
         path = f"{key}.steps"
