@@ -10,11 +10,12 @@ from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
 
+from chromium import ARGUMENTS, chromium
 from fuzzytime.rulebook import Profile
 from fuzzytime.study import Design, Hand, Population, analyse, simulate
 from fuzzytime.study.plots import figures, rendered
 from fuzzytime_cli.study.truth import read_truth
-from study.browser import ARGUMENTS, chromium, running
+from study.serving import running
 
 IMAGES = Path(__file__).parent / "images"
 SIZES = {"desk": (1440, 900), "telephone": (360, 740)}

@@ -106,6 +106,10 @@ class Recurrence(Protocol):
         """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
         ...
 
+    def windows(self, until: float) -> tuple[tuple[float, float], ...]:
+        """Give the same with their ends: of "every morning", where each begins and is over."""
+        ...
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimeRequirement:

@@ -1,7 +1,31 @@
-"""Settings that all tests share."""
+"""What all tests share: settings of Hypothesis, and a browser."""
 
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import pytest
 from hypothesis import settings
+
+from chromium import ARGUMENTS, chromium
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser
 
 # Machines differ in speed, and a slow example is no failure; runs repeat exactly in CI.
 settings.register_profile("fuzzytime", deadline=None, derandomize=True, max_examples=100)
 settings.load_profile("fuzzytime")
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator["Browser"]:
+    """Start Chromium; where it or what drives it is not installed, pages are not tried, and that is said."""
+    sync_api = pytest.importorskip(
+        "playwright.sync_api", reason="Playwright is not installed: pages are not tried"
+    )
+    path = chromium()
+    if path is None:
+        pytest.skip("no Chromium is installed: pages are not tried")
+    with sync_api.sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=path, args=ARGUMENTS)
+        yield found
+        found.close()

@@ -64,24 +64,43 @@ def start(
 def run(arguments: list[str]) -> int:
     """Run the command and give its exit code."""
     try:
+        code = _called(arguments)
+        if sys.stdout is not None:
+            sys.stdout.flush()
+    except BaseException as error:  # noqa: BLE001 - every error ends here, as a message and a code
+        return exit_of(error)
+    return code
+
+
+def _called(arguments: list[str]) -> int:
+    try:
         app(arguments, prog_name="fuzzytime")
-        sys.stdout.flush()
     except SystemExit as stop:
         # Typer ends with 1 where the reader of a pipe has gone.
         if isinstance(stop.__context__, BrokenPipeError):
             return Exit.CLOSED_PIPE
         return stop.code if isinstance(stop.code, int) else Exit.FAILURE if stop.code else Exit.FINE
-    except BaseException as error:  # noqa: BLE001 - every error ends here, as a message and a code
-        return exit_of(error)
     return Exit.FINE
 
 
 def main() -> None:
     """Run the command as the shell does."""
+    _hold_closed_streams()
     code = run(sys.argv[1:])
-    if code == Exit.CLOSED_PIPE:
-        # Nobody reads: Python must not try to flush, and complain, on the way out.
+    if code in {Exit.CLOSED_PIPE, Exit.IO_ERROR} and sys.stdout is not None:
+        # What could not be written Python must not try to write again, and complain, on the way out.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if code == Exit.INTERRUPT:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
     sys.exit(code)
+
+
+def _hold_closed_streams() -> None:
+    """Let what was closed by the shell (``>&-``) lead nowhere: no file that is opened may take its place."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)  # the lowest number that is free: this one
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: PTH123, SIM115 - as long as the process

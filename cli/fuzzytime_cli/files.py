@@ -3,7 +3,8 @@
 import os
 import sys
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 
@@ -17,13 +18,24 @@ def replace_file(path: Path, text: str | Iterable[str], mode: int = 0o644) -> No
     """
     target = path.resolve() if path.is_symlink() else path
     pieces = (text,) if isinstance(text, str) else text
-    if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
-        target.write_text("".join(pieces), encoding="utf-8")
-        return
+    with about_file(path):
+        if target.exists() and not target.is_file():  # /dev/stdout, a FIFO
+            target.write_text("".join(pieces), encoding="utf-8")
+        else:
+            _put_in_place(target, pieces, mode)
+
+
+@contextmanager
+def about_file(path: Path) -> Iterator[None]:
+    """Let errors name the file that was asked for, not the one beside it, and not none."""
     try:
-        descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+        yield
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from error
+
+
+def _put_in_place(target: Path, pieces: Iterable[str], mode: int) -> None:
+    descriptor, beside = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
     try:
         with open(descriptor, "w", encoding="utf-8", newline="") as stream:  # noqa: PTH123 - a descriptor
             stream.writelines(pieces)

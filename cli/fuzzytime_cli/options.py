@@ -59,6 +59,19 @@ def flattened(command: Callable[..., None]) -> Callable[..., None]:
     return run
 
 
+TaskFile = Annotated[
+    str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
+]
+Instructions = Annotated[
+    list[str] | None,
+    typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
+]
+OutputFile = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="FILE", help="A file, written whole; else standard output."),
+]
+
+
 @dataclass(frozen=True, slots=True)
 class Moment:
     """When: what counts as now, and where."""

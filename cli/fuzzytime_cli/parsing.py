@@ -135,6 +135,7 @@ def _name(operation: Answer) -> str:
         object=operation["object"],
         place=operation["place"],
         particle=operation.get("particle"),
+        complement=operation.get("complement"),
     ).name
 
 
@@ -143,5 +144,7 @@ def _bounds(requirement: Answer) -> str:
     constraint, low, high = (requirement[name] for name in ("constraint", "earliest", "latest"))
     if constraint == "between" and low and high:
         return f"between {low} and {high}"
+    if constraint == "every" and low != high:
+        return f"every {low} to {high}"
     named = low if constraint in {"at", "after", "every"} else high
     return f"{constraint} {named}" if named else constraint

@@ -21,7 +21,7 @@ def kept_ratings(folder: Path | None) -> "tuple[KeptRating, ...]":
 
     store, trouble = open_store(path)
     try:
-        if trouble:
+        if trouble and not store.names():
             report(f"your ratings are not used: {trouble}")
         return store.ratings()
     finally:

@@ -64,6 +64,13 @@ def fitted(text: str, width: int) -> str:
     return "".join(kept) + "…" * (width > 0) + " " * (width - 1 - used)
 
 
+def terminal_width() -> int:
+    """Give the columns that there are now: by COLUMNS, or of the terminal; 80 where there is none."""
+    import shutil
+
+    return max(20, shutil.get_terminal_size((80, 24)).columns)
+
+
 @dataclass(frozen=True, slots=True)
 class Screen:
     """A stream to write to, with what it can show."""
@@ -77,16 +84,13 @@ class Screen:
     @classmethod
     def of(cls, stream: TextIO, environment: dict[str, str], width: int | None = None) -> "Screen":
         """Look at a stream and the environment: NO_COLOR, FORCE_COLOR, TERM, COLUMNS."""
-        import shutil
-
         interactive = stream.isatty()
         dumb = environment.get("TERM", "") == "dumb"
         wanted = bool(environment.get("FORCE_COLOR")) or (interactive and not dumb)
         encoding = (getattr(stream, "encoding", None) or "utf-8").lower().replace("-", "")
-        columns = width or shutil.get_terminal_size((80, 24)).columns
         return cls(
             stream,
-            max(20, columns),
+            width or terminal_width(),
             wanted and not environment.get("NO_COLOR"),
             encoding.startswith("utf"),
             interactive and not dumb,

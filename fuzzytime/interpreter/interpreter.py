@@ -90,7 +90,9 @@ class Interpreter:
             If a wish refers to an identifier that there is none of, or the context is not as declared.
         """
         request.context.admitted(self.rulebook.signals)
-        maker, links = Maker(self.rulebook, request), Links()
+        request = request.named()
+        maker = Maker(self.rulebook, request)
+        links = Links(frozenset(wish.identifier for wish in request.wishes))
         problems: list[Problem] = []
         skills: list[Interpreted] = []
         readings = iter(self._readings(request, problems))
@@ -186,19 +188,17 @@ def _made(
 
 
 def _identified(skills: Sequence[Interpreted]) -> list[Interpreted]:
-    """Give every skill an identifier of its own: the wish's, or s1, s2, … by position.
-
-    Further skills of one wish that has an identifier get it with a number: eggs, eggs.2.
-    """
-    taken = {interpreted.wish.identifier for interpreted in skills}
+    """Give every skill an identifier of its own: its wish's, and further skills of one eggs.2, eggs.3."""
+    taken = {interpreted.identifier for interpreted in skills}
     seen: Counter[str] = Counter()
     identified = []
-    for position, interpreted in enumerate(skills, 1):
-        own = interpreted.wish.identifier
-        seen[own] += 1
-        name = f"s{position}" if not own else own if seen[own] == 1 else f"{own}.{seen[own]}"
-        while not own and name in taken:
-            name += "'"
-        taken.add(name)
+    for interpreted in skills:
+        name = interpreted.identifier
+        seen[name] += 1
+        if seen[name] > 1:
+            name = f"{name}.{seen[name]}"
+            while name in taken:
+                name += "'"
+            taken.add(name)
         identified.append(replace(interpreted, identifier=name))
     return identified

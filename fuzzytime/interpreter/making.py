@@ -50,8 +50,8 @@ class Maker:
         if repeated is None or repeated.recurrence is None:
             return [self._one(wish, reading, instruction, once)]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
-        times = repeated.recurrence.occurrences(until)[:MAX_OCCURRENCES]
-        return [self._one(wish, reading, instruction, (_occurrence(repeated, time), *once)) for time in times]
+        windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
+        return [self._one(wish, reading, instruction, (_occurrence(repeated, *w), *once)) for w in windows]
 
     def _one(
         self,
@@ -171,17 +171,18 @@ class Maker:
         return self.rulebook.duration_of(lemma, thing)
 
 
-def _occurrence(repeated: TimeRequirement, time: float) -> TimeRequirement:
-    """Give one occurrence of a repetition as a requirement of its own, at its time.
+def _occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:
+    """Give one occurrence of a repetition as a requirement of its own: at its time, or anywhere in it.
 
     It keeps the series, and the grain that its words have: both say how finely the time is meant.
     """
+    moment = start == end
     return replace(
         repeated,
-        constraint=Constraint.AT,
-        t_spec=time,
-        earliest=time,
-        latest=time,
+        constraint=Constraint.AT if moment else Constraint.BETWEEN,
+        t_spec=start if moment else None,
+        earliest=start,
+        latest=end,
         number=None,
     )
 

@@ -22,8 +22,9 @@ from fuzzytime.spelling import suggestion
 
 @dataclass(slots=True)
 class Links:
-    """Which skills came from which instruction, by its position among all instructions given."""
+    """The names of all wishes; and the skills that came of each instruction, by its position among all."""
 
+    wishes: frozenset[str] = frozenset()
     instructions: list[range] = field(default_factory=list)
 
     def skills_of(self, target: int) -> range:
@@ -48,7 +49,7 @@ def link(
     """
     linked = list(skills)
     problems: list[Problem] = []
-    wanted: list[tuple[int, Precedence]] = list(_said_by_identifier(skills))
+    wanted = _said_by_identifier(skills, links.wishes, problems)
     for position, interpreted in enumerate(skills):
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
@@ -78,15 +79,21 @@ def link(
     return linked, kept, problems
 
 
-def _said_by_identifier(skills: Sequence[Interpreted]) -> list[tuple[int, Precedence]]:
+def _said_by_identifier(
+    skills: Sequence[Interpreted], wishes: frozenset[str], problems: list[Problem]
+) -> list[tuple[int, Precedence]]:
     by_identifier: dict[str, list[int]] = {}
     for position, interpreted in enumerate(skills):
-        by_identifier.setdefault(interpreted.identifier, []).append(position)
-        if interpreted.wish.identifier not in {"", interpreted.identifier}:
-            by_identifier.setdefault(interpreted.wish.identifier, []).append(position)
+        for name in {interpreted.identifier, interpreted.wish.identifier}:
+            by_identifier.setdefault(name, []).append(position)
     found = []
     for position, interpreted in enumerate(skills):
         for name in interpreted.wish.after:
+            if name in wishes - by_identifier.keys():
+                message = f"must come after {name}, which is not planned"
+                wish, identifier = interpreted.wish, interpreted.identifier
+                problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
+                continue
             if name not in by_identifier:
                 where = f"line {interpreted.wish.line}: " if interpreted.wish.line is not None else ""
                 meant = suggestion(name, by_identifier)

@@ -3,7 +3,7 @@
 A task file, lines of text, and a session in the terminal all become a `Request`; planning knows nothing else.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from fuzzytime.context import Context
@@ -26,7 +26,7 @@ class Wish:
     line
         Its line in the input, from 1; None where it has none.
     identifier
-        A name for references; empty leaves the choice to the planner (s1, s2, …).
+        A name for references; empty for its number among the wishes (s1, s2, …), as `Request.named` gives it.
     hands_on, elapsed
         Durations in seconds that override what words and tables say; None where not given.
     priority, agent
@@ -110,3 +110,17 @@ class Request:
     busy: tuple[Busy, ...] = ()
     horizon: float | None = None
     started: tuple[Started, ...] = ()
+
+    def named(self) -> "Request":
+        """Give the request with every wish named: as it is, or s1, s2, … by its place among the wishes."""
+        taken = {wish.identifier for wish in self.wishes}
+        wishes = []
+        for number, wish in enumerate(self.wishes, 1):
+            name = wish.identifier
+            if not name:
+                name = f"s{number}"
+                while name in taken:
+                    name += "'"
+                taken.add(name)
+            wishes.append(replace(wish, identifier=name))
+        return replace(self, wishes=tuple(wishes))

@@ -3,7 +3,7 @@
 import math
 from dataclasses import replace
 
-from fuzzytime.interpreter.interpretation import Interpretation, Interpreted
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.request import Started
 from fuzzytime.satisfaction import NEVER, Rectangle
@@ -19,6 +19,7 @@ def without_started(
     where it asked to come after one that failed; what must come before a started one is no longer bound.
     """
     by_identifier = {one.identifier: one for one in started}
+    names = {interpreted.identifier: interpreted.skill.name for interpreted in interpretation.skills}
     failed = {one.identifier for one in started if one.done == math.inf}
     open_positions = [
         position
@@ -36,10 +37,19 @@ def without_started(
             first_started = by_identifier[interpretation.skills[precedence.first].identifier]
             skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
     busy = tuple(
-        Busy(max(0.0, one.start), one.end, one.identifier, one.agent) for one in started if one.end > 0
+        Busy(max(0.0, one.start), one.end, names.get(one.identifier, one.identifier), one.agent)
+        for one in started
+        if one.end > 0
     )
     remaining = replace(
-        interpretation, skills=tuple(skills[position] for position in open_positions), precedences=tuple(kept)
+        interpretation,
+        skills=tuple(skills[position] for position in open_positions),
+        precedences=tuple(kept),
+        problems=tuple(
+            problem
+            for problem in interpretation.problems
+            if problem.kind is not ProblemKind.NOTE or problem.identifier not in by_identifier
+        ),
     )
     return remaining, busy
 

@@ -70,11 +70,12 @@ def _operation(operation: Operation | None) -> dict[str, Any] | None:
         "span": list(operation.span),
         "negated": operation.negated,
         **({"particle": operation.particle} if operation.particle is not None else {}),
+        **({"complement": operation.complement} if operation.complement is not None else {}),
     }
 
 
 def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, Any]:
-    first = next(iter(_coming(requirement.recurrence, 1)), None)
+    first, last = next(iter(_coming(requirement.recurrence, 1)), (requirement.earliest, requirement.latest))
     found: dict[str, Any] = {
         "text": requirement.text,
         "span": list(requirement.span),
@@ -85,8 +86,8 @@ def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, An
         "number": _plain(requirement.number),
         "unit": requirement.unit.value if requirement.unit is not None else None,
         "t_spec_s": requirement.t_spec,
-        "earliest": _instant(first if first is not None else requirement.earliest, reading),
-        "latest": _instant(first if first is not None else requirement.latest, reading),
+        "earliest": _instant(first, reading),
+        "latest": _instant(last, reading),
     }
     if requirement.word is not None:
         found["word"] = requirement.word
@@ -121,8 +122,8 @@ def _instant(seconds: float | None, reading: Reading) -> str | None:
     return instant_after(reading.now, seconds).isoformat()
 
 
-def _coming(recurrence: Recurrence | None, count: int) -> tuple[float, ...]:
-    """Give the next occurrences, at most so many."""
+def _coming(recurrence: Recurrence | None, count: int) -> tuple[tuple[float, float], ...]:
+    """Give where the next occurrences begin and are over, at most so many."""
     if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence)):
         return recurrence.coming(count)
     return ()
@@ -135,5 +136,5 @@ def _repeats(instruction: Instruction, reading: Reading) -> dict[str, Any]:
     return {
         "text": text,
         "interval_s": recurrence.interval if recurrence is not None else None,
-        "next": [_instant(seconds, reading) if reading.now is not None else seconds for seconds in coming],
+        "next": [_instant(seconds, reading) if reading.now is not None else seconds for seconds, _ in coming],
     }

@@ -25,7 +25,8 @@ PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "th
 class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
 
-    ``particle`` belongs to the verb ("put on", "turn off").
+    ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
+    becomes ("let the dough rest", "have the slides ready").
     """
 
     verb: str
@@ -34,6 +35,7 @@ class Operation:
     object: str | None = None
     place: str | None = None
     particle: str | None = None
+    complement: str | None = None
     negated: bool = False
 
     @property
@@ -42,7 +44,7 @@ class Operation:
         inner = (self.particle, self.object)
         if self.object is not None and self.object.lower() in PRONOUNS:
             inner = (self.object, self.particle)
-        return " ".join(part for part in (self.verb, *inner, self.place) if part)
+        return " ".join(part for part in (self.verb, *inner, self.complement, self.place) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,6 +4,9 @@ from dataclasses import dataclass
 from datetime import time
 from enum import StrEnum
 
+Hours = tuple[time, time]
+"""From when to when; over midnight where the second is the smaller."""
+
 
 class SameWeekday(StrEnum):
     """Which day "on Tuesday" is when it is said on a Tuesday."""

@@ -106,7 +106,7 @@ def test_several_instructions_are_counted_listed_and_told_apart() -> None:
         ("eat soon", None, None),
         ("eat when it is hot", None, None),
         ("eat for ten minutes", None, None),
-        ("eat every day", "2026-03-04T09:00:00", "2026-03-04T09:00:00"),
+        ("eat every day", "2026-03-04T09:00:00", "2026-03-05T09:00:00"),
     ],
 )
 def test_bounds_are_open_where_the_constraint_leaves_them_open(

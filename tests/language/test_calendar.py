@@ -1,13 +1,14 @@
 """Series of days are in order, and agree with calendars known from elsewhere."""
 
+from collections.abc import Iterator
 from datetime import date, timedelta
-from itertools import islice, pairwise
+from itertools import islice, pairwise, takewhile
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Today, Weekend, moved
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, Weekend, moved
 from fuzzytime.language.meaning.feasts import Feast, Reckoning, Season, easter
 from fuzzytime.language.meaning.nested import Nth, Share, WeekOf, Within
 from fuzzytime.language.meaning.relations import Away, narrowed
@@ -96,3 +97,35 @@ def test_two_expressions_side_by_side_are_one_where_they_go_together() -> None:
     assert narrowed(Fields(weekday=1), Fields(day=19)) == Fields(day=19, weekday=1)
     assert narrowed(Fields(month=3), Fields(month=4)) is None
     assert narrowed(Cycle(Unit.WEEK), Fields(weekday=1)) == Within(Fields(weekday=1), Cycle(Unit.WEEK))
+
+
+@pytest.mark.parametrize("series", SERIES, ids=repr)
+@given(day=DAYS, length=st.integers(1, 900))
+def test_periods_between_two_days_are_the_upcoming_ones_up_to_the_second(
+    series: Calendar, day: date, length: int
+) -> None:
+    today, end = Today(day, Policy()), day + timedelta(days=length)
+    expected = takewhile(lambda days: days.first < end, series.upcoming(today, day))
+    assert list(series.between(today, day, end)) == list(expected)
+
+
+class _Counted(Cycle):
+    """Every day, with a note of how many were asked for."""
+
+    asked = 0
+
+    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
+        for days in super().upcoming(today, since):
+            type(self).asked += 1
+            yield days
+
+
+def test_series_inside_each_other_that_never_meet_are_given_up_soon() -> None:
+    today = Today(date(2026, 3, 4), Policy())
+    for innermost in (Fields(month=2, day=30), Fields(month=10)):
+        _Counted.asked = 0
+        never: Calendar = Within(_Counted(Unit.DAY), innermost)
+        for month in (3, 5, 7, 9):
+            never = Within(never, Fields(month=month))
+        assert next(never.upcoming(today, today.day), None) is None
+        assert _Counted.asked < 10_000

@@ -12,7 +12,14 @@ from fuzzytime.language.grammar.chart import Action, Grammar, Rule
 from fuzzytime.language.grammar.spans import Scanned
 from language.corpus_rows import Row, meant, rows, texts_without_time
 
+
+def _is_bound(row: Row) -> bool:
+    return any(found.preposition is not None for found in find_times(row.phrase, row.now).requirements)
+
+
 ROWS = rows()
+# Without a preposition, "the fifteenth" and 15/3 may be other things inside a sentence.
+BOUND = [row for row in ROWS if _is_bound(row)]
 
 
 @pytest.mark.parametrize("row", ROWS, ids=str)
@@ -26,7 +33,7 @@ def test_a_time_covers_its_whole_phrase(row: Row) -> None:
     assert said.rstrip(".!") == row.phrase.rstrip(".!")
 
 
-@pytest.mark.parametrize("row", ROWS[::7], ids=str)
+@pytest.mark.parametrize("row", BOUND[::5], ids=str)
 def test_a_time_is_the_same_inside_a_sentence(row: Row) -> None:
     alone = find_times(row.phrase, row.now)
     text = f"call the plumber {row.phrase}, please"

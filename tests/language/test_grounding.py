@@ -105,6 +105,23 @@ def test_the_first_day_of_the_week_is_a_policy() -> None:
     assert at("this weekend", WEDNESDAY, sunday).day == 6
 
 
+@pytest.mark.parametrize(
+    ("text", "said", "over"),
+    [("before dinner", 18, 20), ("before the evening", 19, 22), ("before lunch", 12, 13)],
+)
+def test_before_a_part_of_the_day_that_has_begun_is_before_its_end(text: str, said: int, over: int) -> None:
+    now = WEDNESDAY.replace(hour=said, minute=1)
+    found = find_times(text, now)
+    assert instant_after(now, found.requirements[0].latest or 0.0) == now.replace(hour=over, minute=0)
+    assert [remark.kind for remark in found.remarks] == [RemarkKind.POLICY]
+
+
+def test_before_a_part_of_the_day_to_come_is_before_its_start() -> None:
+    found = find_times("before dinner", WEDNESDAY.replace(hour=17))
+    assert found.requirements[0].latest == 3600
+    assert found.remarks == ()
+
+
 def test_questions_are_asked_unless_the_policy_forbids() -> None:
     lexicon = replace(shipped_lexicon(), policy=Policy(ask=False))
     assert find_times("at six", WEDNESDAY, lexicon).questions == ()

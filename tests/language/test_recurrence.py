@@ -48,7 +48,33 @@ def test_the_coming_occurrences_are_the_first(text: str) -> None:
     found = recurrence(text)
     assert isinstance(found, (EvenRecurrence, CalendarRecurrence))
     coming = found.coming(3)
-    assert found.occurrences(coming[-1])[: len(coming)] == coming
+    assert found.windows(coming[-1][0])[: len(coming)] == coming
+
+
+WITHIN = {
+    "every morning": (8 * 3600, 12 * 3600),
+    "every evening": (18 * 3600, 22 * 3600),
+    "every night": (20 * 3600, 24 * 3600),
+    "every day from 9 to 5": (9 * 3600, 17 * 3600),
+    "every friday": (0, 24 * 3600),
+    "every day at noon": (12 * 3600, 12 * 3600),
+}
+
+
+@pytest.mark.parametrize("text", WITHIN)
+def test_an_occurrence_that_is_a_stretch_of_time_lasts_as_long(text: str) -> None:
+    first, last = recurrence(text).windows(15 * DAY)[1]
+    begins, ends = WITHIN[text]
+    assert last - first == ends - begins
+    assert (9 * 3600 + first) % DAY == begins
+
+
+def test_twice_a_day_is_once_in_each_half_of_it() -> None:
+    assert recurrence("twice a day").windows(DAY - 1) == ((0, DAY / 2), (DAY / 2, DAY))
+
+
+def test_an_occurrence_ends_with_its_series() -> None:
+    assert recurrence("every day until friday").windows(9 * DAY)[-1][1] == 3 * DAY - 9 * 3600
 
 
 def test_a_time_of_day_is_kept_when_clocks_change() -> None:

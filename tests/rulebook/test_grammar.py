@@ -73,6 +73,7 @@ def test_conditions_are_read(text: str, expected: Formula) -> None:
             "pan is hot mostly in the last 10 mnutes",
             [(33, "unknown unit of time 'mnutes' (did you mean 'minutes'?)")],
         ),
+        (f"pan is hot mostly in the last {'9' * 400} s", [(30, "a window must be longer than 0")]),
         ("pan is hot mostly in the last 0 min", [(30, "a window must be longer than 0")]),
         ("pan is vry hot", [(7, "unknown hedge 'vry' (did you mean 'very'?)")]),
         ("pan is hot mosty in the last 5 min", [(11, "got 'mosty' (did you mean 'mostly'?)")]),

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from fuzzytime.study.server import StudyServer
-from study.browser import TOKEN
+from study.serving import TOKEN
 
 
 @dataclass(frozen=True)

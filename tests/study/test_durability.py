@@ -4,8 +4,8 @@ import random
 from pathlib import Path
 
 from fuzzytime.study import Design
-from study.browser import running
 from study.raw_http import request, send
+from study.serving import running
 from trust.study_fuzz import fuzzed
 from trust.study_kills import kill_once, lost
 

@@ -10,30 +10,15 @@ import pytest
 
 from fuzzytime.study import AnswerStore, Design
 from fuzzytime.study.server import StudyServer
-from study.browser import ARGUMENTS, chromium, running
+from study.serving import running
 
 if TYPE_CHECKING:
     from playwright.sync_api import Browser, Page
 
-sync_api = pytest.importorskip(
-    "playwright.sync_api", reason="Playwright is not installed: the page is not tried"
-)
-
-pytestmark = [
-    pytest.mark.browser,
-    pytest.mark.skipif(chromium() is None, reason="no Chromium is installed: the page is not tried"),
-]
+pytestmark = pytest.mark.browser
 
 PADDING = {"left": 52, "right": 28, "top": 18, "bottom": 34}
 """Where the plot lies inside its canvas."""
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator["Browser"]:
-    with sync_api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=chromium(), args=ARGUMENTS)
-        yield found
-        found.close()
 
 
 @pytest.fixture

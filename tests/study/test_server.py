@@ -14,8 +14,8 @@ import pytest
 from fuzzytime.study import Design
 from fuzzytime.study.server import MOST_CONNECTIONS, StudyServer
 from fuzzytime.study.service import body_limit
-from study.browser import TOKEN, running
 from study.raw_http import request, send
+from study.serving import TOKEN, running
 
 
 @pytest.fixture(scope="module")

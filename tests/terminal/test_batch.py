@@ -150,6 +150,24 @@ def test_a_dask_cluster_answers_the_same(tmp_path: Path) -> None:
     assert answers_of(done.out) == alone
 
 
+@pytest.mark.filterwarnings("ignore")
+def test_a_ray_cluster_answers_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    cluster_utils = pytest.importorskip("ray.cluster_utils", reason="Ray is not installed: it is not tried")
+    folder = tasks(tmp_path / "tasks", 3)
+    (folder / "001.txt").write_text("in ten minutes")
+    alone = ran("batch", str(folder), "--jobs", "1", *NOW, folder=tmp_path)
+    beside = os.environ.get("PYTHONPATH", "")
+    monkeypatch.setenv("PYTHONPATH", environment(tmp_path)["PYTHONPATH"] + os.pathsep + beside)
+    cluster = cluster_utils.Cluster(initialize_head=True, head_node_args={"num_cpus": 1})
+    try:
+        address = ("--backend", "ray", "--scheduler", cluster.address)
+        done = ran("batch", str(folder), *address, *NOW, folder=tmp_path)
+    finally:
+        cluster.shutdown()
+    assert (done.code, done.err) == (Exit.FINE, alone.err)
+    assert answers_of(done.out) == answers_of(alone.out)
+
+
 def echo(job: Job, recipe: Recipe) -> str:
     """In the place of `answer`: the file's name; one that is called deadly ends its process."""
     del recipe

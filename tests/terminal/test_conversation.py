@@ -1,10 +1,15 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
+import io
+import json
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 
+from fuzzytime_cli.render import Screen
+from fuzzytime_cli.repl.start import _Talk
+from terminal.running import ran
 from terminal.talking import NINE, Talk
 
 
@@ -95,7 +100,7 @@ def test_a_reading_moves_what_waits_for_it() -> None:
 def test_why_explains_from_the_words_to_the_start() -> None:
     talk = Talk()
     talk.say("Place the pan on the stove in about four minutes")
-    answer = talk.say(":why 1")
+    answer = " ".join(talk.say(":why 1").split())
     assert "place ← minutes (oblique temporal) ← four (number), about (hedge), in (preposition)" in answer
     assert "rules/lookup.yaml" in answer
 
@@ -212,3 +217,65 @@ def test_exit_leaves_and_is_no_task() -> None:
     talk = Talk()
     assert talk.turns.take("exit", NINE).over
     assert talk.entries == []
+
+
+def test_a_skill_has_one_name_in_a_plan_a_run_and_a_conversation(tmp_path: Path) -> None:
+    lines = ("Boil the eggs in five minutes, then set the table", "Make coffee soon")
+    now = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
+    given = tuple(word for line in lines for word in ("-i", line))
+    planned = json.loads(ran("plan", *given, "--format", "json", *now, folder=tmp_path).out)
+    happened = [
+        json.loads(line) for line in ran("run", *given, "--simulate", *now, folder=tmp_path).out.splitlines()
+    ]
+    talk = Talk()
+    for line in lines:
+        talk.say(line)
+    assert talk.turns.plan is not None
+    assert [skill["id"] for skill in planned["skills"]] == ["s1", "s1.2", "s2"]
+    assert sorted(event["id"] for event in happened if event["type"] == "start") == ["s1", "s1.2", "s2"]
+    assert [one.identifier for one in talk.turns.plan.skills] == ["s1", "s1.2", "s2"]
+
+
+def test_a_start_that_comes_while_one_types_is_announced_with_the_next_turn() -> None:
+    talk = Talk()
+    talk.say("Feed the cat now")
+    talk.now += timedelta(seconds=5)
+    assert "09:00:00  start now: feed the cat (s1)" in talk.say("Call mum in ten minutes")
+    assert "start now" not in talk.say(":list")
+
+
+def test_a_rejected_skill_has_no_time_and_its_reason_is_said_once() -> None:
+    talk = Talk()
+    answer = talk.say("Flip the pancakes when the pan is hot")
+    assert answer.count("not enough readings of pan_temp") == 1
+    (row,) = [line for line in answer.split("\n") if "flip the pancakes" in line and " 0.00 " in line]
+    assert row.split()[:3] == ["s1", "–", "–"]
+    assert [line for line in answer.split("\n") if line.startswith("s1") and "█" in line] == []
+
+
+def test_notes_end_with_the_start_and_who_takes_the_time_is_named() -> None:
+    talk = Talk()
+    talk.say("Set the table before the guests arrive")
+    talk.wait(seconds=1)
+    answer = talk.say("Stir the soup now")
+    assert "note: s1" not in answer
+    assert "its best time is taken by set the table (" in answer
+
+
+@pytest.mark.parametrize("name", ["", "dinner", "dinner.pdf", "dinner.txt"])
+def test_a_plan_is_saved_only_as_what_can_be_told(name: str, tmp_path: Path) -> None:
+    talk = Talk()
+    assert "must follow that ends in .json (the session) or .csv" in talk.say(f":save {tmp_path / name}")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_the_schedule_follows_the_width_of_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    written = io.StringIO()
+    screen = Screen(written, 80, colour=False, unicode=True, interactive=True)
+    talk = _Talk(Talk().turns, lambda: NINE, screen, bell=False)
+    talk.take("Stir the soup in about ten minutes and then set the table in the garden")
+    for columns in (100, 40):
+        monkeypatch.setenv("COLUMNS", str(columns))
+        written.truncate(written.seek(0))
+        talk.take(":why 1")
+        assert columns - 20 < max(map(len, written.getvalue().splitlines())) <= columns

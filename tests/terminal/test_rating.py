@@ -28,7 +28,7 @@ def test_a_start_that_was_too_late_moves_the_next_plans_earlier() -> None:
     talk.say(STEAK)
     before = sum(window(talk, "s1"))
     answer = talk.say(":rate 1 2 too late")
-    assert "rated: s1 fry the steak at 09:10:00" in answer
+    assert "rated as planned, it has not started: s1 fry the steak at 09:10:00" in answer
     assert ": 2 of 5, too late" in answer
     assert sum(window(talk, "s1")) < before - 10
     talk.say("Wash the apples in ten minutes")
@@ -66,7 +66,7 @@ def test_a_start_that_has_passed_is_rated_as_it_was() -> None:
     talk.say("Stir the soup now")
     talk.wait(seconds=1)
     talk.now = NINE + timedelta(minutes=30)
-    assert "s1 stir the soup at 09:00:00: 3 of 5" in talk.say(":rate 1 3")
+    assert "rated: s1 stir the soup at 09:00:00: 3 of 5" in talk.say(":rate 1 3")
     # Rated again, the same start counts once.
     talk.say(":rate 1 5")
     assert [line for line in talk.say(":rate").split("\n") if line.startswith("s1")] == [

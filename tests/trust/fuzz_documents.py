@@ -1,40 +1,41 @@
-"""Mutate rule files and context files: each is valid, or refused with a place; nothing else may happen.
+"""Mutate rule, context, task and calendar files: each is valid, or refused with a place.
 
-    PYTHONPATH=. python tests/trust/fuzz_documents.py --files 100000 --seed 1
+    PYTHONPATH=.:cli:tests python tests/trust/fuzz_documents.py --files 100000 --seed 1
 
 Prints how many files were mutated, how many were refused, and every failure. A file that is still valid is
-used as well: a few requirements are resolved by it, and every ψ must lie in [0, 1].
+used as well: a few requirements are resolved by a rule table, and every ψ must lie in [0, 1].
 """
 
 import argparse
 import random
-import re
+import tempfile
 import time
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 import numpy as np
 
 from fuzzytime.context import Context, read_context_lines
 from fuzzytime.errors import DocumentError, FuzzytimeError
+from fuzzytime.interpreter import DirectWish
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement, Unit
 from fuzzytime.rulebook import Profile, Rulebook
 from fuzzytime.rulebook.documents import read_over
+from fuzzytime.satisfaction import SatisfactionFunction
+from fuzzytime.times import parse_zone
 from fuzzytime.yaml_nodes import Reader
+from fuzzytime_cli.faults import NoInputError
+from fuzzytime_cli.inputs.calendar import busy_of_calendar
+from fuzzytime_cli.inputs.source import source_of
+from fuzzytime_cli.inputs.task_file import Surroundings, read_task_file
+from trust.mutating import mutated
 
-RULES = Path(__file__).with_name("fuzzed_rules.yaml").read_text(encoding="utf-8")
-READINGS = Path(__file__).with_name("fuzzed_readings.jsonl").read_text(encoding="utf-8")
-
-NASTY = (
-    "", "~", "null", "true", "on", "0", "-1", "1e999", "-1e308", "1e-320", "nan", ".inf", "9" * 400, "1:30",
-    "[", "]", "{", "}", "{}", "[]", ":", "- ", "? ", "| ", "> ", "#", "'", '"', "\t", "\r", "\n", "\x00",
-    "\x85", "\u2028", "\ufeff", "\ud800", "é", "日本", "🕒", "\x1b[31m", "*a", "&a ", "!!python/name:os.x ",
-    "<<: ", "---\n", "...\n", "%YAML 9\n", "t", "w", "1000000t", "1 h", "99999999 h", "-5 min", "300 d",
-    "inf", "-inf", "not ", "and ", "(", ")" * 50, "(" * 50, "very " * 50, "is", "in the last 5 min",
-    "__import__('os').system('ls')",
-)  # fmt: skip
-"""What is put in anywhere."""
+HERE = Path(__file__).parent
+NOW = datetime(2026, 3, 28, 22, 50, tzinfo=parse_zone("Europe/Berlin"))
+"""A few hours before the clocks go forward."""
 
 REQUIREMENTS = (
     TimeRequirement(text="soon", span=(0, 4), constraint=Constraint.VAGUE, word="soon"),
@@ -63,113 +64,31 @@ CONTEXTS = (
 )
 TIMES = np.linspace(0.0, 7200.0, 50)
 
-Mutation = Callable[[random.Random, str], str]
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of file: the one that is mutated, what reads and uses it, and how many of ten it is."""
+
+    name: str
+    file: str
+    use: Callable[[bytes, Rulebook, random.Random], None]
+    of_ten: int
+    placed: bool = True
+
+    @property
+    def text(self) -> str:
+        return (HERE / self.file).read_text(encoding="utf-8")
 
 
-def _spans(text: str) -> list[tuple[int, int]]:
-    """Where the words and signs of a text stand."""
-    spans, start = [], 0
-    for i, character in enumerate(text):
-        if not (character.isalnum() or character in "_."):
-            if start < i:
-                spans.append((start, i))
-            spans.append((i, i + 1))
-            start = i + 1
-    return [*spans, (start, len(text))]
+def _must_be_satisfactions(function: SatisfactionFunction) -> None:
+    values = function(TIMES)
+    if not ((values >= 0) & (values <= 1)).all():
+        message = f"ψ must lie in [0, 1], got {values.min()} to {values.max()}"
+        raise AssertionError(message)
 
 
-def replace_word(chance: random.Random, text: str) -> str:
-    start, end = chance.choice(_spans(text))
-    return text[:start] + chance.choice(NASTY) + text[end:]
-
-
-def change_number(chance: random.Random, text: str) -> str:
-    numbers = [match.span() for match in re.finditer(r"\d+(\.\d+)?", text)]
-    if not numbers:
-        return text
-    start, end = chance.choice(numbers)
-    number = chance.choice(
-        (chance.randrange(10), chance.randrange(1000), round(chance.random(), 3), 1e-9, 10**7)
-    )
-    return f"{text[:start]}{number}{text[end:]}"
-
-
-def swap_words(chance: random.Random, text: str) -> str:
-    (a, b), (c, d) = sorted((chance.choice(_spans(text)), chance.choice(_spans(text))))
-    return text if c < b else text[:a] + text[c:d] + text[b:c] + text[a:b] + text[d:]
-
-
-def put_in(chance: random.Random, text: str) -> str:
-    at = chance.randrange(len(text) + 1)
-    return text[:at] + chance.choice(NASTY) + text[at:]
-
-
-def cut(chance: random.Random, text: str) -> str:
-    start = chance.randrange(len(text) + 1)
-    return text[:start] + text[start + chance.randrange(1, 40) :]
-
-
-def cut_off(chance: random.Random, text: str) -> str:
-    return text[: chance.randrange(len(text) + 1)]
-
-
-def double(chance: random.Random, text: str) -> str:
-    start = chance.randrange(len(text) + 1)
-    end = start + chance.randrange(1, 200)
-    return text[:end] + text[start:end] + text[end:]
-
-
-def change_character(chance: random.Random, text: str) -> str:
-    at = chance.randrange(len(text)) if text else 0
-    return text[:at] + chr(chance.choice((chance.randrange(128), chance.randrange(0x3000)))) + text[at + 1 :]
-
-
-def move_line(chance: random.Random, text: str) -> str:
-    lines = text.split("\n")
-    line = lines.pop(chance.randrange(len(lines)))
-    lines.insert(chance.randrange(len(lines) + 1), line)
-    return "\n".join(lines)
-
-
-def indent_line(chance: random.Random, text: str) -> str:
-    lines = text.split("\n")
-    at = chance.randrange(len(lines))
-    lines[at] = " " * chance.randrange(1, 9) + lines[at] if chance.random() < 0.5 else lines[at].lstrip()
-    return "\n".join(lines)
-
-
-MUTATIONS: Sequence[Mutation] = (
-    *[replace_word] * 2,
-    *[change_number] * 4,
-    swap_words,
-    put_in,
-    cut,
-    cut_off,
-    double,
-    change_character,
-    move_line,
-    indent_line,
-)
-
-
-def mutated(chance: random.Random, text: str) -> bytes:
-    """Mutate a text a few times, and rarely its bytes too."""
-    for _ in range(chance.choice((1, 1, 1, 2, 3, 6))):
-        text = chance.choice(MUTATIONS)(chance, text)
-    raw = bytearray(text.encode("utf-8", "surrogatepass"))
-    if raw and chance.random() < 0.1:
-        raw[chance.randrange(len(raw))] = chance.randrange(256)
-    return bytes(raw)
-
-
-def try_rules(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
-    """Read a rule file, and use it where it is valid.
-
-    Raises
-    ------
-    DocumentError
-        If it is not.
-    """
+def use_rules(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
+    """Read a rule file, and resolve requirements by it."""
     tables, mistakes = read_over(shipped.tables, [Reader("fuzzed.yaml", raw)], Profile.EVERYDAY)
     if mistakes:
         raise DocumentError(mistakes)
@@ -181,43 +100,74 @@ def try_rules(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
             context.admitted(rulebook.signals)
         except FuzzytimeError:
             context = Context.empty  # the table declared these signals away, or other limits
-        values = rulebook.resolve(requirement, context, verb="flip", elapsed=300.0).satisfaction(TIMES)
-        if not ((values >= 0) & (values <= 1)).all():
-            message = f"ψ must lie in [0, 1], got {values.min()} to {values.max()}"
-            raise AssertionError(message)
+        _must_be_satisfactions(
+            rulebook.resolve(requirement, context, verb="flip", elapsed=300.0).satisfaction
+        )
 
 
-def try_readings(raw: bytes, shipped: Rulebook) -> None:
-    """Read a context file, and use it where it is valid.
-
-    Raises
-    ------
-    DocumentError
-        If it is not.
-    """
+def use_readings(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
+    """Read a context file, and resolve a condition by it."""
+    del chance
     context = read_context_lines(raw, "fuzzed.jsonl", None, shipped.signals)
     shipped.resolve(REQUIREMENTS[3], context)
 
 
+def use_task(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
+    """Read a task file, and look at the functions in it."""
+    given = chance.choice((None, NOW))
+    surroundings = Surroundings(given, None, NOW, _no_calendar, shipped.signals)
+    request = read_task_file(source_of(raw, Path("fuzzed.yaml")), surroundings)
+    for wish in request.wishes:
+        if isinstance(wish, DirectWish):
+            _must_be_satisfactions(wish.satisfaction)
+
+
+def _no_calendar(name: str, now: datetime) -> tuple[()]:
+    raise FuzzytimeError(f"a calendar file must be readable, got {name!r} for {now}")
+
+
+def use_calendar(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
+    """Read a calendar; its library says no lines."""
+    del shipped, chance
+    with tempfile.NamedTemporaryFile(suffix=".ics") as file:
+        file.write(raw)
+        file.flush()
+        for busy in busy_of_calendar(Path(file.name), NOW):
+            if not busy.start <= busy.end:
+                message = f"a busy time must not end before it starts, got {busy}"
+                raise AssertionError(message)
+
+
+KINDS = (
+    Kind("rule", "fuzzed_rules.yaml", use_rules, 6),
+    Kind("context", "fuzzed_readings.jsonl", use_readings, 1),
+    Kind("task", "fuzzed_task.yaml", use_task, 2),
+    Kind("calendar", "fuzzed_calendar.ics", use_calendar, 1, placed=False),
+)
+OF_TEN = tuple(kind for kind in KINDS for _ in range(kind.of_ten))
+
+
 def run(files: int, seed: int, report: Callable[[str], None]) -> Counter[str]:
-    """Mutate so many files, every tenth a context file; count what came of them, and report failures."""
+    """Mutate so many files; count what came of them, and report failures."""
     shipped = Rulebook.shipped()
+    texts = {kind.name: kind.text for kind in KINDS}
     counts: Counter[str] = Counter()
     for number in range(files):
         chance = random.Random(f"{seed}-{number}")
-        of_rules = number % 10 != 0
-        kind = "rule files" if of_rules else "context files"
-        raw = mutated(chance, RULES if of_rules else READINGS)
+        kind = OF_TEN[number % len(OF_TEN)]
+        raw = mutated(chance, texts[kind.name])
         try:
-            if of_rules:
-                try_rules(raw, shipped, chance)
-            else:
-                try_readings(raw, shipped)
-            counts[f"{kind} still valid, and used"] += 1
+            kind.use(raw, shipped, chance)
+            counts[f"{kind.name} files still valid, and used"] += 1
         except DocumentError as error:
             placed = all(mistake.line >= 1 and mistake.column >= 1 for mistake in error.mistakes)
-            counts[f"{kind} refused with places" if placed and str(error) else "failures"] += 1
+            counts[f"{kind.name} files refused with places" if placed and str(error) else "failures"] += 1
+        except NoInputError:
+            counts[f"{kind.name} files refused as empty"] += 1
         except Exception as error:  # noqa: BLE001 - whatever it is, it is what is looked for
+            if isinstance(error, FuzzytimeError) and str(error) and not kind.placed:
+                counts[f"{kind.name} files refused"] += 1
+                continue
             counts["failures"] += 1
             report(f"failure at seed {seed}, file {number}: {type(error).__name__}: {error}\n{raw!r}")
     return counts

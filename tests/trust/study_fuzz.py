@@ -11,8 +11,8 @@ from collections import Counter
 from pathlib import Path
 
 from fuzzytime.study import Design
-from study.browser import TOKEN, running
 from study.raw_http import request, send
+from study.serving import TOKEN, running
 
 PATHS = ("/", "/design", "/join", "/resume", "/demographics", "/curve", "/control", "/finish", "/x", "/../..")
 METHODS = ("GET", "POST", "PUT", "HEAD", "OPTIONS", "DELETE", "get", "POST\t", "")

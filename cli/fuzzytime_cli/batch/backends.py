@@ -1,6 +1,7 @@
 """Where the work is done: processes or threads of this machine, or a cluster's, all through joblib."""
 
 import itertools
+import logging
 import warnings
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -60,9 +61,8 @@ class Workers:
         call = joblib.delayed(answer)
         answered = 0
         try:
-            for line in joblib.Parallel(self.jobs or -1, return_as="generator")(
-                call(job, recipe) for job in window
-            ):
+            together = joblib.Parallel(self.jobs or -1, return_as=self._return_as)
+            for line in together(call(job, recipe) for job in window):
                 yield line
                 answered += 1
         except TerminatedWorkerError:
@@ -73,6 +73,11 @@ class Workers:
                     reason = "whoever planned it was ended from outside, as for want of memory"
                     line = failure(job, recipe, (int(Exit.FAILURE), reason))
                 yield line
+
+    @property
+    def _return_as(self) -> str:
+        """How joblib gives answers: one by one in order; Ray's backend knows only a window as a whole."""
+        return "list" if self.backend is BatchBackend.RAY else "generator"
 
     def _backend(self) -> AbstractContextManager[None]:
         match self.backend:
@@ -122,7 +127,7 @@ def _ray(scheduler: str | None) -> Iterator[None]:
     except ImportError as error:
         raise ConfigError(_lacking(BatchBackend.RAY)) from error
     try:
-        ray.init(scheduler or "auto", log_to_driver=False)
+        ray.init(scheduler or "auto", log_to_driver=False, logging_level=logging.ERROR)
     except (ConnectionError, ValueError) as error:
         raise FuzzytimeError(f"--scheduler: {scheduler or 'auto'} cannot be reached: {error}") from error
     register_ray()

@@ -11,7 +11,7 @@ from typing import Any, BinaryIO, Self
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime_cli.batch.answers import SCHEMA, Job, Recipe
-from fuzzytime_cli.files import replace_file
+from fuzzytime_cli.files import about_file, replace_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,8 +90,9 @@ class Journal:
     def add(self, line: str) -> None:
         """Add an answer."""
         raw = line.encode()
-        self._stream.write(raw)
-        self._stream.flush()
+        with about_file(self.path):
+            self._stream.write(raw)
+            self._stream.flush()
         self._note(raw, len(self._order) + 1)
 
     def put_in_order(self, names: Sequence[str]) -> None:

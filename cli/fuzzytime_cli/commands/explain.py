@@ -41,13 +41,13 @@ def explain(
 
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
-    request = request_of(beside, [text], assembly, understanding, interpreter.rulebook.signals)
+    request = request_of(beside, [text], assembly, understanding, interpreter.rulebook.signals).named()
     made = assembly.plan(request, interpreter)
-    wish = request.wishes[-1]
+    asked = request.wishes[-1].identifier
     for problem in made.problems:
         if problem.text == text.strip() and is_fault(problem):
             report_problem(problem, "fuzzytime")
-    own = [position for position, interpreted in enumerate(made.skills) if interpreted.wish is wish]
+    own = [place for place, interpreted in enumerate(made.skills) if interpreted.wish.identifier == asked]
     screen = Screen.of(sys.stdout, dict(os.environ))
     if not own:
         screen.write(*reading_lines(interpreter.language.read(text, now=request.now), screen.width))

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.options import Instructions, Moment, Solving, Understanding, flattened
 
 
 @flattened
@@ -15,9 +15,7 @@ def parse(
     jsonl: Annotated[  # noqa: FBT002 - a flag
         bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
     ] = False,
-    instruction: Annotated[
-        list[str] | None, typer.Option("--instruction", "-i", metavar="TEXT", help="A text; repeatable.")
-    ] = None,
+    instruction: Instructions = None,
     *,
     moment: Moment,
 ) -> None:

@@ -9,7 +9,15 @@ import typer
 
 from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.options import (
+    Instructions,
+    Moment,
+    OutputFile,
+    Solving,
+    TaskFile,
+    Understanding,
+    flattened,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -22,17 +30,10 @@ if TYPE_CHECKING:
 
 @flattened
 def plan(
-    file: Annotated[
-        str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
-    ] = None,
-    instruction: Annotated[
-        list[str] | None,
-        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
-    ] = None,
+    file: TaskFile = None,
+    instruction: Instructions = None,
     output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file.")
-    ] = None,
+    output: OutputFile = None,
     strict: Annotated[bool, typer.Option("--strict", help="Fail where a line cannot be read.")] = False,  # noqa: FBT002
     *,
     moment: Moment,

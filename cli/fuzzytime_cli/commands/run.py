@@ -9,7 +9,7 @@ from typer.core import TyperCommand
 
 from fuzzytime_cli.choices import RunFormat
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.options import Instructions, Moment, Solving, TaskFile, Understanding, flattened
 
 if TYPE_CHECKING:
     import typer._click as click
@@ -29,13 +29,8 @@ class CommandWithProgram(TyperCommand):
 
 @flattened
 def run(
-    file: Annotated[
-        str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
-    ] = None,
-    instruction: Annotated[
-        list[str] | None,
-        typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
-    ] = None,
+    file: TaskFile = None,
+    instruction: Instructions = None,
     follow: Annotated[
         Path | None,
         typer.Option(metavar="FILE", help="Read lines from a file, and what is added to it, not from stdin."),

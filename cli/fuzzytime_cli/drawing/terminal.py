@@ -20,7 +20,7 @@ def chart_lines(chart: Chart, width: int, rows: int = 8, *, unicode: bool = True
         lines += _panel(panel, chart, columns, rows, unicode=unicode)
     lines.append(_axis(chart, columns))
     for mark in chart.marks:
-        lines.append(f"{' ' * _AXIS} {_time(chart, mark.time)}: {plain(mark.label)}")
+        lines.append(_placed(f"{_time(chart, mark.time)}: {plain(mark.label)}", columns))
     return lines
 
 
@@ -38,12 +38,19 @@ def _panel(panel: Panel, chart: Chart, columns: int, rows: int, *, unicode: bool
         if 0 <= share <= 1:
             canvas.vertical(share)
     labels = {0: f"{panel.high:g}{panel.unit}", rows - 1: f"{panel.low:g}{panel.unit}"}
-    heading = [f"{' ' * _AXIS} {plain(panel.title)}"] if panel.title else []
+    heading = [_placed(plain(panel.title), columns)] if panel.title else []
     bar = "│" if unicode else "|"
     return heading + [
         f"{labels.get(row, '')[:_AXIS]:>{_AXIS}}{bar}{line}"
         for row, line in enumerate(canvas.lines(unicode=unicode))
     ]
+
+
+def _placed(text: str, columns: int) -> str:
+    """Put a line of text above or below the plot, further left where it is too long for that."""
+    width = _AXIS + 1 + columns
+    indent = max(0, min(_AXIS + 1, width - width_of(text)))
+    return " " * indent + fitted(text, width - indent).rstrip()
 
 
 def _axis(chart: Chart, columns: int) -> str:

@@ -36,7 +36,7 @@ def page_text(plan: Plan) -> str:
 
 def _row(plan: Plan, position: int, view: PlanView) -> str:
     specific, satisfaction = plan.schedule.skills[position], plan.schedule.satisfactions[position]
-    texts = (view.clock.of(specific.start), view.clock.of(specific.end), specific.name, view.asked(position))
+    texts = (*view.times(position), specific.name, view.asked(position))
     cells = "".join(element("td", words(text)) for text in texts)
     figure = "rejected" if plan.schedule.rejected[position] else f"{satisfaction:.2f}"
     meter = element("meter", "", value=f"{satisfaction:.4f}")

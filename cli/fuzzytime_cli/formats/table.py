@@ -12,7 +12,7 @@ from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines
-from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, taken
+from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
@@ -99,6 +99,13 @@ class PlanView:
             return ", ".join(requirement.text for requirement in interpreted.requirements)
         return "any time" if interpreted.instruction is not None else "as given"
 
+    def times(self, position: int) -> tuple[str, str]:
+        """Give when a skill starts and ends, by the clock; one that is rejected does neither."""
+        if self.schedule.rejected[position]:
+            return "–", "–"
+        specific = self.schedule.skills[position]
+        return self.clock.of(specific.start), self.clock.of(specific.end)
+
     # -- the table ------------------------------------------------------------------------------------------
 
     def _columns(self) -> _Columns:
@@ -133,10 +140,11 @@ class PlanView:
         specific, satisfaction = self.schedule.skills[position], self.schedule.satisfactions[position]
         rejected = self.schedule.rejected[position]
         style = style_of(satisfaction, rejected=rejected)
+        start, end = self.times(position)
         row = Text(fitted(self.labels[position], self.label_width), style="dim")
-        row.append(" " + fitted(self.clock.of(specific.start), columns.time), "bold")
+        row.append(" " + fitted(start, columns.time), "bold")
         if columns.end:
-            row.append(" " + fitted(self.clock.of(specific.end), columns.end), "not dim")
+            row.append(" " + fitted(end, columns.end), "not dim")
         if columns.agent:
             row.append(f" {specific.agent:>2}", "not dim")
         row.append(" " + fitted(plain(specific.name), columns.name), "not dim")
@@ -157,8 +165,13 @@ class PlanView:
         yield self._axis(window)
         for position in self.schedule.order:
             specific, function = skills[position], self.plan.skills[position].skill.satisfaction
-            cells = lane(function, specific.start, specific.end, specific.done, window)
-            style = style_of(self.schedule.satisfactions[position], rejected=self.schedule.rejected[position])
+            rejected = self.schedule.rejected[position]
+            cells = (
+                shades(function, window)
+                if rejected
+                else lane(function, specific.start, specific.end, specific.done, window)
+            )
+            style = style_of(self.schedule.satisfactions[position], rejected=rejected)
             yield self._lane(self.labels[position], cells, style)
         shown = (
             busy for busy in self.plan.request.busy if busy.start < window.end and busy.end > window.start
@@ -173,7 +186,8 @@ class PlanView:
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""
-        last = max(max(skill.done, skill.end) for skill in self.schedule.skills)
+        planned = zip(self.schedule.skills, self.schedule.rejected, strict=True)
+        last = max((max(skill.done, skill.end) for skill, rejected in planned if not rejected), default=600.0)
         wishes = [interpreted.skill.satisfaction.acceptable(0.02).high for interpreted in self.plan.skills]
         return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
 

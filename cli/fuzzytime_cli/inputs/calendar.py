@@ -1,16 +1,31 @@
 """Busy times from an iCalendar file."""
 
+from collections.abc import Mapping, Sequence
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.skills import Busy
-from fuzzytime.times import DAY, seconds_between
+from fuzzytime.times import DAY, HOUR, MINUTE, seconds_between
 
 MAX_BYTES = 4 << 20
 MAX_OCCURRENCES = 500
 AHEAD = 14 * DAY
 """How far ahead busy times are read, in seconds."""
+
+STEPS = {"HOURLY": HOUR, "MINUTELY": MINUTE, "SECONDLY": 1.0}
+"""Seconds between the occurrences of events that repeat more often than daily."""
+
+_BROKEN = (
+    ValueError,
+    LookupError,
+    TypeError,
+    AttributeError,
+    ArithmeticError,
+    RecursionError,
+    OSError,  # a zone's name is looked up as a file's
+)
+"""What the calendar's library raises where a file or an event is not as it should be."""
 
 
 def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
@@ -33,15 +48,19 @@ def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
         raise FuzzytimeError(f"a calendar file must be readable, got {str(path)!r}") from error
     try:
         calendar = icalendar.Calendar.from_ical(raw)
-    except (ValueError, KeyError, IndexError, TypeError, RecursionError) as error:
-        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB: {error}") from error
+    except _BROKEN as error:
+        reason = f": {error}" if isinstance(error, ValueError) else ""  # others are of the library's inside
+        raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB{reason}") from error
     busy: list[Busy] = []
     for event in calendar.walk("VEVENT"):
         if (
             str(event.get("STATUS", "")).upper() != "CANCELLED"
             and str(event.get("TRANSP", "")).upper() != "TRANSPARENT"
         ):
-            busy += _busy_of(event, now)
+            try:
+                busy += _busy_of(event, now)
+            except FuzzytimeError as error:
+                raise FuzzytimeError(f"{path.name}: {error}") from error
     return tuple(sorted(busy, key=lambda taken: (taken.start, taken.end)))
 
 
@@ -50,7 +69,7 @@ def _busy_of(event: "object", now: datetime) -> list[Busy]:
         start = _instant(event.decoded("DTSTART"), now)  # type: ignore[attr-defined]
         length = _length(event, start, now)
         starts = _occurrences(event, start, length, now)
-    except (ValueError, KeyError, TypeError, AttributeError, OverflowError):
+    except _BROKEN:
         return []  # an event without a usable time blocks none
     what = str(event.get("SUMMARY", ""))  # type: ignore[attr-defined]
     found = []
@@ -82,8 +101,9 @@ def _occurrences(event: "object", start: datetime, length: float, now: datetime)
         return [start]
     from dateutil.rrule import rrulestr
 
-    series = rrulestr(rule.to_ical().decode(), dtstart=start, ignoretz=start.tzinfo is None)
     after = max(start, _floor(now, start) - timedelta(seconds=length))
+    first = start + timedelta(seconds=_skipped(rule, (after - start).total_seconds()))
+    series = rrulestr(rule.to_ical().decode(), dtstart=first, ignoretz=start.tzinfo is None)
     until = _floor(now, start) + timedelta(seconds=AHEAD)
     found = []
     for occurrence in series.xafter(after, count=MAX_OCCURRENCES, inc=True):
@@ -91,6 +111,25 @@ def _occurrences(event: "object", start: datetime, length: float, now: datetime)
             break
         found.append(occurrence)
     return found
+
+
+def _skipped(rule: "Mapping[str, Sequence[str | int]]", passed: float) -> float:
+    """Give the seconds of occurrences that are over: one by one, those of years would take minutes.
+
+    Raises
+    ------
+    FuzzytimeError
+        If they never end, or are many and cannot be skipped.
+    """
+    interval = int(rule.get("INTERVAL", [1])[0])
+    if interval < 1:
+        raise FuzzytimeError(f"an event must repeat at an interval of at least 1, got {interval}")
+    step = STEPS.get(str(rule["FREQ"][0]).upper())
+    if step is None:
+        return 0.0
+    if set(rule) - {"FREQ", "INTERVAL", "UNTIL", "WKST"}:
+        raise FuzzytimeError(f"an event with conditions must repeat daily or less often, got {dict(rule)}")
+    return passed // (step * interval) * step * interval
 
 
 def _floor(now: datetime, like: datetime) -> datetime:

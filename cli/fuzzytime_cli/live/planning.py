@@ -25,7 +25,6 @@ from fuzzytime.interpreter import (
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
 from fuzzytime.times import instant_after
-from fuzzytime_cli.live.naming import bare, named
 
 MOST_READINGS = 5_000
 """Readings of one signal that are remembered."""
@@ -51,8 +50,8 @@ class Planning:
     def __init__(self, request: Request, interpreter: Interpreter, solving: Solving) -> None:
         self.interpreter, self.solving = interpreter, solving
         self.origin: datetime = request.now
-        skills = interpreter.interpret(bare(request)).skills
-        self.request = named(request, skills)
+        self.request = request.named()
+        skills = interpreter.interpret(self.request).skills
         self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
         self.readings: dict[str, deque[Reading]] = {}
         for reading in request.context.readings:
@@ -139,18 +138,14 @@ class Planning:
         FuzzytimeError
             If it refers to an identifier that there is none of.
         """
-        taken = {other.identifier for other in self.request.wishes}
-        if not wish.identifier:
-            number = len(self.request.wishes) + 1
-            while f"s{number}" in taken:
-                number += 1
-            wish = replace(wish, identifier=f"s{number}")
-        elif wish.identifier in taken:
+        if wish.identifier in {other.identifier for other in self.request.wishes}:
             message = f"ids must differ, got {wish.identifier!r} again"
             return (), [_problem(message, wish)]
         if wish.agent is not None and wish.agent > self.request.agents:
             message = f"an agent must be one of 1 to {self.request.agents}, got {wish.agent}"
             return (), [_problem(message, wish)]
+        together = replace(self.request, wishes=(*self.request.wishes, wish)).named()
+        wish = replace(wish, identifier=together.wishes[-1].identifier)
         _, interpretation = understood(self.seen_from(now, started, wish), self.interpreter)
         own = tuple(
             interpreted.identifier

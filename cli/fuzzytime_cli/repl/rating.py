@@ -35,11 +35,12 @@ def rate(scene: Scene, text: str) -> Reply:
         return Reply(tuple(_shown(scene)))
     score, direction = _words(words)
     identifier = identifier_of(name)
-    asked, start = _asked(scene, identifier), _start(scene, identifier)
+    asked, (start, begun) = _asked(scene, identifier), _start(scene, identifier)
     rating = _rating(asked, seconds_between(asked.wish.given, start), score, direction)
     kept = KeptRating(identifier, asked.skill.name, start, json.dumps(document_of(rating)))
     reply = step(scene, f":rate {text.strip()}", lambda state: state.with_rating(kept))
-    lines = (f"rated: {rating_line(kept)}", *personal_table(scene.conversation.ratings).lines)
+    rated = "rated" if begun else "rated as planned, it has not started"
+    lines = (f"{rated}: {rating_line(kept)}", *personal_table(scene.conversation.ratings).lines)
     return replace(reply, lines=tuple(Text(plain(line)) for line in lines))
 
 
@@ -79,14 +80,18 @@ def _asked(scene: Scene, identifier: str) -> Interpreted:
     raise FuzzytimeError(f"a skill must be one of the list ({known}), got {identifier!r}")
 
 
-def _start(scene: Scene, identifier: str) -> datetime:
-    """Give when a skill started, or is planned to."""
+def _start(scene: Scene, identifier: str) -> tuple[datetime, bool]:
+    """Give when a skill started or is planned to, and whether it has.
+
+    A planned start may be rated: one sees that it is too late before it comes, and of a start that came while
+    the conversation was closed nothing is known.
+    """
     for one in scene.conversation.store.started(scene.conversation.name):
         if one.identifier == identifier:
-            return one.start
+            return one.start, True
     for position, interpreted in enumerate(scene.plan.skills):
         if interpreted.identifier == identifier and not scene.plan.schedule.rejected[position]:
-            return scene.plan.instant(scene.plan.schedule.start_times[position])
+            return scene.plan.instant(scene.plan.schedule.start_times[position]), False
     raise FuzzytimeError(f"a rated skill must have a start, and {identifier} has none")
 
 

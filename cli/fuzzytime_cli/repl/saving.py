@@ -19,21 +19,22 @@ def save(scene: Scene, text: str) -> Reply:
     Raises
     ------
     FuzzytimeError
-        If no file is named.
+        If no file is named, or one of another kind.
     """
     from fuzzytime_cli.files import replace_file
     from fuzzytime_cli.formats import written
     from fuzzytime_cli.session import state_text
 
-    if not text.strip():
-        raise FuzzytimeError(
-            "a file must follow: .json keeps the session; .ics .csv .html .svg .jsonl export the plan"
-        )
     path = Path(text.strip()).expanduser()
     exports = {
         f".{kind.value}": kind for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON}
     }
     kind = exports.get(path.suffix.lower())
+    if kind is None and path.suffix.lower() != ".json":
+        raise FuzzytimeError(
+            "a file must follow that ends in .json (the session) "
+            f"or {' '.join(sorted(exports))} (the plan), got {text.strip()!r}"
+        )
     replace_file(
         path,
         written(scene.plan, kind) if kind is not None else state_text(_shared(scene.conversation)) + "\n",

@@ -9,14 +9,17 @@ from datetime import datetime
 from pathlib import Path
 from typing import TextIO
 
+from rich.text import Text
+
 from fuzzytime_cli.assembly import Assembly, data_folder
 from fuzzytime_cli.choices import SolverChoice
-from fuzzytime_cli.faults import report
+from fuzzytime_cli.faults import message_of, report
 from fuzzytime_cli.options import Moment, Solving, Understanding
-from fuzzytime_cli.render import Screen
+from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.turn import Turns
-from fuzzytime_cli.session import open_store
+from fuzzytime_cli.repl.scene import Reply
+from fuzzytime_cli.repl.turn import Line, Turns
+from fuzzytime_cli.session import NotKeptError, open_store
 
 PROMPT = "› "
 PLAIN_PROMPT = "> "
@@ -38,7 +41,7 @@ def converse(
     folder = data_folder()
     store, trouble = open_store(folder / "sessions.sqlite" if kept and folder is not None else None)
     if trouble:
-        report(trouble)
+        report(f"this session is not kept: {trouble}")
     conversation = Conversation(
         store,
         session,
@@ -79,27 +82,41 @@ class _Talk:
 
     def __init__(self, turns: Turns, clock: Callable[[], datetime], screen: Screen, *, bell: bool) -> None:
         self.turns, self.clock, self.screen, self.bell = turns, clock, screen, bell
+        self.unkept = False
         self.lock = threading.Lock()
         self.over = threading.Event()
 
     def open(self) -> None:
         """Greet."""
-        with self.lock:
+        with self._measured():
             self.screen.write(*self.turns.opened(self.clock()))
 
     def take(self, line: str) -> tuple[bool, str]:
         """Answer a line; say whether to go on, and with which words on the prompt."""
-        with self.lock:
-            reply = self.turns.take(line, self.clock())
+        with self._measured():
+            try:
+                reply = self.turns.take(line, self.clock())
+            except NotKeptError as error:
+                if not self.turns.asks:
+                    raise
+                reply = Reply((Text(plain(message_of(error)), style="red"),), edit=line)
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
+
+    @contextmanager
+    def _measured(self) -> Iterator[None]:
+        """Take the turn, on the terminal as wide as it is by now."""
+        with self.lock:
+            if self.screen.interactive:
+                self.turns.width = terminal_width()
+            yield
 
     def beat(self) -> None:
         """Say what starts now; a turn that is being taken goes first."""
         if not self.lock.acquire(blocking=False):
             return
         try:
-            lines = self.turns.tick(self.clock())
+            lines = self._news()
             if lines:
                 self.screen.write(*lines)
                 if self.bell:
@@ -107,6 +124,19 @@ class _Talk:
                 self.screen.stream.flush()
         finally:
             self.lock.release()
+
+    def _news(self) -> list[Line]:
+        """Give what starts now; that it cannot be kept is said once."""
+        try:
+            lines = self.turns.tick(self.clock())
+        except NotKeptError as error:
+            if not self.turns.asks:
+                raise
+            lines = [] if self.unkept else [Text(plain(message_of(error)), style="red")]
+            self.unkept = True
+        else:
+            self.unkept = False
+        return lines
 
 
 @contextmanager
@@ -129,21 +159,14 @@ def _beating(talk: _Talk) -> Iterator[None]:
 def _prompted(talk: _Talk, folder: Path | None) -> None:
     """Read lines with editing, history and completion; Ctrl-C clears the line, Ctrl-D leaves."""
     from prompt_toolkit import PromptSession
-    from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+    from prompt_toolkit.history import InMemoryHistory
     from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
     from prompt_toolkit.patch_stdout import patch_stdout
 
     from fuzzytime_cli.repl.completion import WordCompleter
+    from fuzzytime_cli.repl.history import kept_history
 
-    history: History = InMemoryHistory()
-    path = folder / "history" if folder is not None else None
-    if path is not None:
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.touch(mode=0o600)
-            history = FileHistory(str(path))
-        except OSError:
-            pass  # a home that cannot be written to has no history
+    history = kept_history(folder / "history") if folder is not None else InMemoryHistory()
     keys = KeyBindings()
 
     @keys.add("escape", "enter")

@@ -1,6 +1,7 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
-from dataclasses import dataclass, replace
+import textwrap
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 
 from rich.text import Text
@@ -8,13 +9,13 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import Question
-from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.faults import message_of, underlined
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.scene import Reply, Scene
-from fuzzytime_cli.session import Started
+from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
 _UNREAD = {ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO}
@@ -42,16 +43,19 @@ class Turns:
     plan: Plan | None = None
     version: int = -1
     pending: Pending | None = None
+    news: list[Started] = field(default_factory=list)
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
         entries = self.conversation.state.entries
         if not entries:
             self._refresh(now)
-            return [
+            kept = "everything" if self.conversation.store.path is not None else "nothing"
+            greeting = (
                 "Say what you want done and when: flip the pancakes in about two minutes.",
-                ":help shows the commands, Ctrl-D leaves; everything is kept.",
-            ]
+                f":help shows the commands, Ctrl-D leaves; {kept} is kept.",
+            )
+            return [line for sentence in greeting for line in textwrap.wrap(sentence, self.width)]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
 
@@ -76,8 +80,10 @@ class Turns:
                 reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
         except FuzzytimeError as error:
             return Reply((Text(plain(str(error)), style="red"),))
+        except NotKeptError:
+            raise  # whether to go on without a memory is not decided here
         except OSError as error:
-            return Reply((Text(plain(f"{error.filename or ''}: {error.strerror or error}"), style="red"),))
+            return Reply((Text(plain(message_of(error)), style="red"),))
         return reply
 
     def tick(self, now: datetime) -> list[Line]:
@@ -104,7 +110,7 @@ class Turns:
         """Plan from a moment on: what has started by then stays."""
         self.version = self.conversation.store.version(self.conversation.name)
         if self.plan is not None:
-            self.conversation.note_started(self.plan, now)
+            self.news += self.conversation.note_started(self.plan, now)
         self.plan = self.conversation.plan(now, previous=self.plan)
         return self.plan
 
@@ -112,7 +118,9 @@ class Turns:
         before = self.plan
         made = self._refresh(now)
         started = {one.identifier for one in self.conversation.store.started(self.conversation.name)}
-        lines: list[Line] = [Text(line, style="yellow") for line in move_lines(before, made, started)]
+        lines: list[Line] = [start_line(one) for one in self.news]
+        self.news.clear()
+        lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         for one in self.conversation.running(now):
             lines.append(
                 Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
@@ -162,8 +170,8 @@ def question_lines(question: Question) -> list[Line]:
 
 
 def problem_lines(problem: Problem) -> list[Line]:
-    """Give a problem as lines, with the words underlined; notes are drawn with the plan."""
-    if problem.kind is ProblemKind.NOTE:
+    """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
+    if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
         return []
     lines: list[Line] = [Text(plain(problem.message), style="red")]
     if problem.span is not None and problem.text:

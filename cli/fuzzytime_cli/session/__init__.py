@@ -10,13 +10,14 @@ from fuzzytime_cli.session.state import (
     state_of,
     state_text,
 )
-from fuzzytime_cli.session.store import SessionStore, open_store
+from fuzzytime_cli.session.store import NotKeptError, SessionStore, open_store
 
 __all__ = [
     "Entry",
     "KeptBusy",
     "KeptRating",
     "KeptReading",
+    "NotKeptError",
     "SessionStore",
     "Started",
     "State",

@@ -1,9 +1,10 @@
 """Sessions in SQLite: every step durable before it is acknowledged, and undoable."""
 
+import errno
 import json
 import sqlite3
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
 from dataclasses import asdict
 from datetime import datetime
 from pathlib import Path
@@ -41,6 +42,10 @@ CREATE TABLE IF NOT EXISTS started (
 _HEAD = "SELECT {} FROM steps JOIN sessions ON name = session AND head = number WHERE name = ?"
 
 
+class NotKeptError(OSError):
+    """A step could not be written, as where the disk is full; what was kept before is whole."""
+
+
 class SessionStore:
     """Sessions in one SQLite file: every step is durable before it is acknowledged.
 
@@ -50,6 +55,7 @@ class SessionStore:
 
     def __init__(self, path: Path | None) -> None:
         """Open or make the file; None keeps everything in memory."""
+        self.path = path
         if path is not None:
             path.parent.mkdir(parents=True, exist_ok=True)
             if not path.exists():
@@ -60,9 +66,13 @@ class SessionStore:
             isolation_level=None,
             check_same_thread=False,
         )
-        self._connection.execute("PRAGMA journal_mode=WAL")
-        self._connection.execute("PRAGMA synchronous=FULL")
-        self._connection.executescript(_TABLES)
+        try:
+            self._connection.execute("PRAGMA journal_mode=WAL")
+            self._connection.execute("PRAGMA synchronous=FULL")
+            self._connection.executescript(_TABLES)
+        except sqlite3.Error:
+            self._connection.close()
+            raise
 
     def close(self) -> None:
         """Close the file."""
@@ -71,13 +81,18 @@ class SessionStore:
     @contextmanager
     def _writing(self) -> Iterator[sqlite3.Connection]:
         """Hold the file's one write lock from reading the newest state to writing the next."""
-        self._connection.execute("BEGIN IMMEDIATE")
+        connection = self._connection
         try:
-            yield self._connection
-        except BaseException:
-            self._connection.execute("ROLLBACK")
+            connection.execute("BEGIN IMMEDIATE")
+            yield connection
+            connection.execute("COMMIT")
+        except BaseException as error:
+            if connection.in_transaction:
+                connection.execute("ROLLBACK")
+            if isinstance(error, sqlite3.Error):
+                message = f"this is not kept, and not done: {error}"
+                raise NotKeptError(errno.EIO, message, str(self.path)) from error
             raise
-        self._connection.execute("COMMIT")
 
     def names(self) -> tuple[str, ...]:
         """Give the names of all sessions."""
@@ -199,8 +214,24 @@ class SessionStore:
 
 
 def open_store(path: Path | None) -> tuple[SessionStore, str]:
-    """Open the store; where that is not possible, keep the session in memory and say why."""
+    """Open the store; where it cannot be written, go on with what it holds in memory, and say why."""
     try:
         return SessionStore(path), ""
     except (OSError, sqlite3.Error) as error:
-        return SessionStore(None), f"this session is not kept: {path}: {error}"
+        return _copied(path), f"{path}: {error}"
+
+
+def _copied(path: Path | None) -> SessionStore:
+    """Copy a file that can only be read into memory; of one that cannot be read nothing comes."""
+    # Where no file may be made beside it, SQLite reads a file only if told that nobody writes it.
+    for how in ("mode=ro", "mode=ro&immutable=1"):
+        store = SessionStore(None)
+        try:
+            with closing(sqlite3.connect(f"{Path(path or '').absolute().as_uri()}?{how}", uri=True)) as file:
+                file.backup(store._connection)  # noqa: SLF001 - this module's own
+            store.names()
+        except sqlite3.Error:
+            store.close()
+        else:
+            return store
+    return SessionStore(None)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fuzzytime_cli.faults import NoInputError, UsageError, report
+from fuzzytime_cli.options import OutputFile
 from fuzzytime_cli.study.shared import Database, DesignFile, NewDatabase, now, opened, read_design
 
 if TYPE_CHECKING:
@@ -101,9 +102,7 @@ def ratings(
         bool, typer.Option("--rules", help="The table that they amount to, as a rule file.")
     ] = False,
     json: Annotated[bool, typer.Option("--json", help="One rating a line.")] = False,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="A file; else standard output.")
-    ] = None,
+    output: OutputFile = None,
 ) -> None:
     """Show or export your own ratings of starts (`:rate` in a conversation), and what they amount to."""
     import json as encoding
@@ -136,9 +135,7 @@ def export(
     *,
     csv: Annotated[bool, typer.Option("--csv", help="One row per sample (the default).")] = False,
     json: Annotated[bool, typer.Option("--json", help="One document, with the design.")] = False,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="A file; else standard output.")
-    ] = None,
+    output: OutputFile = None,
 ) -> None:
     """Write a study's answers as CSV or JSON."""
     import io

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fuzzytime_cli.faults import report
+from fuzzytime_cli.options import OutputFile
 from fuzzytime_cli.study.shared import Database, opened
 
 if TYPE_CHECKING:
@@ -78,9 +79,7 @@ def _write_report(folder: Path, found: "Analysis", *, plots: bool) -> None:
 def calibrate(
     database: Database,
     *,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", help="A file; else standard output.")
-    ] = None,
+    output: OutputFile = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the test between groups.")] = 0,
 ) -> None:
     """Write the rule table that a study amounts to; `plan --rules` uses it."""

@@ -3,6 +3,7 @@
 from functools import cache
 
 from fuzzytime.language.english import (
+    bounded_repetitions,
     clocks,
     counted,
     dates,
@@ -33,6 +34,7 @@ _ROOMS = (
     counted,
     ranges,
     repetitions,
+    bounded_repetitions,
 )
 
 

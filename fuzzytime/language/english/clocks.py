@@ -4,7 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
-from fuzzytime.language.meaning.expressions import Clock, Duration, Half, Part, Quantity, Wall
+from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -34,6 +35,12 @@ def number(hour: Integer) -> Clock | None:
 def oclock(hour: Integer) -> Clock | None:
     """Six o'clock, fourteen hundred hours."""
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
+
+
+@grammar.rule("clock", "o|oh|zero <integer> hundred hours?", weight=0.1)
+def early_hundred(hour: Integer) -> Clock | None:
+    """Oh six hundred hours."""
+    return Clock(hour.value, full_day=True) if 0 < hour.value < 10 else None
 
 
 @grammar.rule("clock", "<integer> hours|hrs")
@@ -199,6 +206,9 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
 
 @grammar.rule(
     "unfinished",
+    "for a|another moment|while|bit|jiffy",
+    "for a little while|bit",
+    "for some time",
     "half past",
     "a? <fraction> past",
     "<minutes of clock> past",
@@ -206,7 +216,7 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "at <minutes of clock>|<bare minutes of clock> past|to",
 )
 def of_no_hour(minutes: float | None = None) -> bool:
-    """At half past, at ten to: of which hour is not said, so that it is no time."""
+    """At half past, at ten to, for a while: of which hour, or how long, is not said."""
     return True
 
 

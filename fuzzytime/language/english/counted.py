@@ -35,7 +35,7 @@ def coming_deadline(goal: Goal) -> Said:
     "said",
     "in the? <duration>",
     "in <duration> time",
-    "in <duration> ' time",
+    "in <duration> '|'s time",
     "in <duration> from now",
     weight=0.3,
 )
@@ -56,15 +56,10 @@ def today_in(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
-@grammar.rule("said", "in <quantity>", weight=-0.2)
+@grammar.rule("said", "in <quantity>", weight=-0.1)
 def in_number(quantity: Quantity) -> Said | None:
     """In 15: minutes."""
-    if (
-        not 1 <= quantity.value <= 240
-        or quantity.indefinite
-        or quantity.hedges
-        or quantity.value != int(quantity.value)
-    ):
+    if not 1 <= quantity.value <= 240 or quantity.indefinite or quantity.value != int(quantity.value):
         return None
     return _length(minutes_of(quantity), Constraint.AT, "in")
 
@@ -158,7 +153,7 @@ def duration_alone(duration: Duration) -> Said:
     return Said(replace(duration, hedges=()), Constraint.FOR, None, duration.hedges)
 
 
-@grammar.rule("said", "<duration> <forward>", "<duration> ' <forward>", weight=0.3)
+@grammar.rule("said", "<duration> <forward>", "<duration> '|'s <forward>", weight=0.3)
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)

@@ -3,13 +3,7 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import (
-    Coming,
-    Duration,
-    Quantity,
-    UnitWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.nested import WeekOf, Within
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Stretch, Which
@@ -130,7 +124,14 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
     return None if away is None else Within(Fields(weekday=number), WeekOf(away))
 
 
-@grammar.rule("days", "<weekday> week", "a week on|from <weekday>", "a week <weekday>", weight=0.2)
+@grammar.rule(
+    "days",
+    "<weekday> week",
+    "a week on|from <weekday>",
+    "a week <weekday>",
+    "<weekday> in a|one week",
+    weight=0.2,
+)
 def weekday_week(number: int) -> Calendar:
     """Tuesday week: a week after the next Tuesday."""
     return Away(1, Unit.WEEK, Fields(weekday=number))
@@ -147,6 +148,18 @@ def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calenda
             return None
         found = Away(int(amount) * direction, unit, found)
     return found
+
+
+@grammar.rule("days", "<duration> on <weekday>", weight=0.6)
+def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
+    """A fortnight on friday: two weeks after the next."""
+    return from_anchor(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
+
+
+@grammar.rule("days", "<weekday> fortnight", weight=0.2)
+def weekday_fortnight(number: int) -> Calendar:
+    """Friday fortnight."""
+    return Away(2, Unit.WEEK, Fields(weekday=number))
 
 
 @grammar.rule("days", "<duration> from|after|following|since <days>", weight=0.2)

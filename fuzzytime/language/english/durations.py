@@ -16,7 +16,9 @@ LARGEST = 1e11
 def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
     amount = quantity.value * unit.count
     # "a m" is half of "10 a m".
-    if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and len(unit.form) == 1):
+    # "In a mo": a moment, no month.
+    short = len(unit.form) == 1 or unit.form == "mo"
+    if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and short):
         return None
     return Duration(
         ((amount, unit.unit),),

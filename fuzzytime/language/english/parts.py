@@ -4,16 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import (
-    Edge,
-    Ending,
-    Half,
-    Part,
-    Rest,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Edge, Ending, Rest, Wall
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
+from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -41,6 +35,12 @@ def wall_of_part(found: Part) -> Wall:
 def all_part(found: Part) -> Wall | None:
     """All morning, through the night."""
     return None if found.is_point else Wall(part=found)
+
+
+@grammar.rule("wall", "all|whole day <days>|<date>", "all|whole day on <days>|<date>", weight=0.4)
+def all_day(days: Calendar) -> Wall | None:
+    """All day tomorrow, all day on friday."""
+    return Wall(days) if days.grain is Unit.DAY else None
 
 
 @grammar.rule("wall", "at|during|over the? <meal>")
@@ -73,9 +73,11 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
     return Wall(days, part_of_day if share is None else part_of_day.share(*share))
 
 
-@grammar.rule("wall", "<share> <day>", "<share> in? the day", weight=0.1)
-def later_today(share: tuple[float, float], days: Relative | None = None) -> Wall | Rest:
-    """Later today, early tomorrow."""
+@grammar.rule("wall", "<share> <days>|<date>", "<share> in? the day", weight=0.1)
+def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wall | None:
+    """Later today, early tomorrow, late on friday."""
+    if days is not None and days.grain is not Unit.DAY:
+        return None
     low, high = share
     whole = Part("day", 0, 24 * 3600, Half.DAY)
     return Wall(days or Relative(0), whole.share(low, high))

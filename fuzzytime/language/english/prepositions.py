@@ -6,17 +6,8 @@ from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Coming,
-    Edge,
-    Ending,
-    Goal,
-    Offset,
-    Said,
-    TimeWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -56,6 +47,15 @@ def when_it_is(wall: Wall) -> Said | None:
 def at_clock(clock: Clock) -> Said:
     """At 1030, at 7h, at 2.30."""
     return Said(Wall(clock=clock), None, "at")
+
+
+@grammar.rule("said", "at <hedge> <clock>", "at <clock> <hedge_after>", weight=0.35)
+def at_hedged_clock(first: str | Clock, second: Clock | str) -> Said | None:
+    """At exactly 1830, at 1830 sharp."""
+    clock, hedge = (first, second) if isinstance(first, Clock) else (second, first)
+    if not isinstance(clock, Clock) or not isinstance(hedge, str):
+        return None
+    return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", (hedge,))
 
 
 @grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)

@@ -8,17 +8,8 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Duration,
-    Ending,
-    Goal,
-    Offset,
-    Range,
-    Said,
-    TimeWord,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, Ending, Goal, Offset, Range, Said, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -165,6 +156,10 @@ def refined(said: Said, wall: Wall) -> Said | None:
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
     if not (said.constraint in bounds or beside) or wall.clock is not None or said.lasting is not None:
         return None
+    if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
+        # As in "after breakfast tomorrow".
+        whole = wall.days is not None and wall.part is None and wall.days.grain is Unit.DAY
+        return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
     if isinstance(said.time, Wall) and said.time.clock is not None:
         time = joined(said.time, wall)
         return None if time is None else replace(said, time=time)

@@ -3,23 +3,18 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
-    Coming,
     Duration,
-    Offset,
-    Part,
-    Range,
     Repeat,
-    Said,
     UnitWord,
     Wall,
 )
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
@@ -38,7 +33,8 @@ def of_unit(unit: UnitWord, count: float = 1) -> Repeat:
 @grammar.rule("repeat", "every|each|per single? <unit>", "every|each and every|each <unit>")
 def every(unit: UnitWord) -> Repeat | None:
     """Every day, each week."""
-    return of_unit(unit) if len(unit.form) > 1 else None
+    # Every night is a part of every day.
+    return of_unit(unit) if len(unit.form) > 1 and unit.form != "night" else None
 
 
 @grammar.rule("repeat", "every|each <duration>")
@@ -75,7 +71,13 @@ def every_weekday(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(weekday=number)),))
 
 
-@grammar.rule("repeat", "every|each other|second <weekday>", weight=0.1)
+@grammar.rule(
+    "repeat",
+    "every|each other|second|alternate <weekday>",
+    "on? alternate <weekday>|<weekdays>",
+    "on? every other <weekdays>",
+    weight=0.4,
+)
 def every_other_weekday(number: int) -> Repeat:
     """Every other friday."""
     return Repeat(walls=(Wall(Fields(weekday=number)),), skip=2)
@@ -119,16 +121,22 @@ def weekday_part(part: Part) -> Repeat:
     return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for day in range(5)))
 
 
-@grammar.rule("repeat", "<weekday> <parts>", weight=0.2)
-def weekly_part(number: int, part: Part) -> Repeat:
-    """Tuesday afternoons."""
-    return Repeat(walls=(Wall(Fields(weekday=number), part),))
+@grammar.rule("weekday list", "<weekday>")
+def one_weekday(number: int) -> tuple[int, ...]:
+    """Tuesday, in "tuesday and friday nights"."""
+    return (number,)
 
 
-@grammar.rule("repeat", "every|each <weekday> <part>", weight=0.1)
-def every_weekday_part(number: int, part: Part) -> Repeat:
-    """Every friday evening."""
-    return Repeat(walls=(Wall(Fields(weekday=number), part),))
+@grammar.rule("weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>")
+def another_weekday(numbers: tuple[int, ...], number: int) -> tuple[int, ...]:
+    """Monday, wednesday and friday."""
+    return (*numbers, number)
+
+
+@grammar.rule("repeat", "on? <weekday list> <parts>", "every|each <weekday list> <part>", weight=0.2)
+def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
+    """Tuesday afternoons, every friday evening, tuesday and friday nights."""
+    return Repeat(walls=tuple(Wall(Fields(weekday=number), part) for number in numbers))
 
 
 @grammar.rule("repeat", "every|each <date>", "every|each <feast>", weight=0.1)
@@ -154,10 +162,18 @@ def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None
     return Repeat(walls=(Wall(Fields(day=number)),))
 
 
-@grammar.rule("repeat", "the? <ordinal> <weekday> of every|each month", weight=0.3)
-def weekday_of_every(number: int, weekday: int) -> Repeat:
-    """The first monday of every month."""
-    return Repeat(walls=(Wall(Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH))),))
+@grammar.rule(
+    "repeat",
+    "the? <ordinal> <series> of every|each <series>",
+    "the? last <series> of every|each <series>",
+    weight=0.3,
+)
+def nth_of_every(first: int | Calendar, second: Calendar, third: Calendar | None = None) -> Repeat | None:
+    """The first monday of every month, the last day of each year."""
+    number, inner, outer = (-1, first, second) if third is None else (first, second, third)
+    if not isinstance(number, int) or not isinstance(inner, Calendar) or not isinstance(outer, Cycle):
+        return None
+    return Repeat(walls=(Wall(Nth(number, inner, outer)),)) if inner != outer else None
 
 
 @grammar.rule("repeat", "a? daily", "a? nightly", "everyday", "day in day out", "each day of the week")
@@ -234,101 +250,6 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     length = UNIT_SECONDS[unit.unit] * unit.count if unit is not None else UNIT_SECONDS[Unit.DAY]
     if number == 1:
         return of_unit(unit or UnitWord(Unit.DAY, 1, "day"))
-    return Repeat(Duration(((length / number, Unit.SECOND),)))
-
-
-# -- with times, days and bounds ------------------------------------------------------------------------
-
-
-@grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
-def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Every day at nine, on mondays at 4pm, every day this week."""
-    return narrowed_repeat(repeat, wall)
-
-
-@grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
-def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """9am on sundays; but "two nights" are no nights at two."""
-    return None if wall.bare else narrowed_repeat(repeat, wall)
-
-
-@grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
-def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """At noon every day, at nine on weekdays."""
-    return narrowed_repeat(repeat, wall)
-
-
-def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
-    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
-    days = wall.days
-    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
-        return None
-    period = repeat.walls[0].days
-    if period == Cycle(Unit.YEAR) and days.month is not None:
-        return days
-    return days if period == Cycle(Unit.WEEK) and days.weekly else None
-
-
-def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
-    days = _named_days(repeat, wall)
-    if days is not None:
-        return replace(repeat, every=None, walls=(replace(wall, days=days),))
-    if wall.days is not None and wall.clock is None and wall.part is None:
-        if repeat.until is not None or repeat.starting is not None:
-            return None
-        return replace(repeat, starting=wall, until=wall)
-    if wall.days is not None or not repeat.walls:
-        return None
-    walls = []
-    for old in repeat.walls:
-        if (old.clock and wall.clock) or (old.part and wall.part):
-            return None
-        clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
-        walls.append(replace(old, clock=clock, part=old.part or wall.part))
-    return replace(repeat, walls=tuple(walls))
-
-
-@grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
-def bounded(repeat: Repeat, said: Said) -> Repeat | None:
-    """Every day until friday, every ten minutes from noon to two."""
-    time = said.time
-    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
-        return None
-    if isinstance(time, Duration):
-        return (
-            replace(repeat, until=Offset(time))
-            if said.constraint in {Constraint.FOR, Constraint.BEFORE}
-            else None
-        )
-    if isinstance(time, Coming):
-        return replace(repeat, until=Offset(time.duration))
-    by_day = bool(repeat.walls) and isinstance(time, Range) and isinstance(time.first, Wall)
-    if by_day and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock is not None:
-        # "Every weekday from 9 to 5": at the start of that stretch.
-        return narrowed_repeat(repeat, replace(time.first, days=None))
-    if said.constraint is Constraint.BEFORE:
-        return replace(repeat, until=time)
-    if said.constraint is Constraint.AFTER:
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
-        return replace(repeat, starting=time.first, until=time.last)
-    return None
-
-
-@grammar.rule("said", "<repeat>", weight=0.1)
-def repeated(repeat: Repeat) -> Said:
-    """Every day at nine."""
-    return Said(repeat, Constraint.EVERY)
-
-
-@grammar.rule("said", "<preposition_at> <repeat>", weight=0.2)
-def repeated_with_preposition(preposition: Preposition, repeat: Repeat) -> Said:
-    """For wednesdays at two pm, by ten to eleven am daily."""
-    return Said(repeat, Constraint.EVERY, preposition.name)
-
-
-@grammar.rule("said", "by <repeat>", "before <repeat>", weight=0.2)
-def repeated_deadline(repeat: Repeat) -> Said:
-    """By ten to eleven am daily."""
-    return Said(repeat, Constraint.EVERY, "by")
+    days = unit is None or unit.unit not in SMALL
+    # "Twice a day": once in each half of it, and at no moment.
+    return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)

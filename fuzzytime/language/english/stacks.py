@@ -5,12 +5,9 @@ from dataclasses import replace
 from fuzzytime.language.english.days import from_anchor
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Duration,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.relations import Relative, narrowed, same_day
+from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
 
@@ -51,6 +48,14 @@ def joined(first: Wall, second: Wall) -> Wall | None:
 def stacked(first: Wall, second: Wall) -> Wall | None:
     """Tomorrow at six, friday march fifteenth nine am, morning of the 15th."""
     return joined(first, second)
+
+
+@grammar.rule("wall", "<wall> at|@ <wall>", "<wall> , at <wall>", weight=0.15)
+def stacked_clock(first: Wall, second: Wall) -> Wall | None:
+    """The 20th at 10: a number behind "at" is a clock time."""
+    if second.clock is None:
+        return None
+    return joined(first, replace(second, clock=replace(second.clock, bare=False)))
 
 
 @grammar.rule("wall", "<date> t <clock> z?", weight=0.5)

@@ -5,9 +5,12 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR, Measures
+from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.relations import Deictic
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -16,24 +19,21 @@ BINDING = frozenset(
 )
 """First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
 
+ASKED = frozenset({"me", "us", "just"})
+"""Words before "a second" that make it no length of time."""
+
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
 
 SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
-BEHIND_VERBS = frozenset(
-    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "this", "these", "those", "it", "them"}
-    | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
-)
-"""Words that may follow a verb, and hardly a noun that is counted."""
+OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
+"""Words that open a noun: "the Sunday suit"."""
 
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
-AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
-"""Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
-
-NEAR = 8
-"""Words before a number that decide whether it is an amount."""
+CLOCK_DIGITS = 4
+"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
 class Judge:
@@ -43,20 +43,27 @@ class Judge:
         self.words = words
         self.lexicon = lexicon
         self.texts = [word.text for word in words]
+        self.measures = Measures(words, lexicon)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
         if self._runs_on(piece) or self._is_excepted(piece):
             return False
+        time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
-        time = said.time
+        if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
+            # "Write for two hours before noon" says how long, and a bound.
+            return False
         if isinstance(time, Duration):
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
             return self._accepts_wall(piece, said, time)
         if isinstance(time, TimeWord) and self._begins_clause(piece):
+            return False
+        if isinstance(time, Repeat) and self._before(piece) in {"most", "some", "many", "few"}:
+            # "Most evenings": which, is not said.
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self._describes(piece)
@@ -64,7 +71,7 @@ class Judge:
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
                 between = said.preposition == "between" and self._binds(piece)
-                return between and not self._measured(piece) and self._may_end(piece)
+                return between and not self.measures.measured(piece) and self._may_end(piece)
         return True
 
     def _is_excepted(self, piece: Piece) -> bool:
@@ -85,8 +92,11 @@ class Judge:
 
     def _is_added(self, piece: Piece) -> bool:
         """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
-        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         earlier = self.texts[: piece.start - 1]
+        if "not" in earlier[-NEAR:]:
+            # "Not today but tomorrow"
+            return True
+        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
 
     def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
@@ -108,8 +118,14 @@ class Judge:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
         if piece.end < len(self.words):
             word = self.words[piece.end]
+            if word.text == "'s":
+                # "A day's work"
+                return True
             last = self.words[piece.end - 1]
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
+                return True
+            if joins(self.words, piece.end) and last.is_letters and not self._timely(piece.end + 1):
+                # "Twenty-year-old", "second-hand"
                 return True
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
                 after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
@@ -122,6 +138,18 @@ class Judge:
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
         )
 
+    def _is_distance(self, piece: Piece) -> bool:
+        """Whether it is so long before or after another time."""
+        time = piece.value.time
+        if isinstance(time, Wall) and time.clock is not None and time.clock.shift:
+            return bool({"before", "after"} & set(self.texts[piece.start : piece.end]))
+        return isinstance(time, Offset) and time.anchor is not None
+
+    def _appoints(self, piece: Piece) -> bool:
+        """Whether words before make "for" say when: "an alarm for two hours before noon"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        return bool(self.lexicon.appointing & set(before))
+
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""
         outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
@@ -133,12 +161,18 @@ class Judge:
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
         return True
 
+    def _before(self, piece: Piece) -> str:
+        return self.texts[piece.start - 1] if piece.start else ""
+
     def _follower(self, piece: Piece) -> str:
         return self.texts[piece.end] if piece.end < len(self.texts) else ""
 
     def _may_end(self, piece: Piece) -> bool:
         """Whether what follows does not make its last word count or describe something."""
         follower = self._follower(piece)
+        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
+            # "At ten to": of which hour is not said.
+            return False
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         return follower in self.lexicon.function_words or self._is_in_front(piece) or self._timely(piece.end)
@@ -166,46 +200,6 @@ class Judge:
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
         return any(piece.category in _TIMELY for piece in found)
 
-    def _measured(self, piece: Piece) -> bool:
-        """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
-        for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
-            if self._is_other_order(place) or self._is_amount(place):
-                return False
-            if place and self._is_amount(place - 1):
-                return False
-            if self._measures(place, piece):
-                return True
-        return False
-
-    def _is_other_order(self, place: int) -> bool:
-        """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
-        text, behind = self.texts[place], self.texts[place + 1 : place + 3]
-        joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
-        return joined or text in {".", ";", "!", "?", "then"}
-
-    def _measures(self, place: int, piece: Piece) -> bool:
-        """Whether a word makes a number behind it an amount: that depends on how it is bound."""
-        text, said, lexicon = self.texts[place], piece.value, self.lexicon
-        if not _is_bound_to_hour(said):
-            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
-        if said.preposition not in AMOUNTED:
-            return False
-        if text in lexicon.amount_nouns or text in lexicon.counting:
-            return True
-        if self.texts[piece.start] not in {"by", "from"}:
-            return False
-        following = self.texts[place + 1 : piece.start]
-        return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
-
-    def _is_amount(self, place: int) -> bool:
-        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
-        beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
-        amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
-        return amount and self._is_number(place)
-
-    def _is_number(self, place: int) -> bool:
-        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
-
     def _binds(self, piece: Piece) -> bool:
         return bool(BINDING & set(self.texts[piece.start : piece.start + 2]))
 
@@ -213,6 +207,12 @@ class Judge:
         last = duration.until or duration
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
+            return False
+        if last.bare_end and self.measures.divided(piece):
+            return False
+        alone = duration.indefinite and said.preposition is None
+        if last.ordinal_end and alone and self._before(piece) in ASKED:
+            # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
             return self._may_end(piece) and not (said.preposition is None and last.bare_end)
@@ -222,13 +222,21 @@ class Judge:
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if said.preposition is None and self._describes(piece):
+        if said.preposition is None and (self._describes(piece) or self._names(piece, wall)):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
         day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
         if day and not self._may_end(piece):
             # "After the first one is done"
+            return False
+        if (
+            wall.clock is not None
+            and wall.days is None
+            and said.preposition is None
+            and self.measures.named(piece)
+        ):
+            # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._may_end(piece) and said.preposition is not None
@@ -249,6 +257,19 @@ class Judge:
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
 
+    def _names(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
+        if wall.part is not None or self._may_end(piece):
+            return False
+        if wall.clock is not None:
+            worded = all(word.is_letters for word in self.words[piece.start : piece.end])
+            return wall.days is None and wall.clock.full_day and worded
+        days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
+        owned = self.texts[piece.start] in OWNING
+        return isinstance(days, (Feast, Season)) or (
+            owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
+        )
+
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous
 
@@ -257,26 +278,21 @@ class Judge:
         if not self._may_end(piece):
             return False
         before = piece.start - 1
-        if said.preposition == "by" and self._is_number(before) and not self._is_amount(before):
+        counted = self.measures.is_number(before)
+        if said.preposition == "by" and counted and not self.measures.is_amount(before):
             # "Two by four"
             return False
-        if said.preposition == "through" and self._is_number(before):
+        if said.preposition == "through" and counted:
             # "Pages 3 through 7"
             return False
-        sure = said.preposition == "at" and wall.clock is not None and wall.clock.grain is Unit.HOUR
-        if not sure and self._measured(piece):
+        digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
+        hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
+        sure = said.preposition == "at" and hour and not self.measures.named(piece)
+        if not sure and self.measures.measured(piece):
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
-
-
-def _is_bound_to_hour(said: Said) -> bool:
-    """Whether it is a bound at a number that can be an hour: "by 6", but not the "until 180" of an oven."""
-    ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
-    clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
-    hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
-    return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
 
 
 _TIMELY = frozenset(

@@ -10,7 +10,7 @@ from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
 
 TELLING = frozenset(
-    {"unit", "day", "weekday", "weekdays", "part", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
+    {"unit", "day", "weekday", "weekdays", "part", "parts", "day_part", "month", "hh:mm", "hh:mm:ss", "y-m-d"}
     | {"unfinished"}
 )
 """Categories of pieces that look like time."""

@@ -8,7 +8,7 @@ from typing import Any
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
-from fuzzytime.language.policy import Policy
+from fuzzytime.language.policy import Hours, Policy
 from fuzzytime.requirement import Constraint
 from fuzzytime.resources import rules_directory
 
@@ -46,22 +46,30 @@ class Lexicon:
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, corrections, addresses, amounts, results
         Words that the reading of sentences uses, by meaning.
-    wanting, forgetting, causing
-        Verbs above the one that is meant: "I want to", "don't forget to", "have … ready".
+    wanting, forgetting
+        Verbs above the one that is meant: "I want to", "don't forget to".
+    causing, letting
+        Verbs that bring something about: "have … ready", "let … rest".
     intransitive
         Verbs that take no object, so that they share none either: "stop and open the door".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
         Words that begin what says where.
+    appointing
+        Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     impersonal
         What "it" does or is when it stands for nothing: "rains", "dark".
     measure_verbs, measure_nouns
         Words beside which a number is an amount.
+    dividing
+        Verbs beside which a number says into how many parts.
     changing, counting, amount_nouns
         Words beside which even a bound is one: "by 10", "until 10".
+    usual_hours
+        By words for what people do, the hours at which they do it.
     function_words
         Words that may follow a bare number without making it a count.
     """
@@ -81,18 +89,22 @@ class Lexicon:
     wanting: frozenset[str]
     forgetting: frozenset[str]
     causing: frozenset[str]
+    letting: frozenset[str]
     intransitive: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
+    appointing: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
     impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
+    dividing: frozenset[str]
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
     amount_nouns: frozenset[str]
     function_words: frozenset[str]
+    usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 
     @classmethod

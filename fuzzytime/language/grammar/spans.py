@@ -44,11 +44,16 @@ class Scanned:
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
-    """Cut "-ish" off words about time, and leave out the hyphens of number words."""
+    """Cut "-ish" and "'s" off words about time, and leave out the hyphens of number words."""
     found: list[Word] = []
     for place, word in enumerate(words):
         base = word.text.removesuffix("ish")
-        if (
+        owner = word.text.removesuffix("'s")
+        if owner != word.text and any(entry.category == "unit" for entry in lexicon.entries.get(owner, ())):
+            # "In an hour's time"
+            middle = word.end - 2
+            found += [Word(owner, word.start, middle, word.glued), Word("'s", middle, word.end, glued=True)]
+        elif (
             base != word.text
             and (base in lexicon.numbers or base in lexicon.entries)
             and word.text not in lexicon.entries

@@ -10,6 +10,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import MAXYEAR, date, timedelta
+from itertools import takewhile
 
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit
@@ -67,6 +68,14 @@ class Calendar(ABC):
     @abstractmethod
     def past(self, today: Today, until: date) -> Iterator[Days]:
         """Give the periods that begin before the day ``until``, descending; all where it is fixed."""
+
+    def between(self, today: Today, since: date, end: date) -> Iterator[Days]:
+        """Give the upcoming periods that begin before the day ``end``.
+
+        Series that may be empty for decades search no further than that: series inside each other would
+        otherwise take the product of their searches.
+        """
+        return takewhile(lambda days: days.first < end, self.upcoming(today, since))
 
 
 def month_after(year: int, month: int, months: int) -> tuple[int, int]:
@@ -193,25 +202,27 @@ class Fields(Calendar):
             if days.first < until or self.fixed:
                 yield days
 
-    def _found(self, near: date, step: int) -> Iterator[Days]:
+    def between(self, today: Today, since: date, end: date) -> Iterator[Days]:  # noqa: ARG002
+        """Give the matching periods of the years up to that day."""
+        for days in self._found(since, 1, end.year - since.year + 1):
+            if days.first < end and (days.end > since or self.fixed):
+                yield days
+
+    def _found(self, near: date, step: int, searched: int = SEARCHED_YEARS) -> Iterator[Days]:
         if self.weekly:
             ahead = ((self.weekday or 0) - near.weekday()) % 7
             first = near + timedelta(days=ahead - (7 if step < 0 else 0))
-            for weeks in range(SEARCHED_YEARS * 53):
+            for weeks in range(searched * 53):
                 yield Days.single(first + timedelta(weeks=step * weeks))
             return
         if self.grain is Unit.YEAR:
             yield Days(date(self.year or 1, 1, 1), moved(date(self.year or 1, 1, 1), Unit.YEAR, 1))
             return
-        for year, month in self._months(near, step):
+        for year, month in self._months(near, step, searched):
             yield from self.in_month(year, month, step)
 
-    def _months(self, near: date, step: int) -> Iterator[tuple[int, int]]:
-        years = (
-            [self.year]
-            if self.year is not None
-            else range(near.year, near.year + step * SEARCHED_YEARS, step)
-        )
+    def _months(self, near: date, step: int, searched: int) -> Iterator[tuple[int, int]]:
+        years = [self.year] if self.year is not None else range(near.year, near.year + step * searched, step)
         for year in years:
             months = [self.month] if self.month is not None else list(range(1, 13))[::step]
             for month in months:

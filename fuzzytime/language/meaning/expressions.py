@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint, Unit
 
 UNIT_SECONDS = {
@@ -21,8 +22,6 @@ UNIT_SECONDS = {
 }
 """Seconds in a unit of a duration; a month counts 30 days, a year 365."""
 
-DAY_SECONDS = 86400
-
 
 class Edge(StrEnum):
     """Which edge of an interval a bound means: its start, the moment it is over, its last moment."""
@@ -30,16 +29,6 @@ class Edge(StrEnum):
     START = "start"
     END = "end"
     LAST = "last"
-
-
-class Half(StrEnum):
-    """Which half of the day a clock time is in, as said by "am", "in the evening", "at night"."""
-
-    AM = "am"
-    PM = "pm"
-    DAY = "day"
-    NIGHT = "night"
-    EITHER = "either"
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,89 +85,10 @@ class Duration:
 
 
 @dataclass(frozen=True, slots=True)
-class Clock:
-    """A time of day as said; ``full_day`` where the hour counts from 0 to 24 ("15h30", "0730").
-
-    ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty").
-    """
-
-    hour: int
-    minute: int = 0
-    second: int = 0
-    grain: Unit = Unit.HOUR
-    half: Half | None = None
-    full_day: bool = False
-    bare: bool = False
-    pair: bool = False
-    shift: int = 0
-
-    @property
-    def seconds(self) -> int:
-        """Seconds since midnight, the hour taken as said."""
-        return self.hour * 3600 + self.minute * 60 + self.second + self.shift
-
-    @property
-    def is_open(self) -> bool:
-        """Whether it may be before noon or after."""
-        return not self.full_day and self.half in {None, Half.EITHER} and 1 <= self.hour <= 12
-
-    def candidates(self) -> tuple[int, ...]:
-        """Give the seconds since midnight that it may mean, morning first."""
-        base = self.minute * 60 + self.second + self.shift
-        if self.full_day or self.hour > 12 or self.hour == 0:
-            return ((self.hour * 3600 + base) % DAY_SECONDS,)
-        before_noon = (self.hour % 12) * 3600 + base
-        after_noon = before_noon + 12 * 3600
-        if self.half is Half.AM:
-            return (before_noon % DAY_SECONDS,)
-        if self.half is Half.PM:
-            return (after_noon % DAY_SECONDS,)
-        if self.half is Half.NIGHT:
-            return ((before_noon if self.hour in {12, 1, 2, 3, 4} else after_noon) % DAY_SECONDS,)
-        if self.half is Half.DAY:
-            return ((before_noon if 6 <= self.hour <= 11 else after_noon) % DAY_SECONDS,)
-        return tuple(sorted((before_noon % DAY_SECONDS, after_noon % DAY_SECONDS)))
-
-
-@dataclass(frozen=True, slots=True)
-class Part:
-    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.
-
-    ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
-    instructions can be about, ``place`` that it is one where people are.
-    """
-
-    name: str
-    start: int
-    end: int
-    half: Half
-    meal: bool = False
-    late: int | None = None
-    place: bool = False
-
-    @property
-    def is_point(self) -> bool:
-        """Whether it is a moment, as noon is."""
-        return self.start == self.end
-
-    def share(self, low: float, high: float) -> "Part":
-        """Give the stretch between two shares of it: the early morning."""
-        return replace(self, start=self._at(low), end=self._at(high), late=None)
-
-    def _at(self, share: float) -> int:
-        """Give where a share of it is over; half of it is over where its late half begins."""
-        late = self.late if self.late is not None else (self.start + self.end) // 2
-        if share <= 0.5:
-            return int(self.start + 2 * share * (late - self.start))
-        return int(late + (2 * share - 1) * (self.end - late))
-
-
-@dataclass(frozen=True, slots=True)
 class Wall:
     """A wall-clock expression: any of a day, a part of the day and a clock time, and the zone of its clock.
 
-    ``latest_clock`` is the other end of a stretch ("monday 3-8 pm"); ``weak`` says that the words alone are
-    no sure time ("May", "2000").
+    ``weak`` says that the words alone are no sure time ("May", "2000").
     """
 
     days: Calendar | None = None
@@ -262,8 +172,8 @@ Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | Ho
 class Repeat:
     """A repetition: every so long, or at each of some days, parts of the day and clock times.
 
-    ``starting`` and ``until`` bound it where that was said; ``per`` counts occurrences in each period
-    ("twice a day").
+    ``starting`` and ``until`` bound it where that was said; ``shared`` says that each occurrence has its
+    whole share of the time ("twice a day").
     """
 
     every: Duration | None = None
@@ -271,6 +181,7 @@ class Repeat:
     skip: int = 1
     starting: Time | None = None
     until: Time | None = None
+    shared: bool = False
 
 
 @dataclass(frozen=True, slots=True)

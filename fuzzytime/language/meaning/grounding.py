@@ -7,14 +7,11 @@ from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import (
-    Clock,
     Coming,
     Edge,
     Ending,
-    Half,
     HourMark,
     Offset,
-    Part,
     Range,
     Rest,
     SameTime,
@@ -24,8 +21,12 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
+
+FOLLOWING = timedelta(hours=6)
+"""How long after a clock time the next one of a text, without am or pm, hardly is before it."""
 
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
@@ -43,11 +44,14 @@ class Grounding:
         What decides.
     lasting : float
         Seconds that what is asked for was said to last, 0 where nothing was said.
+    since : datetime, optional
+        The clock time that was said before in the same text.
     """
 
     now: datetime
     policy: Policy
     lasting: float = 0.0
+    since: datetime | None = None
 
     @property
     def today(self) -> Today:
@@ -83,7 +87,8 @@ class Grounding:
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
         if isinstance(said, SameTime):
             days = next(self.days(said.days))
-            moment = datetime.combine(days.first, self.now.time())
+            week = days.first + timedelta(days=(self.now.weekday() - days.first.weekday()) % 7)
+            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
@@ -181,12 +186,18 @@ class Grounding:
     def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
         plausible = [moment for moment in moments if self._is_plausible(moment)]
         chosen = (plausible or moments)[0]
+        if self.since is not None and chosen < self.since:
+            # "Open it at eight and close it at nine": the nine that follows.
+            follows = [moment for moment in moments if self.since < moment < self.since + FOLLOWING]
+            chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
     def _is_plausible(self, moment: datetime) -> bool:
         """Whether people are up, for as long as what is asked for is said to last."""
         first, last = self.policy.plausible_from, self.policy.plausible_to
+        if first > last:
+            return moment.time() >= first or moment.time() < last
         end = moment + timedelta(seconds=self.lasting)
         return first <= moment.time() < last and (
             not self.lasting or (end.date() == moment.date() and end.time() <= last)

@@ -5,11 +5,8 @@ from datetime import date, datetime, time, timedelta
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.meaning.calendar import moved
-from fuzzytime.language.meaning.expressions import (
-    Clock,
-    Duration,
-    Half,
-)
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Unit
 
 SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})

@@ -3,9 +3,7 @@
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone, tzinfo
 
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-)
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounding import Grounding
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, UngroundedError, shifted
 from fuzzytime.language.policy import Policy
@@ -14,10 +12,14 @@ from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """When an instruction was given: with a zone, without, or not known."""
+    """When an instruction was given: with a zone, without, or not known.
+
+    ``since`` is the time in seconds that was said before in the same text.
+    """
 
     now: datetime | None
     policy: Policy
+    since: float | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -31,7 +33,9 @@ class Moment:
             raise UngroundedError("a time of day needs a clock: say what time it is now")
         if zone is not None and self.now.tzinfo is not None:
             return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
-        return Grounding(self.now.replace(tzinfo=None), self.policy)
+        here = self.now.replace(tzinfo=None)
+        since = None if self.since is None else here + timedelta(seconds=self.since)
+        return Grounding(here, self.policy, since=since)
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:
         """Give the seconds from now to a wall-clock time, in our zone or another.

@@ -17,6 +17,9 @@ from fuzzytime.requirement import Unit
 SEARCHED_PERIODS = 400
 """How many outer periods are searched for one that holds what is asked for."""
 
+MOST_TRIED = 64
+"""How many periods that begin in the outer one are tried for one whose middle lies there."""
+
 MOST_INSIDE = 40_000
 """Inner periods that are counted in one outer period at most: a century of days."""
 
@@ -49,6 +52,14 @@ class _Inside(Calendar):
             if found is not None and (self.fixed or found.end > since):
                 yield found
 
+    def between(self, today: Today, since: date, end: date) -> Iterator[Days]:
+        """Give the one of each outer period that can hold one which begins before that day."""
+        # The week that belongs to a month may begin before it.
+        for outer in self.outer.between(today, since, end + timedelta(weeks=1)):
+            found = self.inside(today, outer)
+            if found is not None and found.first < end and (self.fixed or found.end > since):
+                yield found
+
     def past(self, today: Today, until: date) -> Iterator[Days]:
         """Give the one of each outer period."""
         for outer in islice(self.outer.past(today, until), SEARCHED_PERIODS):
@@ -66,12 +77,8 @@ class Within(_Inside):
 
     def inside(self, today: Today, outer: Days) -> Days | None:
         """Give the first whose middle lies inside."""
-        for days in islice(self.inner.upcoming(today, outer.first), 64):
-            if outer.first <= days.middle < outer.end:
-                return days
-            if days.first >= outer.end:
-                return None
-        return None
+        inside = islice(self.inner.between(today, outer.first, outer.end), MOST_TRIED)
+        return next((days for days in inside if outer.first <= days.middle < outer.end), None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +96,7 @@ class Nth(_Inside):
     def inside(self, today: Today, outer: Days) -> Days | None:
         """Give the nth of those whose middle lies inside, and as many more as wanted."""
         needed = min((outer.end - outer.first).days, MOST_INSIDE) + 2
-        upcoming = islice(self.inner.upcoming(today, outer.first), needed)
+        upcoming = islice(self.inner.between(today, outer.first, outer.end), needed)
         inside = [days for days in upcoming if outer.first <= days.middle < outer.end]
         place = self.number - 1 if self.number > 0 else len(inside) + self.number
         stop = place + self.count if self.number > 0 else place + 1

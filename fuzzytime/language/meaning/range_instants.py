@@ -5,8 +5,9 @@ from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import DAY_SECONDS, Clock, Half, Range, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import Instants, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.policy import SameWeekday
 
 if TYPE_CHECKING:
@@ -32,6 +33,9 @@ def range_instants(clock: "Grounding", said: Range) -> Instants:
     ):
         return _day_range(clock, first, last)
     start = clock.instants(first)
+    if isinstance(first, Wall) and first.part is not None and first.part.meal and first.clock is None:
+        # "Between lunch and dinner": from its end, where that has not passed.
+        start = replace(start, start=start.end)
     end = clock.instants(last)
     if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
         return _since(clock, start)

@@ -1,15 +1,20 @@
-"""Repetitions as values that give their occurrences: evenly spaced, or by the calendar."""
+"""Repetitions as values that give their occurrences: evenly spaced, or by the calendar.
+
+An occurrence is a moment ("at nine"), or a stretch of time within which what is asked for is done once
+("every morning").
+"""
 
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from datetime import timedelta
+from datetime import datetime, timedelta
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Today
-from fuzzytime.language.meaning.expressions import DAY_SECONDS, Half, Repeat, Time, Wall
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:
@@ -18,10 +23,13 @@ if TYPE_CHECKING:
 MOST = 10_000
 """Occurrences that are given at most."""
 
+Window = tuple[float, float]
+"""Where an occurrence begins, and where it is over, in seconds; a moment where the two are one."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class EvenRecurrence:
-    """Every so many seconds, from a first time on.
+    """Every so many seconds, from a first time on; each lasts a length.
 
     >>> EvenRecurrence(step=1200, first=1200).occurrences(3600)
     (1200, 2400, 3600)
@@ -30,6 +38,7 @@ class EvenRecurrence:
     step: float
     first: float
     last: float = math.inf
+    length: float = 0.0
 
     @property
     def interval(self) -> float | None:
@@ -45,9 +54,15 @@ class EvenRecurrence:
         count = min(MOST, math.floor((end - start) / self.step + 1e-9) + 1)
         return tuple(start + i * self.step for i in range(count))
 
-    def coming(self, count: int) -> tuple[float, ...]:
+    def windows(self, until: float) -> tuple[Window, ...]:
+        """Give the same with their ends."""
+        return tuple(
+            (time, min(time + self.length, max(self.last, time))) for time in self.occurrences(until)
+        )
+
+    def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""
-        return self.occurrences(self.first + self.step * count)[:count]
+        return self.windows(self.first + self.step * count)[:count]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,61 +90,69 @@ class CalendarRecurrence:
 
         Without a time of day an occurrence is when its day begins, or now where that day is today.
         """
+        return tuple(dict.fromkeys(start for start, _ in self.windows(until)))
+
+    def windows(self, until: float) -> tuple[Window, ...]:
+        """Give the same with their ends."""
         end = min(until, self.last)
-        found: set[float] = set()
+        found: set[Window] = set()
         for wall in self.walls:
-            for seconds in islice(self._times(wall), 0, MOST * self.skip, self.skip):
-                if seconds > end:
+            for window in islice(self._windows(wall), 0, MOST * self.skip, self.skip):
+                if window[0] > end:
                     break
-                found.add(seconds)
+                found.add(window)
         return tuple(sorted(found))[:MOST]
 
-    def coming(self, count: int) -> tuple[float, ...]:
+    def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""
-        found: set[float] = set()
+        found: set[Window] = set()
         for wall in self.walls:
-            series = islice(self._times(wall), 0, count * self.skip, self.skip)
-            found.update(seconds for seconds in series if seconds <= self.last)
+            series = islice(self._windows(wall), 0, count * self.skip, self.skip)
+            found.update(window for window in series if window[0] <= self.last)
         return tuple(sorted(found))[:count]
 
-    def _times(self, wall: Wall) -> Iterator[float]:
-        """Give the times of one wall-clock expression, up to the end of the calendar."""
+    def _windows(self, wall: Wall) -> Iterator[Window]:
+        """Give the occurrences of one wall-clock expression, up to the end of the calendar."""
         try:
-            yield from self._all_times(wall)
+            yield from self._all_windows(wall)
         except (OverflowError, ValueError, UngroundedError):
             return
 
-    def _all_times(self, wall: Wall) -> Iterator[float]:
+    def _all_windows(self, wall: Wall) -> Iterator[Window]:
         now = self.moment.grounding().now
         today = Today(now.date(), self.moment.policy)
-        clock = _seconds_of_day(wall)
         for days in _series(wall.days).upcoming(today, today.day):
-            start = midnight(days.first) + timedelta(seconds=clock or 0)
+            start, end = _on(wall, days)
             if start < now:
-                # The day that is running counts from now on, unless its time of day is over.
-                if clock is not None and (wall.part is None or wall.clock is not None):
-                    continue
-                if wall.part is not None and midnight(days.first) + timedelta(seconds=wall.part.end) <= now:
+                # A stretch that is running counts from now on.
+                if end <= now:
                     continue
                 start = now
-            seconds = self.moment.seconds(start)
-            if seconds >= self.first:
-                yield seconds
+            first, last = self.moment.seconds(start), self.moment.seconds(end)
+            if first >= self.first:
+                yield first, min(last, max(self.last, first))
+
+
+def _on(wall: Wall, days: Days) -> tuple[datetime, datetime]:
+    """Give where a wall-clock expression begins and is over, on its days."""
+    begins = midnight(days.first)
+    if wall.clock is not None:
+        moment = begins + timedelta(seconds=_seconds_of_day(wall, wall.clock))
+        return moment, moment
+    if wall.part is not None:
+        return begins + timedelta(seconds=wall.part.start), begins + timedelta(seconds=wall.part.end)
+    return begins, midnight(days.end)
 
 
 def _series(days: Calendar | None) -> Calendar:
     return days if days is not None else Cycle(Unit.DAY)
 
 
-def _seconds_of_day(wall: Wall) -> int | None:
-    if wall.clock is not None:
-        clock = wall.clock
-        candidates = clock.candidates()
-        if wall.part is not None and len(candidates) > 1:
-            return candidates[1] if wall.part.half in {Half.PM, Half.NIGHT} else candidates[0]
-        # Without am or pm, the one in the usual hours: from seven in the morning on.
-        return next((c for c in candidates if c >= 7 * 3600), candidates[0])
-    return wall.part.start if wall.part is not None else None
+def _seconds_of_day(wall: Wall, clock: Clock) -> int:
+    candidates = clock.candidates()
+    if wall.part is not None and len(candidates) > 1:
+        return candidates[1] if wall.part.half in {Half.PM, Half.NIGHT} else candidates[0]
+    return clock.usual
 
 
 def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | CalendarRecurrence:
@@ -155,8 +178,10 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
         raise UngroundedError("a repetition must say how often")
     step = repeat.every.seconds
     sub_day = all(unit in SUB_DAY for _, unit in repeat.every.terms)
-    start = first if first is not None else (step if sub_day else 0.0)
-    return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last)
+    # "Every day", "every two weeks": any time in a day, in a week; "twice a day": in each half of one.
+    length = step if repeat.shared else UNIT_SECONDS[repeat.every.unit] if repeat.walls else 0.0
+    start = first if first is not None else (step if sub_day and not length else 0.0)
+    return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
 
 
 def _is_even(repeat: Repeat) -> bool:
@@ -167,8 +192,6 @@ def _is_even(repeat: Repeat) -> bool:
 def _bound(time: Time | None, moment: "Moment", *, last: bool) -> float | None:
     if time is None:
         return None
-    from fuzzytime.language.meaning.expressions import TimeWord
-
     if isinstance(time, TimeWord):
         return 0.0
     found = moment.grounding().instants(time)

@@ -154,13 +154,13 @@ class _Grounder:
 
     def _of_repeat(self, time: Repeat) -> Grounded:
         recurrence = recurrence_of(time, self.moment)
-        clocks = [wall.clock.grain for wall in time.walls if wall.clock is not None]
+        grains = [_grain_of(wall) for wall in time.walls]
         requirement = self._requirement(
             Constraint.EVERY,
             None,
             None,
             duration=time.every,
-            grain=min(clocks, key=list(Unit).index, default=None),
+            grain=min(grains, key=list(Unit).index, default=None),
             recurrence=recurrence,
         )
         return Grounded(requirement=requirement, recurrence=recurrence)
@@ -184,6 +184,11 @@ class _Grounder:
             constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
         )
         remarks, questions = self._decisions(found, zone)
+        if self._has_begun(time, found, zone):
+            message = (
+                f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"
+            )
+            remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
         return Grounded(requirement=requirement, remarks=remarks, questions=questions)
 
     def _distance_bound(self, time: Time) -> Constraint | None:
@@ -203,7 +208,8 @@ class _Grounder:
         if self.said.beside:
             start = end = end if self.said.edge is Edge.END else start
         elif self.said.constraint is Constraint.BEFORE and start != end:
-            end = start if self._counts_from_start(time) else end
+            if self._counts_from_start(time) and not self._has_begun(time, found, zone):
+                end = start
             if self.said.edge is Edge.LAST and isinstance(time, Wall) and end != start:
                 end -= timedelta(seconds=1)
         elif self.said.constraint is Constraint.AFTER and start != end and self.said.edge is Edge.END:
@@ -211,6 +217,16 @@ class _Grounder:
         if isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE and time.edge is Edge.END:
             end = found.end if not found.is_point else found.end + timedelta(seconds=1)
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
+
+    def _has_begun(self, time: Time, found: Instants, zone: str | None) -> bool:
+        """Whether a deadline is at the start of a stretch that is running: "before dinner", said at dinner.
+
+        Then what is meant is as soon as can be, and in that stretch: nobody asks for the past.
+        """
+        part = isinstance(time, Wall) and time.part is not None and time.clock is None
+        if not part or self.said.constraint is not Constraint.BEFORE or not self._counts_from_start(time):
+            return False
+        return self.moment.seconds(found.start, zone) <= 0 < self.moment.seconds(found.end, zone)
 
     def _counts_from_start(self, time: Time) -> bool:
         if self.said.edge is Edge.END:
@@ -251,6 +267,12 @@ class _Grounder:
     def _with_zone(self, choices: tuple[datetime, ...]) -> tuple[datetime, ...]:
         zone = None if self.moment.now is None else self.moment.now.tzinfo
         return tuple(choice.replace(tzinfo=zone) for choice in choices)
+
+
+def _grain_of(wall: Wall) -> Unit:
+    if wall.clock is not None:
+        return wall.clock.grain
+    return Unit.HOUR if wall.part is not None or wall.days is None else wall.days.grain
 
 
 def _zone_in(time: Time) -> str | None:

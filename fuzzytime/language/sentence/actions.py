@@ -4,11 +4,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.small_clauses import small_clause
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
+RESULTS = frozenset({"JJ", "VBN"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +45,13 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     for _ in range(4):
         lemma = tree.nodes[root].lemma
         below = _complement(tree, root, lemma)
-        if below is None:
+        if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
             break
         if lemma in lexicon.forgetting:
             negated = False
+        elif lemma in lexicon.wanting and tree.nodes[below].tag == "VBN":
+            # "I want the floor cleaned by noon": the result is what is wanted then.
+            reference = Reference.FINISH
         elif (
             lemma in lexicon.wanting
             or (lemma == "let" and _lets(tree, root))
@@ -66,8 +71,17 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
 
 def _order_before(tree: Tree, root: int) -> int:
     """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
-    for place in tree.children(root, "csubj", "aux"):
+    for place in tree.children(root, "csubj", "aux", "auxpass"):
         node = tree.nodes[place]
+        if node.relation == "auxpass":
+            # "Get dressed"
+            if (
+                node.lemma == "get"
+                and node.tag in {"VB", "VBP"}
+                and not tree.children(root, "aux", *SUBJECTS)
+            ):
+                return place
+            continue
         bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
             return place
@@ -97,6 +111,12 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
         if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
             return below
     return None
+
+
+def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
+    lets = tree.nodes[place].lemma == "let" and _lets(tree, place)
+    return not lets and small_clause(tree, place, lexicon) is not None
 
 
 def _lets(tree: Tree, place: int) -> bool:
@@ -129,11 +149,18 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
     ):
         return Reference.FINISH
-    return None
+    brought = small_clause(tree, place, lexicon) if lemma in lexicon.causing else None
+    # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
+    return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
 
 
 def _results(tree: Tree, place: int) -> Iterator[int]:
     """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
-    for below in tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"):
+    nouns = tree.children(place, "dobj")
+    modifying = (p for noun in nouns for p in tree.children(noun, "amod", "acl") if p > noun)
+    for below in (
+        *tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"),
+        *modifying,
+    ):
         yield below
         yield from _results(tree, below)

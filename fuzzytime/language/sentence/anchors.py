@@ -104,7 +104,7 @@ def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRe
     if segment.connective not in {"then", "meanwhile"} or position == 0:
         return None
     first, end = segment.connective_span
-    said = text[first:end].rstrip(" ,:")
+    said = text[first:end].rstrip(" ,:") or text[first:end]
     follows = segment.connective == "then"
     return TimeRequirement(
         text=said,

@@ -14,6 +14,9 @@ BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "
 UNLESS = "unless"
 """The marker whose clause must not hold."""
 
+LONGEST_STATE = 3
+"""Words that say how something is, at most: "until light and fluffy"."""
+
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
 DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
@@ -104,9 +107,14 @@ class _Clauses:
         span = (start, content[1])
         verb = self._verb(nodes)
         if verb is None and kind in {"when", "until"}:
-            condition = self._happening(nodes, self.tree.text[start : content[1]])
-            if condition is None:
+            said = self.tree.text[start : content[1]]
+            condition = self._happening(nodes, said)
+            if condition is None and form[0] == "the":
+                # "The minute steak"
                 return None
+            condition = condition or self._state(nodes, said)
+            if condition is None:
+                return self._event(kind, form, span, content, nodes, duration)
             return Clause(kind=kind, marker=" ".join(form), span=span, content=content, condition=condition)
         if verb is None:
             return self._event(kind, form, span, content, nodes, duration)
@@ -235,6 +243,15 @@ class _Clauses:
             return None
         return Condition(text=text, subject=" ".join(named), word=last.lower)
 
+    def _state(self, nodes: Sequence[int], text: str) -> Condition | None:
+        """Read "until golden brown", "once tender": what becomes so is not said."""
+        said = [self.tree.nodes[place] for place in nodes]
+        words = [node.lower for node in said if node.tag not in {"CC", ","}]
+        named = any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
+        if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
+            return None
+        return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))
+
     def _event(
         self,
         kind: str,
@@ -244,8 +261,8 @@ class _Clauses:
         nodes: Sequence[int],
         distance: Duration | None,
     ) -> Clause | None:
-        """Read a noun as what is measured from: "before the meeting"; only after and before have it."""
-        if kind not in {"after", "before"} or not self.tree.nodes[nodes[-1]].tag:
+        """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
+        if kind not in {"after", "before", "until"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None:

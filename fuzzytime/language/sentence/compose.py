@@ -3,9 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.finding import ground_all
+from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers import leftovers
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -17,6 +18,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
@@ -84,7 +86,8 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = _awaiting(sketch)
-        times = ground_all(sketch.phrases, self.draft.text, self.moment)
+        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch.operation))
+        self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
         anchors = Anchors(position, len(self.given), operations, self.lexicon)
@@ -118,6 +121,23 @@ class _Composer:
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
         )
+
+    def _moment(self, operation: Operation | None) -> Moment:
+        """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
+        words = words_of(operation.name) if operation is not None else ()
+        for place in range(len(words)):
+            form = longest_match(words, place, self.lexicon.usual_hours)
+            if form is not None:
+                first, last = self.lexicon.usual_hours[form]
+                policy = replace(self.moment.policy, plausible_from=first, plausible_to=last)
+                return replace(self.moment, policy=policy)
+        return self.moment
+
+    def _remember(self, times: Times) -> None:
+        """Remember the last clock time said: the next is hardly before it."""
+        for requirement in times.requirements:
+            if requirement.constraint is Constraint.AT and requirement.grain in SUB_DAY:
+                self.moment = replace(self.moment, since=requirement.t_spec)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]

@@ -2,11 +2,13 @@
 
 from collections.abc import Collection, Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Clock, Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Quantity, Said, Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
@@ -18,6 +20,7 @@ def corrected(
     """Replace times that are taken back, and say so."""
     kept: list[Phrase] = []
     remarks: list[Remark] = []
+    phrases = _contrasted(scanned, phrases, remarks)
     starts = {phrase.first for phrase in phrases}
     waiting = list(phrases)
     while waiting:
@@ -32,6 +35,21 @@ def corrected(
     return kept, remarks
 
 
+def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remark]) -> list[Phrase]:
+    """Leave out times that are denied beside others: "not today but tomorrow"."""
+    kept = list(phrases)
+    for old, new in pairwise(phrases):
+        before = scanned.words[old.first - 1].text if old.first else ""
+        between = [word.text for word in scanned.words[old.end : new.first]]
+        if before == "not" and between in (["but"], [",", "but"]):
+            kept.remove(old)
+            span = (scanned.words[old.first - 1].start, new.span[0])
+            said = scanned.text[slice(*new.span)]
+            message = f"{scanned.text[slice(*old.span)]!r} is corrected by {said!r}"
+            remarks.append(Remark(RemarkKind.CORRECTED, span, message))
+    return kept
+
+
 def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:
     """Give the time that replaces a phrase, if words right behind it take it back."""
     place = _behind_pauses(scanned, phrase.end)
@@ -42,6 +60,10 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     start = _behind_pauses(scanned, place + len(marker))
     if start >= len(scanned.words):
         return None
+    further = longest_match(scanned.words, start, lexicon.corrections)
+    if further is not None:
+        # "Actually, make it twenty"
+        start = min(_behind_pauses(scanned, start + len(further)), len(scanned.words) - 1)
     cell = scanned.cells[start]
     for category in ("said", "wall", "duration", "clock", "quantity"):
         pieces = sorted(cell.get(category, {}).values(), key=lambda piece: -piece.end)

@@ -21,6 +21,9 @@ CARRIERS = ("", "please ", "you should ")
 JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
+CHAIN = re.compile(r",?w(?:,w)*,?&")
+"""Words (w), commas and "and" (&) before the last of some verbs that share an object."""
+
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
 
@@ -93,6 +96,11 @@ class _Source:
             text = text[:first] + " " * (end - first) + text[end:]
         return text
 
+    @property
+    def covered(self) -> frozenset[int]:
+        """The places of the words that are about time."""
+        return frozenset(place for phrase in self.phrases for place in range(phrase.first, phrase.end))
+
     def places(self, first: int, end: int) -> list[int]:
         """Give the places of the words in a stretch of characters."""
         return [place for place, word in enumerate(self.scanned.words) if first <= word.start < end]
@@ -110,7 +118,7 @@ class _Waiting:
     @property
     def text(self) -> str:
         """The main words, or nothing where they are all time: such a fragment needs no tree."""
-        covered = {place for phrase in self.source.phrases for place in range(phrase.first, phrase.end)}
+        covered = self.source.covered
         words = self.source.scanned.words
         places = self.source.places(self.main, self.segment.span[1])
         said = [words[place] for place in places if place not in covered]
@@ -151,7 +159,7 @@ def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[
         following: list[_Waiting] = []
         for one, tree, front in zip(waiting, found, fronts, strict=True):
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else list(_cut(one, part))
+            cut = [] if last_round else list(_cut(one, part, lexicon))
             following += [_waiting(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
@@ -212,28 +220,51 @@ def _lowered(text: str) -> str:
     return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text
 
 
-def _cut(one: _Waiting, part: Part) -> Iterator[Segment]:
-    """Give the two pieces of a segment around its first further verb; none where there is none."""
+def _cut(one: _Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
+    """Give the pieces of a segment around its first further verb; none where there is none."""
     root = part.tree.root
     if root is None:
         return
     first, last = one.segment.span
-    for place in sorted(further_verbs(part.tree, root)):
-        start = part.tree.nodes[place].start + part.offset
-        if any(a < start < b for a, b in (phrase.span for phrase in one.source.phrases)):
-            continue
+    times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+    starts = [
+        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
+    ]
+    starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
+    for start in starts:
+        chain = _chain(one, part, start)
+        if chain:
+            yield from chain
+            return
+    for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            yield _behind(one, part, end, (start, last))
+            yield Segment((start, last))
             return
 
 
-def _behind(one: _Waiting, part: Part, end: int, span: Span) -> Segment:
-    """Give the segment of a further verb; it follows a verb alone: "peel and chop the onions"."""
-    covered = {place for phrase in one.source.phrases for place in range(phrase.first, phrase.end)}
-    alone = len(set(one.source.places(part.offset, end)) - covered) == 1
-    joint = [one.source.scanned.words[place] for place in one.source.places(end, span[0])]
-    if alone and [word.text for word in joint] == ["and"]:
-        return Segment(span, "then", (joint[0].start, joint[0].end))
-    return Segment(span)
+def _chain(one: _Waiting, part: Part, start: int) -> list[Segment]:
+    """Give the segments of verbs alone before one with an object: "wash, peel and slice the apples".
+
+    The tree often has the further ones for nouns; what counts is that the first is its root.
+    """
+    words, covered = one.source.scanned.words, one.source.covered
+    places = [place for place in one.source.places(part.offset, start) if place not in covered]
+    shape = "".join({",": ",", "and": "&"}.get(words[place].text, "w") for place in places)
+    verbs = [place for place, mark in zip(places, shape, strict=True) if mark == "w"]
+    if not CHAIN.fullmatch(shape) or not all(words[place].is_letters for place in verbs):
+        return []
+    if places[-1] - verbs[0] >= len(places):
+        # "Wait two minutes, and paint it": the first has a time of its own.
+        return []
+    if part.tree.nodes[part.tree.root or 0].start + part.offset != words[verbs[0]].start:
+        return []
+    ends = [words[place].end for place in verbs]
+    begins = [*(words[place].start for place in verbs[1:]), start]
+    joints = [(words[place - 1].start, words[place - 1].end) for place in (*verbs[1:], places[-1] + 1)]
+    spans = zip(begins, (*ends[1:], one.segment.span[1]), strict=True)
+    return [
+        replace(one.segment, span=(one.segment.span[0], ends[0])),
+        *(Segment(span, "then", joint) for span, joint in zip(spans, joints, strict=True)),
+    ]

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
+from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.tree import Tree
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
@@ -30,11 +32,13 @@ class Reader:
         """Give the operation of an action."""
         verb = action.place
         node = self.tree.nodes[verb]
-        particle = self._particle(verb)
+        clause = small_clause(self.tree, verb, self.lexicon)
+        result = self._participle(verb) if clause is None else self._result(clause)
+        particle = self._particle(verb, result)
         moved = self._moved_object(verb, particle)
-        whole = moved or self._object(verb, particle)
+        whole = moved or self._object(verb, particle, clause)
         split = self._place_within(whole)
-        places = [] if particle is None else [particle, *moved]
+        places = [*result, *moved, *([] if particle is None else [particle])]
         return Operation(
             verb=node.lower,
             lemma=node.lemma,
@@ -42,6 +46,7 @@ class Reader:
             object=self._said(whole[:split]) or self._subject(verb),
             place=self._said(sorted({*whole[split:], *self._place(verb, [*whole[:split], *places])})),
             particle=None if particle is None else self.tree.nodes[particle].lower,
+            complement=self._said(result),
             negated=action.negated,
         )
 
@@ -52,7 +57,16 @@ class Reader:
 
     # -- particles --------------------------------------------------------------------------------------
 
-    def _particle(self, verb: int) -> int | None:
+    def _result(self, clause: SmallClause) -> list[int]:
+        """Give the words that say what an object does or becomes, up to the first that is about time."""
+        return list(takewhile(lambda place: not self.timed(place), clause.result(self.tree)))
+
+    def _participle(self, verb: int) -> list[int]:
+        """Give the participle behind "get", as in "get dressed"."""
+        node = self.tree.nodes[verb]
+        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
+
+    def _particle(self, verb: int, result: Sequence[int]) -> int | None:
         """Give the word that belongs to the verb: "put the kettle on", "turn on the oven".
 
         A tree has it for a preposition where a time follows ("on in ten minutes").
@@ -62,10 +76,11 @@ class Reader:
             return named
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
-            if verbs is None or self.timed(place) or not self._hangs_on(place, verb):
+            if verbs is None or place in result or self.timed(place) or not self._hangs_on(place, verb):
                 continue
             stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
-            if self._governs_nothing(place) or (stands_before and not self.tree.children(verb, "dobj")):
+            bare = not self.tree.children(verb, "dobj") or not self.tree.children(place)
+            if self._governs_nothing(place) or (stands_before and bare):
                 return place
         return None
 
@@ -90,7 +105,10 @@ class Reader:
 
     # -- objects ----------------------------------------------------------------------------------------
 
-    def _object(self, verb: int, particle: int | None) -> list[int]:
+    def _object(self, verb: int, particle: int | None, clause: SmallClause | None) -> list[int]:
+        if clause is not None:
+            about = clause.about(self.tree)
+            return [place for place in self._words([clause.noun], verb) if place in about]
         direct = self.tree.children(verb, *OBJECTS)
         words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
         if not words:
@@ -100,11 +118,7 @@ class Reader:
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
-        words = [place for place in words if place != particle]
-        # "Have the rice ready": what it results in says which moment is meant, not what is done.
-        while words and words[-1] in direct and self.tree.nodes[words[-1]].lower in self.lexicon.results:
-            words.pop()
-        return words
+        return [place for place in words if place != particle]
 
     def _place_within(self, words: Sequence[int]) -> int:
         """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""

@@ -6,15 +6,19 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
 from fuzzytime.language.sentence.tree import Node, Tree
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
+TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
+"""Words that are typed with a full stop which ends nothing."""
+
 ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
 OPENED = frozenset({"and", "but", "please", "then"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
@@ -32,7 +36,7 @@ class Segment:
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
-        return text[slice(*self.connective_span)].lower() == "and"
+        return text[slice(*self.connective_span)].lower() in {"and", ","}
 
     @property
     def empty(self) -> bool:
@@ -47,13 +51,18 @@ def segments_of(
     inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
     cuts: list[tuple[int, int, str]] = []
     place = 0
+    vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
+    following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     while place < len(words):
-        if place in inside:
+        if place in following:
+            cuts.append((place, place, ""))
+        if place in inside and place not in vague:
             place += 1
             continue
-        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, inside) else None
-        if found is not None:
-            end = _end_of(words, place, len(found))
+        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
+        end = 0 if found is None else _end_of(words, place, len(found))
+        # "Do it when you're done": nothing follows.
+        if found is not None and end < len(words) and words[end].text not in ENDS:
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
@@ -63,17 +72,29 @@ def segments_of(
     return list(_between(text, words, cuts, lexicon.addresses))
 
 
+def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a time in front of an order counts from the order before: "…, five minutes later serve"."""
+    later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
+    joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
+    return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
+
+
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:
     """Give the place behind a connective, and the comma that may follow it."""
     end = place + length
     return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
 
 
-def _opens(words: Sequence[Word], place: int, inside: set[int]) -> bool:
-    """Whether a connective here opens an instruction: no time, and no word inside one ("the next step")."""
-    if place + 1 >= len(words) or place in inside:
+def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
+    """Whether a connective here opens an instruction, and is no word inside one ("the next step").
+
+    A vague time does where an instruction begins: "wipe the table; afterwards sweep the floor".
+    """
+    if place + 1 >= len(words):
         return False
     before = words[place - 1].text if place else ","
+    if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
+        return False
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
 
 
@@ -86,8 +107,7 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     if after and not after.isspace():
         return False
     before = words[place - 1] if place else None
-    # "Dr. Green", "a.m.": one capital follows, or a single letter stands before.
-    return before is None or not (len(before.text) <= 2 and before.is_letters)
+    return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
 
 
 def _between(
@@ -125,24 +145,52 @@ def _segment(
     return Segment(span, connective, said)
 
 
-def further_verbs(tree: Tree, root: int) -> list[int]:
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
     """Give the words at which further instructions of one sentence begin: imperatives beside the first.
 
     "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
+    timed = {place for span in times for place in tree.at(*span)}
     found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
+        if place > 1 and place != root and _governs(tree, place, lexicon) and place + 1 not in timed:
+            found.append(place)
+            continue
+        if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+            found.append(place)
+            continue
         if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
             continue
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
             continue
         start = _first_of(tree, place)
+        while start and start - 1 in timed:
+            # "Set the table, and by seven have the soup ready"
+            start -= 1
         if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
             continue
         if place > root or _leads(tree, place, root):
             found.append(start)
     return found
+
+
+def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+        return False
+    behind = tree.nodes[place + 1].lower
+    if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
+
+
+def _is_passive_order(tree: Tree, place: int) -> bool:
+    """Whether it is the "get" of "get dressed", beside another order."""
+    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
+    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
+    return bare and over.relation in COORDINATE and not tree.children(node.head, *SUBJECTS)
 
 
 def _is_bare(node: Node) -> bool:
@@ -155,7 +203,9 @@ def _follows_order(tree: Tree, root: int) -> bool:
     start = _first_of(tree, root)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
         return False
-    orders = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start and tree.nodes[p].tag == "VB")
+    before = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start)
+    # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
+    orders = (p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb))
     return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
 
 

@@ -6,7 +6,7 @@ from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
-from fuzzytime.language.grammar.word_tables.policies import read_policy
+from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
     read_hedges,
@@ -41,6 +41,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     connectives = by_form(speech, "connectives")
     indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
     policy = read_policy(days)
+    usual_hours = read_usual_hours(days)
     mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
     if mistakes:
         raise DocumentError(mistakes)
@@ -65,6 +66,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
+        letting=frozenset(form[0] for form in speech.words("verbs", "letting")),
         intransitive=frozenset(form[0] for form in speech.words("verbs", "intransitive")),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
@@ -72,27 +74,30 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for form in (form_of(name.text),)
         },
         places=frozenset(form[0] for form in speech.words("places")),
+        appointing=frozenset(form[0] for form in speech.words("appointing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
+        dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
+        usual_hours=usual_hours,
         policy=policy,
     )
 
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections", "particles", "places", "persons", "impersonal",
+    "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
     "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
     "holidays",
-    "meridiem", "zones", "policy",
+    "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

@@ -2,8 +2,29 @@
 
 from datetime import time
 
-from fuzzytime.language.grammar.word_tables.tables import Tables
-from fuzzytime.language.policy import DateOrder, Policy, SameWeekday
+from fuzzytime.language.grammar.lexicon import form_of
+from fuzzytime.language.grammar.word_tables.tables import Form, Tables
+from fuzzytime.language.policy import DateOrder, Hours, Policy, SameWeekday
+from fuzzytime.yaml_nodes import Node
+
+
+def read_usual_hours(tables: Tables) -> dict[Form, Hours]:
+    """Give the hours at which people do things, by the words for them."""
+    found: dict[Form, Hours] = {}
+    for name, node in tables.rows("usual_hours"):
+        key = f"usual_hours.{name.text}"
+        fields = tables.reader.mapping(node, key, ("from", "to", "also"), ("from", "to"))
+        if "from" not in fields or "to" not in fields:
+            continue
+        hours = (_time(tables, fields["from"], f"{key}.from"), _time(tables, fields["to"], f"{key}.to"))
+        also = tables.forms(fields["also"], f"{key}.also") if "also" in fields else []
+        found.update(dict.fromkeys([form_of(name.text), *also], hours))
+    return found
+
+
+def _time(tables: Tables, node: Node, key: str) -> time:
+    seconds = tables.clock(node, key)
+    return time(seconds // 3600, seconds // 60 % 60, seconds % 60)
 
 
 def read_policy(tables: Tables) -> Policy:
@@ -22,12 +43,9 @@ def read_policy(tables: Tables) -> Policy:
     if len(plausible) < 2 or len(weekend) < 2:
         return Policy()
 
-    def clock(seconds: int) -> time:
-        return time(seconds // 3600, seconds // 60 % 60, seconds % 60)
-
     return Policy(
-        plausible_from=clock(tables.clock(plausible["from"], "policy.plausible.from")),
-        plausible_to=clock(tables.clock(plausible["to"], "policy.plausible.to")),
+        plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
+        plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
         same_weekday=SameWeekday(
             reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))
             or SameWeekday.NEXT

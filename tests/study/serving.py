@@ -1,8 +1,6 @@
-"""A real browser and a running server, for tests of the page."""
+"""A running server, for tests of the page and of requests."""
 
-import os
 import secrets
-import shutil
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -12,25 +10,7 @@ from fuzzytime.study import AnswerStore, Design
 from fuzzytime.study.server import StudyServer
 from fuzzytime.study.service import StudyService
 
-ARGUMENTS = [
-    "--headless",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--disable-quic",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-]
-
 TOKEN = "a-token-for-tests"  # noqa: S105 - of a server that lives for one test
-
-
-def chromium() -> str | None:
-    """Find Chromium: where FUZZYTIME_CHROMIUM says, or on the path."""
-    return (
-        os.environ.get("FUZZYTIME_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
-    )
 
 
 @contextmanager

@@ -1,0 +1,6 @@
+"""An instruction explained: tree, requirement, rows and rules, ψ, and why it is planned when it is."""
+
+from fuzzytime_cli.explaining.charts import chart_of
+from fuzzytime_cli.explaining.explanation import explanation_lines, reading_lines, rules_lines
+
+__all__ = ["chart_of", "explanation_lines", "reading_lines", "rules_lines"]

@@ -1,0 +1,148 @@
+"""Repetitions with times, days and bounds: "daily at nine", "every day this week", "every hour until six"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.repetitions import SMALL
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    SameTime,
+    Time,
+    Wall,
+)
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Half, Part
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
+def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
+    """Every day at nine, on mondays at 4pm, every day this week."""
+    return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
+def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
+    """9am on sundays; but "two nights" are no nights at two."""
+    return None if wall.bare else narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
+def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
+    """At noon every day, at nine on weekdays."""
+    return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "<repeat> ,|and|or at? <wall>", "at? <wall> ,|and|or <repeat>", weight=0.3)
+def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
+    """Every day at 8 am and 8 pm, at eight and nine every day."""
+    repeat, wall = (first, second) if isinstance(first, Repeat) else (second, first)
+    if not isinstance(repeat, Repeat) or not isinstance(wall, Wall) or wall.clock is None:
+        return None
+    clocked = bool(repeat.walls) and all(old.clock is not None for old in repeat.walls)
+    if not clocked or wall.days is not None or wall.part is not None:
+        return None
+    clock = replace(wall.clock, bare=False, pair=False)
+    more = dict.fromkeys(replace(old, clock=clock) for old in repeat.walls)
+    return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
+
+
+@grammar.rule("repeat", "<repeat> at? <same>", weight=0.2)
+def every_mark(repeat: Repeat, mark: SameTime | HourMark) -> Repeat | None:
+    """Every hour on the hour."""
+    counted = repeat.every is not None and repeat.every.unit in SMALL and repeat.starting is None
+    return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
+
+
+def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
+    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
+    days = wall.days
+    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
+        return None
+    period = repeat.walls[0].days
+    if period == Cycle(Unit.YEAR) and days.month is not None:
+        return days
+    return days if period == Cycle(Unit.WEEK) and days.weekly else None
+
+
+def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
+    """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
+    days = _named_days(repeat, wall)
+    if days is not None:
+        return replace(repeat, every=None, walls=(replace(wall, days=days),))
+    if wall.days is not None and wall.clock is None and wall.part is None:
+        if repeat.until is not None or repeat.starting is not None:
+            return None
+        return replace(repeat, starting=wall, until=wall)
+    if wall.days is not None or not repeat.walls:
+        return None
+    walls = []
+    for old in repeat.walls:
+        if old.clock and wall.clock:
+            return None
+        if old.part and wall.part and not (old.part.start <= wall.part.start < old.part.end):
+            return None
+        clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
+        walls.append(replace(old, clock=clock, part=wall.part or old.part))
+    return replace(repeat, walls=tuple(walls))
+
+
+@grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
+def bounded(repeat: Repeat, said: Said) -> Repeat | None:
+    """Every day until friday, every ten minutes from noon to two."""
+    time = said.time
+    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
+        return None
+    if isinstance(time, Duration):
+        # "Twice a day for two minutes" says how long each lasts.
+        step = repeat.every.seconds if repeat.every is not None else DAY_SECONDS
+        lasting = said.constraint is Constraint.FOR and time.seconds >= step
+        bound = lasting or said.constraint is Constraint.BEFORE
+        return replace(repeat, until=Offset(time)) if bound else None
+    if isinstance(time, Coming):
+        return replace(repeat, until=Offset(time.duration))
+    if repeat.walls and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock:
+        return _between_clocks(repeat, time.first, time.last)
+    if said.constraint is Constraint.BEFORE:
+        return replace(repeat, until=time)
+    if said.constraint is Constraint.AFTER:
+        return replace(repeat, starting=time)
+    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
+        return replace(repeat, starting=time.first, until=time.last)
+    return None
+
+
+def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
+    """Give a repetition within hours of the day: every weekday from 9 to 5."""
+    if first.clock is None or not isinstance(last, Wall) or last.clock is None:
+        return None
+    begins = first.clock.usual
+    ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
+    return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
+
+
+@grammar.rule("said", "<repeat>", weight=0.1)
+def repeated(repeat: Repeat) -> Said:
+    """Every day at nine."""
+    return Said(repeat, Constraint.EVERY)
+
+
+@grammar.rule("said", "<preposition_at> <repeat>", weight=0.2)
+def repeated_with_preposition(preposition: Preposition, repeat: Repeat) -> Said:
+    """For wednesdays at two pm, by ten to eleven am daily."""
+    return Said(repeat, Constraint.EVERY, preposition.name)
+
+
+@grammar.rule("said", "by <repeat>", "before <repeat>", weight=0.2)
+def repeated_deadline(repeat: Repeat) -> Said:
+    """By ten to eleven am daily."""
+    return Said(repeat, Constraint.EVERY, "by")

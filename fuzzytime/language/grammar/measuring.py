@@ -1,0 +1,88 @@
+"""Whether a number is an amount: "volume by 10", "bake it at 180", "cut it in two"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Range, Said, Wall
+from fuzzytime.requirement import Constraint, Unit
+
+BEHIND_VERBS = frozenset(
+    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "this", "these", "those", "it", "them"}
+    | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
+)
+"""Words that may follow a verb, and hardly a noun that is counted."""
+
+AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
+"""Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
+
+NEAR = 8
+"""Words before a number that decide whether it is an amount."""
+
+
+class Measures:
+    """What is measured in a text."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+
+    def measured(self, piece: Piece) -> bool:
+        """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
+        for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
+            if self._is_other_order(place) or self.is_amount(place):
+                return False
+            if place and self.is_amount(place - 1):
+                return False
+            if self._measures(place, piece):
+                return True
+        return False
+
+    def _is_other_order(self, place: int) -> bool:
+        """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
+        text, behind = self.texts[place], self.texts[place + 1 : place + 3]
+        joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
+        return joined or text in {".", ";", "!", "?", "then"}
+
+    def _measures(self, place: int, piece: Piece) -> bool:
+        """Whether a word makes a number behind it an amount: that depends on how it is bound."""
+        text, said, lexicon = self.texts[place], piece.value, self.lexicon
+        if not _is_bound_to_hour(said):
+            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
+        if said.preposition not in AMOUNTED:
+            return False
+        if text in lexicon.amount_nouns or text in lexicon.counting:
+            return True
+        if self.texts[piece.start] not in {"by", "from", "up"}:
+            return False
+        following = self.texts[place + 1 : piece.start + 1]
+        return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
+
+    def is_amount(self, place: int) -> bool:
+        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
+        beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
+        amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
+        return amount and self.is_number(place)
+
+    def is_number(self, place: int) -> bool:
+        """Whether a word is a number."""
+        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
+
+    def divided(self, piece: Piece) -> bool:
+        """Whether a number says into how many parts: "cut it in two"."""
+        return bool(self.lexicon.dividing & set(self.texts[max(0, piece.start - NEAR) : piece.start]))
+
+    def named(self, piece: Piece) -> bool:
+        """Whether what has an amount stands right before: "the thermostat at 20", "seat 12A"."""
+        nouns = self.lexicon.amount_nouns if piece.value.preposition else self.lexicon.measure_nouns
+        return piece.start > 0 and self.texts[piece.start - 1] in nouns
+
+
+def _is_bound_to_hour(said: Said) -> bool:
+    """Whether it is a bound at a number that can be an hour: "by 6", but not the "until 180" of an oven."""
+    ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
+    clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
+    hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
+    return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}

@@ -1,0 +1,102 @@
+"""Times of day and parts of the day as said, before it is known which half of the day they are in."""
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from fuzzytime.requirement import Unit
+
+DAY_SECONDS = 86400
+
+
+class Half(StrEnum):
+    """Which half of the day a clock time is in, as said by "am", "in the evening", "at night"."""
+
+    AM = "am"
+    PM = "pm"
+    DAY = "day"
+    NIGHT = "night"
+    EITHER = "either"
+
+
+@dataclass(frozen=True, slots=True)
+class Clock:
+    """A time of day as said; ``full_day`` where the hour counts from 0 to 24 ("15h30", "0730").
+
+    ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty").
+    """
+
+    hour: int
+    minute: int = 0
+    second: int = 0
+    grain: Unit = Unit.HOUR
+    half: Half | None = None
+    full_day: bool = False
+    bare: bool = False
+    pair: bool = False
+    shift: int = 0
+
+    @property
+    def seconds(self) -> int:
+        """Seconds since midnight, the hour taken as said."""
+        return self.hour * 3600 + self.minute * 60 + self.second + self.shift
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it may be before noon or after."""
+        return not self.full_day and self.half in {None, Half.EITHER} and 1 <= self.hour <= 12
+
+    def candidates(self) -> tuple[int, ...]:
+        """Give the seconds since midnight that it may mean, morning first."""
+        base = self.minute * 60 + self.second + self.shift
+        if self.full_day or self.hour > 12 or self.hour == 0:
+            return ((self.hour * 3600 + base) % DAY_SECONDS,)
+        before_noon = (self.hour % 12) * 3600 + base
+        after_noon = before_noon + 12 * 3600
+        if self.half is Half.AM:
+            return (before_noon % DAY_SECONDS,)
+        if self.half is Half.PM:
+            return (after_noon % DAY_SECONDS,)
+        if self.half is Half.NIGHT:
+            return ((before_noon if self.hour in {12, 1, 2, 3, 4} else after_noon) % DAY_SECONDS,)
+        if self.half is Half.DAY:
+            return ((before_noon if 6 <= self.hour <= 11 else after_noon) % DAY_SECONDS,)
+        return tuple(sorted((before_noon % DAY_SECONDS, after_noon % DAY_SECONDS)))
+
+    @property
+    def usual(self) -> int:
+        """Which of them lies in the usual hours, from seven in the morning on."""
+        candidates = self.candidates()
+        return next((seconds for seconds in candidates if seconds >= 7 * 3600), candidates[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.
+
+    ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
+    instructions can be about, ``place`` that it is one where people are.
+    """
+
+    name: str
+    start: int
+    end: int
+    half: Half
+    meal: bool = False
+    late: int | None = None
+    place: bool = False
+
+    @property
+    def is_point(self) -> bool:
+        """Whether it is a moment, as noon is."""
+        return self.start == self.end
+
+    def share(self, low: float, high: float) -> "Part":
+        """Give the stretch between two shares of it: the early morning."""
+        return replace(self, start=self._at(low), end=self._at(high), late=None)
+
+    def _at(self, share: float) -> int:
+        """Give where a share of it is over; half of it is over where its late half begins."""
+        late = self.late if self.late is not None else (self.start + self.end) // 2
+        if share <= 0.5:
+            return int(self.start + 2 * share * (late - self.start))
+        return int(late + (2 * share - 1) * (self.end - late))

@@ -1,0 +1,61 @@
+"""What a verb brings about: "let the dough rest", "have the slides ready", "keep the soup warm".
+
+The object and what it does or becomes are a clause without a tense of its own; trees join it to its verb in
+many ways.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.tree import Tree
+
+COMPLEMENTS = ("ccomp", "xcomp", "oprd", "acomp")
+SUBJECTS = ("nsubj", "nsubjpass")
+MODIFIERS = ("amod", "acl")
+GOVERNED = ("aux", "csubj")
+"""How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""
+
+PREDICATES = frozenset({"VB", "VBP", "VBN", "VBD", "VBG", "JJ", "RB"})
+
+
+@dataclass(frozen=True, slots=True)
+class SmallClause:
+    """The noun that a clause is about, and what it does or becomes, as places in a tree."""
+
+    noun: int
+    predicate: int
+
+    def about(self, tree: Tree) -> frozenset[int]:
+        """Give the words of the noun."""
+        noun = frozenset(tree.below(self.noun))
+        return noun - frozenset(tree.below(self.predicate)) if self.predicate in noun else noun
+
+    def result(self, tree: Tree) -> list[int]:
+        """Give the words of what the noun does or becomes."""
+        said = set(tree.below(self.predicate)) - self.about(tree)
+        return sorted(place for place in said if place > self.noun)
+
+
+def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
+    """Give the clause that a verb brings about, None where it has none."""
+    if tree.nodes[verb].lemma not in lexicon.causing | lexicon.letting:
+        return None
+    return next(_clauses(tree, verb), None)
+
+
+def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
+    objects = [place for place in tree.children(verb, "dobj") if place > verb]
+    below = list(tree.children(verb, *COMPLEMENTS))
+    if tree.nodes[verb].relation in GOVERNED:
+        below.append(tree.nodes[verb].head)
+    for predicate in below:
+        if tree.nodes[predicate].tag not in PREDICATES or tree.children(predicate, "auxpass", "mark"):
+            continue
+        nouns = [place for place in tree.children(predicate, *SUBJECTS) if place > verb] or objects
+        if nouns and nouns[0] < predicate:
+            yield SmallClause(nouns[0], predicate)
+    for noun in objects:
+        for predicate in tree.children(noun, *MODIFIERS):
+            if predicate > noun and tree.nodes[predicate].tag in PREDICATES:
+                yield SmallClause(noun, predicate)

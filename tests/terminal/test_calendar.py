@@ -1,0 +1,95 @@
+"""Calendars that people have are read as the times that are taken."""
+
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.times import instant_after, parse_zone
+from fuzzytime_cli.inputs.calendar import busy_of_calendar
+
+NOW = datetime(2026, 3, 28, 22, 50, tzinfo=parse_zone("Europe/Berlin"))
+"""Three hours and ten minutes before the clocks go forward."""
+
+
+def taken(folder: Path, *events: str) -> list[str]:
+    """Read events; give each busy time as start, end and what, on the clock of the zone."""
+    blocks = "".join(f"BEGIN:VEVENT\n{event}\nEND:VEVENT\n" for event in events)
+    path = folder / "busy.ics"
+    path.write_text(f"BEGIN:VCALENDAR\nVERSION:2.0\n{blocks}END:VCALENDAR\n")
+    return [
+        f"{instant_after(NOW, busy.start):%d. %H:%M}-{instant_after(NOW, busy.end):%d. %H:%M} {busy.what}"
+        for busy in busy_of_calendar(path, NOW)
+    ]
+
+
+def test_an_event_across_the_change_of_clocks_ends_when_it_says(tmp_path: Path) -> None:
+    at_night = (
+        "DTSTART;TZID=Europe/Berlin:20260329T013000\nDTEND;TZID=Europe/Berlin:20260329T033000\nSUMMARY:Bake"
+    )
+    assert taken(tmp_path, at_night) == ["29. 01:30-29. 03:30 Bake"]
+    (busy,) = busy_of_calendar(tmp_path / "busy.ics", NOW)
+    assert busy.end - busy.start == 3600.0
+
+
+def test_a_repeating_event_keeps_its_hour_when_the_clocks_change(tmp_path: Path) -> None:
+    daily = "DTSTART;TZID=Europe/Berlin:20200101T070000\nDURATION:PT30M\nRRULE:FREQ=DAILY\nSUMMARY:Run"
+    found = taken(tmp_path, daily)
+    assert len(found) == 14
+    assert found[:2] == ["29. 07:00-29. 07:30 Run", "30. 07:00-30. 07:30 Run"]
+
+
+def test_a_day_is_taken_whole_and_a_time_without_a_zone_is_one_here(tmp_path: Path) -> None:
+    assert taken(
+        tmp_path, "DTSTART;VALUE=DATE:20260330\nSUMMARY:Away", "DTSTART:20260329T100000\nDURATION:PT1H"
+    ) == ["29. 10:00-29. 11:00 ", "30. 00:00-31. 00:00 Away"]
+
+
+@pytest.mark.parametrize(
+    "event",
+    [
+        "DTSTART:20260329T100000Z\nDURATION:PT1H\nSTATUS:CANCELLED",
+        "DTSTART:20260329T100000Z\nDURATION:PT1H\nTRANSP:TRANSPARENT",
+        "DTSTART:20260328T100000Z\nDURATION:PT1H",
+        "DTSTART:20270328T100000Z\nDURATION:PT1H",
+        "SUMMARY:at no time",
+    ],
+    ids=["cancelled", "transparent", "over", "far away", "without a time"],
+)
+def test_what_takes_no_time_of_the_next_two_weeks_is_left_out(event: str, tmp_path: Path) -> None:
+    assert taken(tmp_path, event) == []
+
+
+def test_what_repeats_every_few_seconds_for_a_lifetime_is_read_at_once(tmp_path: Path) -> None:
+    taken(tmp_path, "DTSTART:19700101T000000Z\nDURATION:PT7S\nRRULE:FREQ=SECONDLY;INTERVAL=7\nSUMMARY:Tick")
+    found = busy_of_calendar(tmp_path / "busy.ics", NOW)
+    since = (NOW - datetime.fromisoformat("1970-01-01T00:00Z")).total_seconds() % 7
+    assert (found[0].start, found[0].end, len(found)) == (-since, 7 - since, 500)
+
+
+@pytest.mark.parametrize(
+    ("rule", "message"),
+    [
+        ("FREQ=DAILY;INTERVAL=0", "interval of at least 1, got 0"),
+        ("FREQ=SECONDLY;BYMONTH=2;BYMONTHDAY=31", "daily or less often"),
+        ("FREQ=MINUTELY;COUNT=99999999", "daily or less often"),
+    ],
+)
+def test_what_would_be_looked_for_without_end_is_refused(rule: str, message: str, tmp_path: Path) -> None:
+    with pytest.raises(FuzzytimeError, match=rf"busy\.ics: .*{message}"):
+        taken(tmp_path, f"DTSTART:20260101T000000Z\nDURATION:PT2S\nRRULE:{rule}")
+
+
+@pytest.mark.parametrize("start", ["DTSTART;TZID=Europe/:20260329T100000", "DTSTART;VALUE=DATE,:20260329"])
+def test_a_calendar_that_its_library_cannot_read_is_refused(start: str, tmp_path: Path) -> None:
+    with pytest.raises(FuzzytimeError, match=r"busy\.ics must be an iCalendar file of at most 4 MB$"):
+        taken(tmp_path, f"{start}\nDURATION:PT1H")
+
+
+def test_what_is_no_calendar_is_refused_by_name(tmp_path: Path) -> None:
+    (tmp_path / "mine.ics").write_bytes(b"\x00\xff")
+    with pytest.raises(FuzzytimeError, match=r"mine\.ics must be an iCalendar file"):
+        busy_of_calendar(tmp_path / "mine.ics", NOW)
+    with pytest.raises(FuzzytimeError, match="must be readable"):
+        busy_of_calendar(tmp_path / "missing.ics", NOW)

@@ -1,0 +1,168 @@
+"""What the command writes is read by the tools that people read such files with: jq, pandas, a browser."""
+
+import io
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from terminal.running import ran
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
+
+pytestmark = pytest.mark.model
+
+NOW = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
+TYPED = 'Paint the <b>"door"</b> & <script>document.title="owned"</script> sill\'s ${edge} in ten minutes'
+"""What a person may type, and a page must show as it is."""
+
+
+def written(folder: Path, kind: str, *arguments: str) -> str:
+    done = ran("plan", *arguments, "--format", kind, *NOW, folder=folder)
+    assert done.code == 0, done.err
+    return done.out
+
+
+@pytest.fixture(scope="module")
+def breakfast(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """One plan in the formats that hold its figures."""
+    folder = tmp_path_factory.mktemp("breakfast")
+    return {kind: written(folder, kind, "examples/breakfast.txt") for kind in ("json", "jsonl", "csv")}
+
+
+# -- jq -----------------------------------------------------------------------------------------------------
+
+
+def chosen(program: str, text: str) -> list[Any]:
+    """Run a jq program over a text of one or more JSON documents."""
+    jq = pytest.importorskip("jq", reason="jq is not installed: it does not read our JSON")
+    found: list[Any] = jq.compile(program).input_text(text).all()
+    return found
+
+
+def test_jq_chooses_among_lines_as_among_the_skills_of_the_document(breakfast: dict[str, str]) -> None:
+    wanted = "select(.satisfaction < 1 and (.rejected | not)) | [.id, .start_s, .name]"
+    lines = chosen(f'select(.type == "skill") | {wanted}', breakfast["jsonl"])
+    assert lines == chosen(f".skills[] | {wanted}", breakfast["json"])
+    assert 0 < len(lines) < 10
+
+
+def test_jq_finds_the_plan_in_the_last_line(breakfast: dict[str, str]) -> None:
+    (status,) = chosen('select(.type == "plan") | .certificate.status', breakfast["jsonl"])
+    assert [status] == chosen(".certificate.status", breakfast["json"])
+    assert chosen(".type", breakfast["jsonl"])[-1] == "plan"
+
+
+def test_jq_reads_the_answers_of_a_batch_and_the_events_of_a_run(tmp_path: Path) -> None:
+    done = ran(
+        "batch", "examples/breakfast.txt", "tests/data/empty.txt", "--jobs", "1", *NOW, folder=tmp_path
+    )
+    assert chosen("[.file, (.plan.skills | length), .error.code]", done.out) == [
+        ["examples/breakfast.txt", 10, None],
+        ["tests/data/empty.txt", 0, 66],
+    ]
+    events = ran("run", "-i", "Stir the soup in ten minutes", "--simulate", *NOW, folder=tmp_path).out
+    assert chosen('select(.type == "start") | .id', events) == ["s1"]
+
+
+# -- pandas -------------------------------------------------------------------------------------------------
+
+
+def test_pandas_reads_the_same_figures_from_csv_lines_and_document(breakfast: dict[str, str]) -> None:
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed: it does not read our tables")
+    table = pandas.read_csv(io.StringIO(breakfast["csv"]), parse_dates=["start", "end", "done"])
+    lines = pandas.read_json(io.StringIO(breakfast["jsonl"]), lines=True, dtype=False)
+    skills = lines[lines["type"] == "skill"].set_index("id")
+    whole = {skill["id"]: skill for skill in json.loads(breakfast["json"])["skills"]}
+    assert table["start"].dtype.kind == "M"
+    assert table["satisfaction"].dtype.kind == "f"
+    assert table["rejected"].dtype.kind == "b"
+    assert set(table["id"]) == set(skills.index) == set(whole)
+    for row in table.itertuples():
+        skill, line = whole[row.id], skills.loc[row.id]
+        assert row.start == pandas.Timestamp(skill["start"])
+        assert (row.end - row.start).total_seconds() == skill["duration_s"]
+        assert line["start_s"] == skill["start_s"]
+        # Some versions of pandas read the last digit otherwise.
+        assert row.satisfaction == pytest.approx(skill["satisfaction"], rel=1e-12)
+        assert line["satisfaction"] == pytest.approx(skill["satisfaction"], rel=1e-12)
+        assert row.instruction == line["instruction"] == skill["instruction"]
+
+
+def test_pandas_reads_what_was_typed_from_csv_as_it_was_typed(tmp_path: Path) -> None:
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed: it does not read our tables")
+    table = pandas.read_csv(io.StringIO(written(tmp_path, "csv", "-i", TYPED)))
+    assert list(table["instruction"]) == [TYPED]
+
+
+# -- a browser ----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def page(browser: "Browser") -> Iterator["Page"]:
+    """Open a page that may neither ask for anything nor fail in a script."""
+    context = browser.new_context(color_scheme="light", viewport={"width": 1000, "height": 900})
+    context.set_default_timeout(15_000)
+    found = context.new_page()
+    wrong: list[str] = []
+    found.on("pageerror", lambda error: wrong.append(str(error)))
+    found.on("console", lambda said: wrong.append(said.text))
+    found.on(
+        "request",
+        lambda asked: wrong.append(asked.url) if not asked.url.startswith("file:") else None,
+    )
+    yield found
+    context.close()
+    assert wrong == []
+
+
+def shown(page: "Page", folder: Path, kind: str, *arguments: str) -> "Page":
+    """Show a plan in the browser, from a file as a person opens it."""
+    path = folder / f"plan.{kind}"
+    path.write_text(written(folder, kind, *arguments), encoding="utf-8")
+    page.goto(path.as_uri())
+    return page
+
+
+@pytest.mark.browser
+def test_a_browser_shows_the_plan_as_a_table(page: "Page", breakfast: dict[str, str], tmp_path: Path) -> None:
+    shown(page, tmp_path, "html", "examples/breakfast.txt")
+    skills = sorted(json.loads(breakfast["json"])["skills"], key=lambda skill: skill["start_s"])
+    rows = [row.locator("td").all_inner_texts() for row in page.locator("tbody tr").all()]
+    assert sorted(row[2] for row in rows) == sorted(skill["name"] for skill in skills)
+    assert [row[0] for row in rows] == [skill["start"][11:16] for skill in skills]
+    assert {row[2]: row[4].strip() for row in rows} == {
+        skill["name"]: f"{skill['satisfaction']:.2f}" for skill in skills
+    }
+    assert page.locator("meter").count() == len(skills)
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("kind", ["html", "svg"])
+def test_a_browser_draws_every_skill_inside_the_picture(kind: str, page: "Page", tmp_path: Path) -> None:
+    shown(page, tmp_path, kind, "examples/workshop.yaml")
+    picture = page.locator("svg").bounding_box()
+    bars = page.locator("svg rect").all()
+    assert picture is not None
+    assert len(bars) >= 6
+    for bar in bars:
+        box = bar.bounding_box()
+        assert box is not None
+        assert picture["x"] - 1 <= box["x"]
+        assert box["x"] + box["width"] <= picture["x"] + picture["width"] + 1
+        assert box["y"] + box["height"] <= picture["y"] + picture["height"] + 1
+        assert min(box["width"], box["height"]) > 0
+
+
+@pytest.mark.browser
+@pytest.mark.parametrize("kind", ["html", "svg"])
+def test_a_browser_shows_what_was_typed_and_runs_none_of_it(kind: str, page: "Page", tmp_path: Path) -> None:
+    shown(page, tmp_path, kind, "-i", TYPED)
+    titles = page.locator("svg title").evaluate_all("found => found.map(one => one.textContent)")
+    assert TYPED in titles
+    assert page.locator("script, b").count() == 0
+    assert "owned" not in page.title()
