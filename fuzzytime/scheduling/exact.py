@@ -2,9 +2,10 @@
 
 On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses. A
 label program below a threshold just above the bound then either finds the best schedule of the grid, or
-proves that none is below, and the threshold rises. Where that takes too much room, labels in beams look for
-a better schedule, so that more starts can be deleted. The grid's costs lie below those in continuous time
-(`fuzzytime.scheduling.grid`), so all its bounds hold there; the next grid is finer, until the gap closes.
+proves that none is below, and the threshold rises. Where that takes too much room, a local search around the
+relaxation's path and labels in a beam look for a better schedule. The grid's costs lie below those in
+continuous time (`fuzzytime.scheduling.grid`), so all its bounds hold there; the next grid is finer, over the
+few starts that labels leave, until the gap closes.
 """
 
 import math

@@ -4,10 +4,11 @@ For prices 0 ≤ λ_i ≤ L_i every schedule costs at least
 
     D(λ) = Σ_i (L_i − λ_i) + Σ over lanes of agents · V(last slot),
 
-with V the cheapest path over time on that lane (`fuzzytime.scheduling.paths`). The best D equals the bound
-of the linear program over start slots. With V the path from the beginning and B that to the end, a schedule
-with an arc of job i from slot t costs at least D − V(last slot) + V[t] + c_i(t) + λ_i + B[t + d_i]: an arc
-for which that is no less than a known schedule's cost can be deleted.
+with V the cheapest path over time on that lane that does no job twice in succession
+(`fuzzytime.scheduling.paths`). With U_i the cheapest path from the beginning whose last job is not i, and B_i
+that to the end whose first job is not i, a schedule with an arc of job i from slot t costs at least
+D − V(last slot) + U_i[t] + c_i(t) + λ_i + B_i[t + d_i]: an arc for which that is no less than a known
+schedule's cost can be deleted.
 """
 
 import math

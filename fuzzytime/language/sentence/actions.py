@@ -82,7 +82,7 @@ def _order_before(tree: Tree, root: int) -> int:
             ):
                 return place
             continue
-        bare = node.tag in {"VB", "VBP"} and not tree.children(place, "aux", *SUBJECTS)
+        bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
         if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
             return place
     if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
@@ -96,7 +96,7 @@ def _order_before(tree: Tree, root: int) -> int:
 def _is_order(tree: Tree, place: int) -> bool:
     node = tree.nodes[place]
     return (
-        node.tag in {"VB", "VBP"}
+        node.is_bare
         and node.relation not in {"relcl", "acl", "advcl"}
         and not tree.children(place, *SUBJECTS)
     )

@@ -28,6 +28,11 @@ class Node:
         """Whether it is tagged as a verb."""
         return self.tag.startswith("VB")
 
+    @property
+    def is_bare(self) -> bool:
+        """Whether it may be a verb's bare form; that of "set" and "put" is also the past, and tagged so."""
+        return self.tag in {"VB", "VBP"} or (self.tag in {"VBD", "VBN"} and self.lower == self.lemma)
+
 
 @dataclass(frozen=True, slots=True)
 class Tree:
