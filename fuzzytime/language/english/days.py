@@ -57,7 +57,9 @@ def season(found: Season) -> Calendar:
 @grammar.rule("series", "calendar? <unit>")
 def cycle(unit: UnitWord) -> Calendar | None:
     """Week, month, fortnight; but "minute" is no day."""
-    return Cycle(unit.unit, unit.count) if unit.unit not in SUB_DAY and len(unit.form) > 1 else None
+    # "The coming days" are not one.
+    several = unit.form.endswith("s")
+    return None if unit.unit in SUB_DAY or len(unit.form) == 1 or several else Cycle(unit.unit, unit.count)
 
 
 @grammar.rule("series", "<weekday>")

@@ -132,6 +132,21 @@ def half_of_year(outer: int, number: Integer) -> Calendar | None:
     return half_year(number, Fields(year=outer))
 
 
+@grammar.rule("date", "the <series> after|following <feast>|<date>", weight=0.4)
+def next_after(series: Calendar, anchor: Calendar) -> Calendar | None:
+    """The tuesday after easter, the weekend after the 5th of april."""
+    return (
+        Following(1, series, anchor) if anchor.grain is Unit.DAY and series.grain is not Unit.YEAR else None
+    )
+
+
+@grammar.rule("date", "the <series> before <feast>|<date>", weight=0.4)
+def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
+    """The saturday before christmas."""
+    weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
+    return Following(-1, series, anchor) if weekly and anchor.grain is Unit.DAY else None
+
+
 @grammar.rule("date", "the? <ordinal> <series> after <whole>", weight=0.4)
 def nth_after(number: int, series: Calendar, anchor: Calendar) -> Calendar:
     """Third tuesday after christmas 2014."""

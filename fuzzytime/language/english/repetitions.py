@@ -18,6 +18,8 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+LONGEST_MONTH = 31
+
 SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
 
@@ -160,6 +162,17 @@ def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None
     if not isinstance(number, int) or not isinstance(unit, UnitWord) or unit.unit is not Unit.MONTH:
         return None
     return Repeat(walls=(Wall(Fields(day=number)),))
+
+
+@grammar.rule("repeat", "the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
+def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
+    """The first and the fifteenth of every month."""
+    days = [wall.days for wall in repeat.walls]
+    monthly = all(isinstance(day, Fields) and day == Fields(day=day.day) for day in days)
+    plain = repeat.skip == 1 and all(wall.clock is None and wall.part is None for wall in repeat.walls)
+    if not days or not monthly or not plain or not 1 <= number <= LONGEST_MONTH:
+        return None
+    return replace(repeat, walls=(Wall(Fields(day=number)), *repeat.walls))
 
 
 @grammar.rule(

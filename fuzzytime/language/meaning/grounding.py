@@ -252,7 +252,9 @@ class Grounding:
                 return Instants(start, shifted(self.now, duration.until, said.direction), Unit.SECOND)
             return Instants(start, start, duration.unit if duration.unit in SUB_DAY else Unit.SECOND)
         anchor = self._instants(said.anchor)
-        base = anchor.end if said.direction > 0 and not self._is_day(said.anchor) else anchor.start
+        over = isinstance(said.anchor, Ending) and said.anchor.edge is Edge.END
+        after = said.direction > 0 and not self._is_day(said.anchor)
+        base = anchor.end if over or after else anchor.start
         start = shifted(base, duration, said.direction)
         return Instants(start, start, Unit.MINUTE, (), anchor.zone)
 

@@ -41,7 +41,7 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
     for old, new in pairwise(phrases):
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
-        if before == "not" and between in (["but"], [",", "but"]):
+        if before == "not" and between in (["but"], [",", "but"], [","], ["-"]):
             kept.remove(old)
             span = (scanned.words[old.first - 1].start, new.span[0])
             said = scanned.text[slice(*new.span)]
