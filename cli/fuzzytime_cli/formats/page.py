@@ -1,6 +1,6 @@
 """A plan as one self-contained HTML page: picture, table, what is proved, what was not understood."""
 
-from fuzzytime.interpreter import Plan, Problem
+from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime_cli.drawing.markup import element, words
 from fuzzytime_cli.formats.picture import plan_svg
 from fuzzytime_cli.formats.table import PlanView
@@ -28,7 +28,9 @@ def page_text(plan: Plan) -> str:
     table = element("table", element("thead", element("tr", heading)) + element("tbody", rows))
     sentences = "".join(element("p", words(sentence)) for sentence in view.sentences())
     problems = "".join(
-        element("li", words(_sentence(problem)), class_="problem") for problem in plan.problems
+        element("li", words(_sentence(problem)), class_="problem")
+        for problem in plan.problems
+        if problem.kind not in {ProblemKind.NOTE, ProblemKind.REJECTED}  # the sentences say these
     )
     body = element("h1", title) + plan_svg(plan) + table + sentences + element("ul", problems)
     return f'<!doctype html><html lang="en"><head>{head}</head><body>{body}</body></html>\n'
