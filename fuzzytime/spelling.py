@@ -2,6 +2,10 @@
 
 import difflib
 from collections.abc import Iterable
+from heapq import nsmallest
+
+MOST = 150
+"""Known words that a word is compared with at most."""
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:
@@ -22,8 +26,13 @@ def nearest(word: str, known: Iterable[str], cutoff: float = 0.65) -> str | None
     >>> nearest("abuot", ["about", "exactly"]), nearest("sine", ["hold", "linear"])
     ('about', None)
     """
+    said = word.casefold()
     folded: dict[str, str] = {}
     for choice in map(str, known):
         folded.setdefault(choice.casefold(), choice)
-    close = difflib.get_close_matches(word.casefold(), folded, 1, cutoff)
+    # The likeliest of very many: comparing takes time, and files may be hostile.
+    likely = nsmallest(
+        MOST, folded, key=lambda choice: (choice[:1] != said[:1], abs(len(choice) - len(said)))
+    )
+    close = difflib.get_close_matches(said, likely, 1, cutoff)
     return folded[close[0]] if close else None

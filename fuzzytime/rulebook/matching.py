@@ -1,6 +1,6 @@
 """Which requirements a row or a rule speaks about: the ``on:`` of rule files."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from fuzzytime.requirement import TimeRequirement
@@ -32,10 +32,13 @@ class Match:
         texts = described(requirement, verb)
         return all(accepted & texts[key] for key, accepted in self.accepted)
 
-    def covers(self, other: "Match") -> bool:
-        """Tell whether all that another matches is matched by this one as well."""
-        others = dict(other.accepted)
-        return all(others.get(key, frozenset()) and others[key] <= texts for key, texts in self.accepted)
+    def first_covering(self, others: Iterable["Match"]) -> int | None:
+        """Give the place of the first of others that matches all that this one matches."""
+        own = dict(self.accepted)
+        for place, other in enumerate(others):
+            if all(key in own and own[key] <= texts for key, texts in other.accepted):
+                return place
+        return None
 
     @property
     def keys(self) -> frozenset[str]:

@@ -5,7 +5,9 @@ So a file may speak of what another declares, and every unknown name is a mistak
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
+from fuzzytime.requirement import Constraint
 from fuzzytime.rulebook.variables import Source
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Scalar
@@ -14,7 +16,7 @@ CLAUSE_MODELS = ("when", "while", "until")
 """Models of clauses, which need no breakpoints: they follow a condition's trace."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Vocabulary:
     """Declared names.
 
@@ -31,7 +33,12 @@ class Vocabulary:
     terms: Mapping[str, frozenset[str]]
     sources: Mapping[str, str]
 
-    @property
+    @cached_property
+    def cues(self) -> frozenset[str]:
+        """What a requirement may be called by: its word, its preposition, or its constraint."""
+        return self.words | self.prepositions | frozenset(Constraint)
+
+    @cached_property
     def variables(self) -> Mapping[str, frozenset[str]]:
         """The variables of each signal."""
         found: dict[str, set[str]] = {name: set() for name in self.units}

@@ -17,6 +17,7 @@ def repl(
     solving: Solving,
 ) -> None:
     """Hold a conversation: instructions as you type, the schedule after each, a word when a start comes."""
+    from fuzzytime_cli.render import plain
     from fuzzytime_cli.repl import converse
 
-    converse(session, moment=moment, understanding=understanding, solving=solving, kept=not forget)
+    converse(plain(session), moment=moment, understanding=understanding, solving=solving, kept=not forget)

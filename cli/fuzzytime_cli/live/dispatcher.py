@@ -91,8 +91,8 @@ class Dispatcher:
 
     def finished(self, now: float) -> told.Finished:
         """Tell what became of every skill."""
-        tasks = self.ledger.tasks.values()
-        reached = [task.satisfaction for task in tasks if task.satisfaction is not None]
+        done = self.ledger.in_phase(Phase.DONE, Phase.RUNNING, Phase.RESTING)
+        reached = [task.satisfaction for task in done if task.satisfaction is not None]
         mean = math.prod(reached) ** (1 / len(reached)) if reached else 1.0
         return told.Finished(
             at=now,

@@ -252,7 +252,7 @@ class Stopped(Event):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Finished(Event):
-    """The last event: what became of every skill, and how well those that started satisfied."""
+    """The last event: what became of every skill, and how well those that did not fail satisfied."""
 
     type: ClassVar[str] = "finished"
 

@@ -1,5 +1,6 @@
 """The conversation on a terminal or a pipe: what reads lines, keeps the time, and writes answers."""
 
+import io
 import os
 import sys
 import threading
@@ -202,6 +203,8 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
 def _piped(talk: _Talk, stream: TextIO | None) -> None:
     """Read lines as they come, of a pipe or a plain terminal; answers follow each."""
     typed = stream is not None and stream.isatty()
+    if isinstance(stream, io.TextIOWrapper):
+        stream.reconfigure(errors="surrogateescape")  # a byte that is no text is shown as an escape
     talk.turns.asks = typed
     talk.open()
     for line in _lines(stream, talk.screen.stream if typed else None):

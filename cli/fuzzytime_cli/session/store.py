@@ -10,6 +10,7 @@ from datetime import datetime
 from pathlib import Path
 
 from fuzzytime_cli.faults import NoInputError
+from fuzzytime_cli.render import plain
 from fuzzytime_cli.session.state import (
     KeptRating,
     Started,
@@ -133,7 +134,9 @@ class SessionStore:
                 ).fetchone()[0]
             )
             connection.execute(
-                "INSERT INTO steps VALUES (?, ?, ?, ?, ?)", (name, number, head, what, state_text(new))
+                "INSERT INTO steps VALUES (?, ?, ?, ?, ?)",
+                # Bytes that are no text (lone surrogates) SQLite does not take; JSON writes them as escapes.
+                (name, number, head, plain(what), state_text(new)),
             )
             self._move(name, number)
             connection.execute(

@@ -112,8 +112,9 @@ def read_entries(scope: Scope, node: Node, key: str) -> tuple[Entry, ...]:
         match = read_match(scope, found["on"], f"{path}.on") if "on" in found else Match()
         if row is None or "on" not in found or len(scope.reader.mistakes) > before:
             continue
-        above = next((entry.row for entry in read if entry.match.covers(match)), None)
-        if above is not None:
+        place = match.first_covering(entry.match for entry in read)
+        if place is not None:
+            above = read[place].row
             message = f"never comes into play: {above.name!r} ({above.source}) speaks about all of it before"
             scope.reader.mistake(item, path, message)
         read.append(Entry(match, row))
@@ -125,7 +126,7 @@ def read_match(scope: Scope, node: Node, key: str) -> Match:
     names = scope.names
     known: Mapping[str, Collection[str]] = {
         **{name: tuple(members) for name, members in _CLOSED.items()},
-        "cue": names.prepositions | names.words | frozenset(Constraint),
+        "cue": names.cues,
         "preposition": names.prepositions,
         "hedge": names.time_hedges,
     }

@@ -1,0 +1,65 @@
+"""Huge input is refused in few words and bounded memory, or answered."""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from console import ROOT, environment
+from fuzzytime_cli.exits import Exit
+
+MEMORY = 600 << 20
+"""Bytes: the language model takes about half of them by itself."""
+
+
+def ended(arguments: list[str], folder: Path) -> tuple[int, bytes, bytes, int]:
+    """Run the command in a process of its own; give code, output, errors and the most memory in bytes."""
+    out, err = folder / "out", folder / "err"
+    with out.open("wb") as output, err.open("wb") as errors:
+        child = subprocess.Popen(
+            [sys.executable, "-m", "fuzzytime_cli", *arguments],
+            cwd=ROOT,
+            env=environment(folder),
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=errors,
+        )
+        _, status, usage = os.wait4(child.pid, 0)
+        child.returncode = os.waitstatus_to_exitcode(status)
+    unit = 1 if sys.platform == "darwin" else 1024
+    return child.returncode, out.read_bytes(), err.read_bytes(), usage.ru_maxrss * unit
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("".join(f"Stir the soup in {n} minutes\n" for n in range(100_000)), b"at most 2,000 instructions"),
+        ("Stir the soup " + "very " * 2_000_000 + "soon", b"must not be longer than"),
+        ("Stir the soup soon\n" * 1_000_000, b"must not be larger than 16,777,216 bytes"),
+        ("now: 2026-03-04T09:00\ninstructions:\n" + "  - Stir the soup soon\n" * 100_000, b""),
+    ],
+    ids=["100,000 lines", "a line of 10 MB", "19 MB", "a task file of 100,000"],
+)
+def test_what_is_too_much_is_refused_in_few_words(text: str, message: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "huge.txt"
+    path.write_text(text)
+    code, out, err, memory = ended(["plan", str(path)], tmp_path)
+    assert code == Exit.BAD_DATA
+    assert message in err
+    assert (len(out) < 1000, len(err) < 2000, b"Traceback" in err) == (True, True, False)
+    assert memory < MEMORY
+
+
+def test_fifty_thousand_readings_are_planned_by_or_refused(tmp_path: Path) -> None:
+    readings = tmp_path / "readings.jsonl"
+    lines = (
+        json.dumps({"signal": "pan_temp", "at_s": -second / 100, "value": 150.0}) for second in range(50_000)
+    )
+    readings.write_text("\n".join(lines))
+    arguments = ["plan", "-i", "Flip the pancakes when the pan is hot", "--context", str(readings)]
+    code, _, err, memory = ended([*arguments, "--format", "json", "--now", "2026-03-04T09:00"], tmp_path)
+    assert (code in {Exit.FINE, Exit.BAD_DATA}, b"Traceback" in err) == (True, False), err
+    assert memory < MEMORY
