@@ -139,6 +139,20 @@ class _Builder:
 
     def take(self, event: yaml.Event) -> None:
         """Take the next event."""
+        mark = event.start_mark
+        if (
+            type(event) is yaml.ScalarEvent
+            and event.anchor is None
+            and event.tag is None
+            and mark is not None
+        ):
+            # Most events are plain values, and files have thousands.
+            self._nodes += 1
+            if self._nodes <= MAX_NODES:
+                quoted = event.style not in (None, "")
+                self._add(Scalar(event.value, mark.line, mark.column, mark.index, quoted))
+                return
+            self._nodes -= 1
         place = _place(event)
         if isinstance(event, yaml.DocumentStartEvent) and self.document is not None:
             raise TreeError("a file must hold one document", place.line, place.column)
