@@ -98,7 +98,8 @@ class Rough:
                 better |= self._improve_stretch(ranking[first : first + STRETCH], watch, generator)
                 if watch.is_over():
                     break
-            if count <= STRETCH:
+            # A second look sees more only where jobs stood still, or waited for some not placed before.
+            if count <= STRETCH and not self._before:
                 break
 
     def _improve_stretch(
@@ -106,14 +107,13 @@ class Rough:
     ) -> bool:
         """Take out and put back each of some jobs until nothing more is gained; tell whether anything was."""
         stretch = _Stretch(self, members)
-        begun = stretch.gain
         better = True
         while better and not watch.is_over():
             better = False
             for job in generator.permutation(members).tolist():
                 better |= stretch.reinsert(job)
         stretch.settle()
-        return stretch.gain < begun - IMPROVEMENT
+        return stretch.gain < stretch.begun - IMPROVEMENT
 
     def span(self, job: int) -> tuple[float, float]:
         """Give the first and last slot at which a job keeps its lags to jobs that are placed."""
@@ -156,6 +156,8 @@ class _Stretch:
             curves = {job: self._cut(grid.curves[job][lane], job, end) for job in members}
             mine = [job for job in placed if plan.agents[job] == agent]
             self.orders[agent] = Order(curves, self.durations, begin, max(end, begin), mine)
+        # Putting in what was left out is an improvement, too.
+        self.begun = self.gain
         for job in members:
             if job not in self.agent_of:
                 self.reinsert(job)

@@ -123,3 +123,13 @@ def test_no_other_time_is_better_than_a_proved_schedule(seed: int) -> None:
             assert why.alternative.satisfactions[why.position] == pytest.approx(why.alone, rel=1e-6)
     later = elsewhere(schedule, 0, Interval(schedule.start_times[0] + 10, schedule.start_times[0] + 10))
     assert later is None or any(schedule.rejected) or later.cost >= schedule.weighted_cost - 1e-3
+
+
+def test_what_comes_after_a_skill_moves_along_with_it() -> None:
+    stir = FuzzySkill("stir", Trapezoid(0, 300, 900, 1500), 60, preferred=600)
+    table = FuzzySkill("set the table", Rectangle(0, 2458), 300)
+    schedule = solve(FuzzyTask((stir, table), precedences=(Precedence(0, 1),)))
+    for start in (540.0, 660.0):
+        other = elsewhere(schedule, 0, Interval(start, start))
+        assert other is not None
+        assert other.satisfactions == (1, 1)
