@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from fuzzytime.scheduling import THRESHOLD, Labels, Limits, Milp, Solver, Status, solve
+from fuzzytime.scheduling import THRESHOLD, Labels, Limits, Milp, Shares, Solver, Status, solve
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.skills import FuzzyTask
 from scheduling.oracle import best_cost, best_shared_cost, best_whole_cost
@@ -40,6 +40,7 @@ FAMILIES = {
     "one agent": Family(random_task, _alone, None),
     "one agent, labels": Family(random_task, _alone, Labels(), proves=False),
     "several agents": Family(random_shared_task, _shared, None),
+    "several agents, shares": Family(random_shared_task, _shared, Shares(), proves=False),
     "several agents, program": Family(random_shared_task, _shared, Milp(), proves=False),
     "lags": Family(random_bound_task, _whole, None, proves=False),
 }
