@@ -19,9 +19,12 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Half, Part
+from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+PLAUSIBLE = Policy().plausible_from
 
 
 @grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
@@ -125,7 +128,7 @@ def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
     """Give a repetition within hours of the day: every weekday from 9 to 5."""
     if first.clock is None or not isinstance(last, Wall) or last.clock is None:
         return None
-    begins = first.clock.usual
+    begins = first.clock.first_from(PLAUSIBLE)
     ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
     return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
 

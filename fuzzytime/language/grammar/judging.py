@@ -86,9 +86,11 @@ class Judge:
         )
 
     def _begins_clause(self, piece: Piece) -> bool:
-        """Whether it is the first word of a longer one that begins a clause: "now that"."""
+        """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
         marker = longest_match(self.words, piece.start, self.lexicon.clauses)
-        return marker is not None and len(marker) > piece.end - piece.start
+        if marker is None or len(marker) < piece.end - piece.start:
+            return False
+        return len(marker) > piece.end - piece.start or self._follower(piece)[:1].isalnum()
 
     def _is_added(self, piece: Piece) -> bool:
         """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""

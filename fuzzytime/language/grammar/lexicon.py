@@ -70,6 +70,8 @@ class Lexicon:
         Words beside which even a bound is one: "by 10", "until 10".
     usual_hours
         By words for what people do, the hours at which they do it.
+    questions, foreign
+        Words that begin a question, by how they do, and words that show that a text is not English.
     function_words
         Words that may follow a bare number without making it a count.
     """
@@ -103,6 +105,8 @@ class Lexicon:
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
     amount_nouns: frozenset[str]
+    questions: Mapping[str, frozenset[tuple[str, ...]]]
+    foreign: frozenset[str]
     function_words: frozenset[str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)

@@ -46,12 +46,15 @@ class Grounding:
         Seconds that what is asked for was said to last, 0 where nothing was said.
     since : datetime, optional
         The clock time that was said before in the same text.
+    listed : bool
+        Whether it was said for the same thing to be done.
     """
 
     now: datetime
     policy: Policy
     lasting: float = 0.0
     since: datetime | None = None
+    listed: bool = False
 
     @property
     def today(self) -> Today:
@@ -188,7 +191,9 @@ class Grounding:
         chosen = (plausible or moments)[0]
         if self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
-            follows = [moment for moment in moments if self.since < moment < self.since + FOLLOWING]
+            # Of "at eight, twelve and five", none is at night only because another is in the evening.
+            known = plausible if self.listed else moments
+            follows = [moment for moment in known if self.since < moment < self.since + FOLLOWING]
             chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)

@@ -143,7 +143,8 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
     named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
     if named is not None:
         return Reference(named)
-    if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
+    node = tree.nodes[place]
+    if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
     if lemma in lexicon.causing and any(
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)

@@ -22,10 +22,11 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
-from fuzzytime.language.sentence.sketches import Sketch, sketches_of
+from fuzzytime.language.sentence.sketches import DATED, Sketch, sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
 TURNED = {
@@ -66,16 +67,17 @@ class _Composer:
                 )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
-        instructions = tuple(
-            self._instruction(sketch, len(self.given) + place, operations)
-            for place, sketch in enumerate(sketches)
-        )
+        instructions = []
+        for place, sketch in enumerate(sketches):
+            listed = place > 0 and sketch.part is sketches[place - 1].part
+            self.moment = replace(self.moment, listed=listed)
+            instructions.append(self._instruction(sketch, len(self.given) + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
         return Reading(
             text=self.draft.text,
             now=self.draft.now,
-            instructions=instructions,
+            instructions=tuple(instructions),
             tokens=tokens,
             strict=strict,
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
@@ -86,7 +88,9 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = _awaiting(sketch)
-        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch.operation))
+        part, text = sketch.part, self.draft.text
+        self.remarks += doubts_of(text, part.segment.span, self.draft.scanned.words, part.tree, self.lexicon)
+        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
@@ -122,14 +126,18 @@ class _Composer:
             fuzzy_parameters=sketch.parameters,
         )
 
-    def _moment(self, operation: Operation | None) -> Moment:
+    def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
-        words = words_of(operation.name) if operation is not None else ()
+        named = [sketch.operation.name] if sketch.operation is not None else []
+        dated = (self.draft.text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
+        words = words_of(" ; ".join((*dated, *named)))
         for place in range(len(words)):
             form = longest_match(words, place, self.lexicon.usual_hours)
             if form is not None:
                 first, last = self.lexicon.usual_hours[form]
-                policy = replace(self.moment.policy, plausible_from=first, plausible_to=last)
+                policy = replace(
+                    self.moment.policy, plausible_from=first, plausible_to=last, workday_from=first
+                )
                 return replace(self.moment, policy=policy)
         return self.moment
 
@@ -143,7 +151,11 @@ class _Composer:
         text = self.draft.text[slice(*clause.span)]
         self.explained.append(clause.span)
         target = anchors.target_of(clause)
-        if target is None and clause.condition is not None and clause.kind in {"when", "until", "while"}:
+        if (
+            target is None
+            and clause.condition is not None
+            and clause.kind in {"when", "if", "until", "while"}
+        ):
             reference = Reference.FINISH if clause.kind == "until" else Reference.START
             return TimeRequirement(
                 text=text,

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Edge,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
@@ -21,6 +30,17 @@ if TYPE_CHECKING:
 
 ADDED = frozenset({"and", "&", ","})
 OFFERED = frozenset({"or"})
+BOUNDS = {
+    "before": (Constraint.BEFORE, "before"),
+    "by the time": (Constraint.BEFORE, "by"),
+    "until": (Constraint.BEFORE, "until"),
+    "after": (Constraint.AFTER, "after"),
+}
+"""How the time of an event binds what is said to be before or after it."""
+
+DATED = "clause"
+"""The rule of a phrase that is a clause with a time of its own."""
+
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
@@ -86,23 +106,46 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
-    kept = tuple(phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses))
+    kept = [phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses)]
+    kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
+    clauses = [clause for clause in clauses if clause.time is None]
+    kept.sort(key=lambda phrase: phrase.span)
     action = action_of(part.tree, lexicon)
     if action is None:
         references = (None,) * len(kept)
-        return Sketch(part=part, phrases=kept, clauses=tuple(clauses), references=references)
+        return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
     spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
     return Sketch(
         part=part,
-        phrases=kept,
+        phrases=tuple(kept),
         clauses=tuple(clauses),
         references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
-        operation=replace(operation, span=(a + part.offset, b + part.offset)),
+        operation=replace(
+            operation,
+            span=(a + part.offset, b + part.offset),
+            addressee=part.segment.addressee or operation.addressee,
+        ),
         parameters=parameters_of(reader, action),
     )
+
+
+def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
+    """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
+    constraint, preposition = BOUNDS[clause.kind]
+    said = replace(time.said, constraint=constraint, preposition=preposition, edge=Edge.START)
+    if clause.distance is not None and isinstance(time.said.time, Wall):
+        direction = 1 if constraint is Constraint.AFTER else -1
+        distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
+        said = Said(distance, None, None, clause.distance.hedges)
+    places = [
+        place
+        for place, word in enumerate(draft.scanned.words)
+        if clause.span[0] <= word.start < clause.span[1]
+    ]
+    return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
 
 
 def _overlap(one: Span, other: Span) -> bool:
@@ -111,6 +154,9 @@ def _overlap(one: Span, other: Span) -> bool:
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    if phrase.rule == DATED:
+        # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
     first, end = (place - part.offset for place in phrase.span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):

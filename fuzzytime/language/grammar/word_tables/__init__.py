@@ -84,6 +84,11 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
+        questions={
+            name: frozenset(speech.words("questions", name))
+            for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
+        },
+        foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
         usual_hours=usual_hours,
         policy=policy,
@@ -93,7 +98,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words",
+    "amounts", "measures", "function_words", "questions", "foreign",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
