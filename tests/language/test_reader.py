@@ -43,6 +43,8 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
         match key:
             case "do":
                 found[key] = operation.name if operation is not None else None
+            case "to":
+                found[key] = operation.addressee if operation is not None else None
             case "lemma" | "negated" | "object" | "place":
                 found[key] = getattr(operation, key)
             case "duration":
@@ -138,6 +140,12 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("stir the soup now and then", "now and then"),
         ("stir the soup every now and then", "every now and then"),
         ("water the plants from time to time", "from time to time"),
+        ("leave the heating off until further notice", "until further notice"),
+        ("what should I do next?", "what should I do next"),
+        ("when does the soup start?", "when does the soup start"),
+        ("is the soup ready?", "is the soup ready"),
+        ("Koche die Suppe", "Koche die Suppe"),
+        ("stelle den Topf auf den Herd", "stelle den Topf auf den Herd"),
     ],
 )
 def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words: str) -> None:
