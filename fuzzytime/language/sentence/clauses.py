@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Wall
-from fuzzytime.language.sentence.conditions import SUBJECTS, condition_of, happening, state
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.conditions import condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
 
@@ -17,7 +17,6 @@ EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
-FINITE = frozenset({"VBZ", "VBP", "VBD", "MD"})
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
@@ -65,10 +64,6 @@ def clauses_of(
             continue
         found.append(clause)
         place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
-        while reader.continues(place) and (clause := reader.read(place + 1, form, length=0)) is not None:
-            # "When the pan is hot and the water boils"
-            found.append(clause)
-            place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
     return found
 
 
@@ -87,15 +82,13 @@ class _Clauses:
         self.lexicon = lexicon
         self.covered = covered
 
-    def read(self, place: int, form: tuple[str, ...], length: int | None = None) -> Clause | None:
-        """Read the clause that a marker at a place begins; None where it begins none.
-
-        The marker has ``length`` words there: none where it was said before another clause.
-        """
+    def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
+        """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses[form]
-        first = place + (len(form) if length is None else length)
+        first = place + len(form)
         end = self._end(place, first)
-        time = next((phrase for phrase in self.phrases if first < phrase.first and phrase.end == end), None)
+        last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
+        time = next((phrase for phrase in last if _is_apart(phrase)), None)
         said_end = end if time is None else time.first
         if said_end <= first:
             return None
@@ -140,24 +133,6 @@ class _Clauses:
                 return replace(clause, condition=condition)
         return self._event(clause, nodes)
 
-    def continues(self, place: int) -> bool:
-        """Whether "and" at a place leads to another sentence of its own, with its subject first."""
-        if place + 2 >= len(self.words) or self.words[place].text != "and" or place in self.covered:
-            return False
-        first = next(iter(self.tree.at(self.words[place + 1].start, self.words[place + 1].end)), None)
-        behind = list(self.tree.at(self.words[place + 1].start, self.words[-1].end))
-        if happening(self.tree, behind, "") is not None:
-            return True
-        subjects = (p for p, node in enumerate(self.tree.nodes) if node.relation in SUBJECTS)
-        return any(
-            first == self.tree.reach(subject)[0] and self._is_finite(self.tree.nodes[subject].head)
-            for subject in subjects
-        )
-
-    def _is_finite(self, verb: int) -> bool:
-        helped = self.tree.children(verb, "aux", "auxpass")
-        return any(self.tree.nodes[p].tag in FINITE for p in (verb, *helped))
-
     def _is_counted(self, place: int) -> bool:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
@@ -186,8 +161,6 @@ class _Clauses:
         text = self.words[place].text
         if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
-        if self.continues(place):
-            return True
         clause = longest_match(self.words, place + 1, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
@@ -265,6 +238,12 @@ class _Clauses:
                 break
             last = place
         return last
+
+
+def _is_apart(phrase: Phrase) -> bool:
+    """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
+    lasting = phrase.said.constraint is Constraint.FOR
+    return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
 
 
 def _dates(phrase: Phrase, distance: Duration | None) -> bool:
