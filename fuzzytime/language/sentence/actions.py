@@ -83,7 +83,7 @@ def _order_before(tree: Tree, root: int) -> int:
                 return place
             continue
         bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
-        if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
+        if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
             return place
     if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
         # "Serve the soup the second it boils": the clause was taken for the sentence.
@@ -91,6 +91,12 @@ def _order_before(tree: Tree, root: int) -> int:
             if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
                 return root if tree.children(place, "mark", "aux", "advmod", *SUBJECTS) else place
     return root
+
+
+def _brings(tree: Tree, have: int, root: int) -> bool:
+    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
+    between = any(have < place < root for place in tree.children(root, *SUBJECTS))
+    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
 
 
 def _is_order(tree: Tree, place: int) -> bool:
