@@ -59,6 +59,23 @@ def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
 
 
+@grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
+def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> Repeat | None:
+    """At 8 every morning and at 8 every night, every monday morning and every friday evening."""
+    other = second if third is None and isinstance(second, Repeat) else None
+    if third is not None and isinstance(second, Wall):
+        other = narrowed_repeat(third, second)
+    if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
+        return None
+    return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
+
+
+def _is_plain(repeat: Repeat) -> bool:
+    """Whether it is nothing but days with times of day."""
+    timed = all(wall.clock is not None or wall.part is not None for wall in repeat.walls)
+    return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)
+
+
 @grammar.rule("repeat", "<repeat> at? <same>", weight=0.2)
 def every_mark(repeat: Repeat, mark: SameTime | HourMark) -> Repeat | None:
     """Every hour on the hour."""

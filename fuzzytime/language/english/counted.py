@@ -85,6 +85,15 @@ def before_the_next(hedge: str | None, duration: Duration) -> Said:
     return _length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
 
 
+@grammar.rule("said", "before|within|in|over|during the? next|coming <unit> or <quantity>", weight=0.6)
+def before_the_next_or_two(unit: UnitWord, more: Quantity) -> Said | None:
+    """In the next hour or two."""
+    if len(unit.form) == 1 or more.indefinite or more.value <= 1:
+        return None
+    last = Duration(((more.value * unit.count, unit.unit),), bare_end=True)
+    return _length(Duration(((unit.count, unit.unit),), until=last), Constraint.BEFORE, "before")
+
+
 @grammar.rule("said", "before <duration>", "before <duration> from now", weight=0.2)
 def before_duration(duration: Duration) -> Said:
     """Before ten minutes."""

@@ -11,7 +11,6 @@ from fuzzytime.language.meaning.nested import Share
 grammar = Grammar()
 
 LONGEST_MONTH = 31
-LAST_MONTH = 12
 
 
 # -- a month and its days -------------------------------------------------------------------------------
@@ -113,22 +112,16 @@ def dotted(numbers: Typed) -> Fields | None:
     return _either(numbers[0], numbers[1], None)
 
 
-@grammar.rule("stopped date", "<n.n> .", weight=0.2)
+@grammar.rule("weak date", "<last d.m.>", weight=0.2)
+def stopped_at_end(numbers: Typed) -> Fields | None:
+    """On 3.4.: day and month, if a preposition says so, as the full stop may end a sentence."""
+    return stopped(numbers)
+
+
+@grammar.rule("date", "<d.m.>", weight=0.3)
 def stopped(numbers: Typed) -> Fields | None:
-    """20.3.: day and month, as the full stop behind both says; but "2.5." may end a sentence."""
+    """20.3. at ten: day and month, as the full stop behind both says."""
     return _valid(None, numbers[1], numbers[0])
-
-
-@grammar.rule("weak date", "<stopped date>")
-def stopped_date(date: Fields) -> Fields:
-    """On 3.4.: sure only with a preposition."""
-    return date
-
-
-@grammar.rule("date", "<stopped date>", weight=0.1)
-def sure_stopped_date(date: Fields) -> Fields | None:
-    """20.3.: hardly an amount."""
-    return date if (date.day or 0) > LAST_MONTH else None
 
 
 @grammar.rule("date", "<weekday> <dotted date>", "<weekday> , <dotted date>")

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.clocks import moved, number
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
@@ -74,6 +74,40 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return _range(first, last, "between")
+
+
+@grammar.rule(
+    "said",
+    "between <clock> and <minutes past>",
+    "from <clock> to|until|till <minutes past>",
+    weight=1.1,
+)
+def until_past(first: Clock, minutes: float) -> Said | None:
+    """Between three and half past."""
+    if first.shift or first.minute >= minutes:
+        return None
+    last = replace(first, minute=int(minutes), grain=Unit.MINUTE)
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=replace(last, bare=False))), "between")
+
+
+@grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
+def minutes_past(minutes: float) -> float:
+    """Half past: of the hour that was said before, or is said behind it."""
+    return minutes
+
+
+@grammar.rule(
+    "said",
+    "between <minutes of clock>|<bare minutes of clock> and <minutes past> <clock>",
+    "from <minutes of clock>|<bare minutes of clock> to <minutes past> <clock>",
+    weight=1.1,
+)
+def between_minutes_past(minutes: float, more: float, clock: Clock) -> Said | None:
+    """Between ten and twenty past three."""
+    first, last = moved(clock, minutes), moved(clock, more)
+    if minutes >= more or first is None or last is None:
+        return None
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
 
 
 @grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)

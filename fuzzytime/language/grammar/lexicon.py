@@ -58,6 +58,8 @@ class Lexicon:
         Words that begin what says where.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
+    lasting
+        Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     impersonal
@@ -96,6 +98,7 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     appointing: frozenset[str]
+    lasting: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
     impersonal: frozenset[str]
@@ -141,8 +144,13 @@ class Lexicon:
         """Give what the tables say of the words from one place on."""
         for entry in self.entries.get(words[start].text, ()):
             end = _matched(words, start, entry.words)
-            if end:
+            if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
+
+
+def _ends_sentence(words: Sequence[Word], end: int) -> bool:
+    """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt"."""
+    return words[end - 1].text == "." and end < len(words) and words[end].capital
 
 
 def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:

@@ -43,7 +43,7 @@ class Anchors:
             verb=clause.verb,
             object=clause.object,
             target=target,
-            edge=Edge.START if before or together else Edge.END,
+            edge=Edge.START if before or together or clause.kind == "into" else Edge.END,
             lag=lag,
             exact=distance is not None,
         )

@@ -104,6 +104,8 @@ class _Clauses:
             if isinstance(distance.said.time, Duration):
                 hedges = (*distance.said.hedges, *distance.said.time.hedges)
                 duration = replace(distance.said.time, hedges=hedges)
+        if kind == "into" and duration is None:
+            return None
         clause = Clause(
             kind=kind, marker=" ".join(form), span=(start, content[1]), content=content, distance=duration
         )
@@ -208,7 +210,7 @@ class _Clauses:
 
     def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        if clause.kind not in {"after", "before", "until"} or not self.tree.nodes[nodes[-1]].tag:
+        if clause.kind not in {"after", "before", "until", "into"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None:

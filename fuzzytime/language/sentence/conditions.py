@@ -6,6 +6,9 @@ from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition
 
 BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
+STARTING = frozenset({"start", "begin", "stop", "cease"})
+"""What goes on is what matters: "when it starts to rain"."""
+
 UNLESS = "unless"
 """The marker whose clause must not hold."""
 
@@ -33,7 +36,8 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
     if node.lemma not in BE or not said:
-        action = node.lower if node.lemma not in BE else None
+        below = [p for p in tree.children(verb, "xcomp") if p in inside and node.lemma in STARTING]
+        action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
     last = said[-1]
     hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)

@@ -181,9 +181,16 @@ class Reader:
                 if place <= verb:
                     continue
                 if self.timed(place):
+                    if self._describes(place):
+                        continue
                     break
                 found.append(place)
         return sorted(set(found))
+
+    def _describes(self, place: int) -> bool:
+        """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
+        head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
+        return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
 
     def _said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""

@@ -57,6 +57,7 @@ def segments_of(
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
+    following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -81,6 +82,15 @@ def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
     later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
     joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
     return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
+
+
+def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
+    if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
+        return False
+    word, object_ = words[phrase.end], words[phrase.end + 1].text
+    inside = word.text in lexicon.function_words | lexicon.places
+    return word.capital or (not inside and object_ in ARTICLES | {"it", "them"})
 
 
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:

@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -69,7 +68,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    for whole in _shared([_sketch(draft, part, lexicon) for part in draft.parts], draft.text, lexicon):
+    sketches = _led([_sketch(draft, part, lexicon) for part in draft.parts])
+    for whole in _shared(sketches, draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
@@ -78,6 +78,33 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
                 message = f"{text!r} is not used: of times joined by 'or', the first is taken"
                 remarks.append(Remark(RemarkKind.POLICY, phrase.span, message))
     return found, remarks
+
+
+def _led(sketches: list[Sketch]) -> list[Sketch]:
+    """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
+    led: list[Sketch] = []
+    for sketch in sketches:
+        before = led[-1] if led else None
+        segment = sketch.part.segment
+        if (
+            before is not None
+            and before.operation is None
+            and before.phrases
+            and segment.connective == "then"
+        ):
+            led.pop()
+            led.append(
+                replace(
+                    sketch,
+                    part=replace(sketch.part, segment=replace(segment, connective="")),
+                    phrases=(*before.phrases, *sketch.phrases),
+                    clauses=(*before.clauses, *sketch.clauses),
+                    references=(*(None for _ in before.phrases), *sketch.references),
+                )
+            )
+        else:
+            led.append(sketch)
+    return led
 
 
 def _shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -175,7 +202,7 @@ def _clauses(
     places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
     start = places[0] if places else 0
     words = [draft.scanned.words[place] for place in places]
-    local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
+    local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
     local = [
         replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
         for p in phrases

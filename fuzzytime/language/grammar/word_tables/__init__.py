@@ -75,6 +75,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         places=frozenset(form[0] for form in speech.words("places")),
         appointing=frozenset(form[0] for form in speech.words("appointing")),
+        lasting=frozenset(form[0] for form in speech.words("lasting")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
@@ -98,7 +99,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words", "questions", "foreign",
+    "amounts", "measures", "function_words", "questions", "foreign", "lasting",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
