@@ -156,6 +156,15 @@ def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words:
     assert pointed == [words]
 
 
+@pytest.mark.parametrize(
+    "text", ["invite June and April to dinner", "iron the Sunday dress", "visit the 24-hour shop"]
+)
+def test_words_that_belong_to_a_name_or_a_noun_are_not_pointed_at(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert reading.remarks == ()
+    assert reading.instructions[0].requirements == ()
+
+
 def test_of_times_joined_by_or_the_first_is_taken_and_said() -> None:
     reading = language().read("call me at noon or at 3 pm", now=NOW)
     (instruction,) = reading.instructions

@@ -148,6 +148,19 @@ def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     return replace(first, until=longer, ordinal_end=longer.ordinal_end)
 
 
+@grammar.rule("duration", "<duration> ,? and|but <hedge> <quantity>|<duration>", weight=0.3)
+def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Duration) -> Duration | None:
+    """At least two hours and no more than four."""
+    bounded = "at least" in shorter.hedges and hedge in {"at most", "less than"}
+    if not bounded or len(shorter.terms) != 1 or shorter.until is not None:
+        return None
+    if isinstance(longer, Quantity):
+        longer = Duration(((longer.value, shorter.terms[0][1]),), bare_end=True)
+    if longer.hedges or longer.until is not None or shorter.seconds >= longer.seconds:
+        return None
+    return replace(shorter, hedges=(), until=longer)
+
+
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)
 def hedged(hedge: str, duration: Duration) -> Duration:
     """Roughly ten minutes, at least an hour."""

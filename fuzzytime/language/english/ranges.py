@@ -8,7 +8,17 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import Duration, Ending, Goal, Offset, Range, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Edge,
+    Ending,
+    Goal,
+    Offset,
+    Range,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -182,6 +192,26 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
         return None
     # "Eat lunch by one": a meal beside a bound is what is to be done.
     return None if wall.weak and wall.part is not None else refined(said, wall)
+
+
+@grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)
+def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
+    """Tomorrow, but not before ten: from then to the end of that day."""
+    bound = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall)
+    days = wall.days
+    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
+        return None
+    return replace(bound, time=Range(bound.time, Ending(Edge.END, days)), constraint=Constraint.BETWEEN)
+
+
+@grammar.rule("said", "<wall> ,? but|and <preposition_before> <goal>", weight=0.6)
+def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
+    """Tomorrow, but before ten: from when that day begins to then."""
+    bound = refined(Said(goal.time, Constraint.BEFORE, before.name, goal.hedges), wall)
+    days = wall.days
+    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
+        return None
+    return replace(bound, time=Range(Ending(Edge.START, days), bound.time), constraint=Constraint.BETWEEN)
 
 
 def refined(said: Said, wall: Wall) -> Said | None:

@@ -209,6 +209,9 @@ class Judge:
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self.around.may_end(piece) and said.preposition is not None
+        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
+            # "Before bed", but "before the bed is made"
+            return False
         if wall.weak:
             unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
             # "Ask about lunch": what a meal is asked about.

@@ -46,7 +46,12 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if _is_share(piece, scanned) or around.describes(piece) or _is_compound(piece, around):
+                if (
+                    around.is_name(piece)
+                    or _is_share(piece, scanned)
+                    or around.describes(piece)
+                    or _is_compound(piece, around)
+                ):
                     continue
                 yield from range(start, piece.end)
 

@@ -71,6 +71,18 @@ class Surroundings:
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
         return any(piece.category in TIMELY for piece in found)
 
+    def is_name(self, piece: Piece) -> bool:
+        """Whether it is who is called: "invite June and April", "phone May"."""
+        place = piece.start
+        while place > 1 and self.texts[place - 1] in {"and", ","} and self.words[place - 2].capital:
+            place -= 2
+        before = self.texts[place - 1] if place else ""
+        return (
+            piece.category == "month"
+            and self.words[piece.start].capital
+            and before in self.lexicon.addressing
+        )
+
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
         if wall.part is not None or self.may_end(piece):

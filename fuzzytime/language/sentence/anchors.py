@@ -67,7 +67,12 @@ class Anchors:
         time = phrase.said.time
         part = time.part if isinstance(time, Wall) and time.days is None else None
         constraint = phrase.said.constraint
-        if part is None or not part.meal or constraint not in {Constraint.BEFORE, Constraint.AFTER}:
+        if (
+            part is None
+            or not part.meal
+            or part.place
+            or constraint not in {Constraint.BEFORE, Constraint.AFTER}
+        ):
             return None
         words = content_words(part.name)
         targets = [

@@ -14,7 +14,7 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
-PLACES = ("prep", "advmod")
+PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
 )
@@ -155,7 +155,8 @@ class Reader:
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]
-        return node.relation == "prep" or node.lower in self.lexicon.places
+        counted = node.relation == "npadvmod" and node.tag == "CD"
+        return node.relation == "prep" or counted or node.lower in self.lexicon.places
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""

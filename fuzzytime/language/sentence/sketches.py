@@ -84,23 +84,16 @@ def _led(sketches: list[Sketch]) -> list[Sketch]:
     """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
     led: list[Sketch] = []
     for sketch in sketches:
-        before = led[-1] if led else None
-        segment = sketch.part.segment
-        if (
-            before is not None
-            and before.operation is None
-            and before.phrases
-            and segment.connective == "then"
-        ):
-            led.pop()
-            led.append(
-                replace(
-                    sketch,
-                    part=replace(sketch.part, segment=replace(segment, connective="")),
-                    phrases=(*before.phrases, *sketch.phrases),
-                    clauses=(*before.clauses, *sketch.clauses),
-                    references=(*(None for _ in before.phrases), *sketch.references),
-                )
+        before, segment = led[-1] if led else None, sketch.part.segment
+        alone = before is not None and before.operation is None and bool(before.phrases)
+        if before is not None and alone and segment.connective == "then":
+            whole = (before.part.segment.span[0], segment.span[1])
+            led[-1] = replace(
+                sketch,
+                part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
+                phrases=(*before.phrases, *sketch.phrases),
+                clauses=(*before.clauses, *sketch.clauses),
+                references=(*(None for _ in before.phrases), *sketch.references),
             )
         else:
             led.append(sketch)
@@ -137,7 +130,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
-    action = action_of(part.tree, lexicon)
+    action = _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
         references = (None,) * len(kept)
         return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
@@ -157,6 +150,16 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         ),
         parameters=parameters_of(reader, action),
     )
+
+
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
+    """Give the verb below one that is about time itself: "take your time peeling the potatoes"."""
+    if action is None:
+        return None
+    timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    below = part.tree.children(action.place, "advcl", "xcomp", "ccomp")
+    found = next((place for place in below if place not in timed and part.tree.nodes[place].is_verb), None)
+    return replace(action, place=found) if action.place in timed and found is not None else action
 
 
 def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
