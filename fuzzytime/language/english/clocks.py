@@ -215,6 +215,7 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "<minutes of clock> past",
     "at a? <fraction> to",
     "halfway|midway through",
+    "closing|opening|boarding|quitting|departure|arrival time",
     "half way through",
     "the <part> before|after",
     "at <minutes of clock>|<bare minutes of clock> past|to",

@@ -44,6 +44,18 @@ def in_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
+@grammar.rule("said", "in like|say ,? <duration>", weight=0.6)
+def in_like(duration: Duration) -> Said:
+    """In like ten minutes."""
+    return _length(duration.hedged("about"), Constraint.AT, "in")
+
+
+@grammar.rule("said", "for like|say ,? <duration>", weight=0.6)
+def for_like(duration: Duration) -> Said:
+    """For like ten minutes."""
+    return _length(duration.hedged("about"), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
 def starting_in(duration: Duration) -> Said:
     """Starting in a quarter of an hour."""

@@ -36,11 +36,21 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 
 
 @grammar.rule(
-    "said", "when|once|whenever it's|its <wall>", "when|once|whenever it is|gets <wall>", weight=0.5
+    "said",
+    "when|once|whenever it's|its <wall>",
+    "when|once|whenever it is|gets|strikes|hits|turns <wall>",
+    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <wall>",
+    weight=0.5,
 )
 def when_it_is(wall: Wall) -> Said | None:
     """When it is three p.m., once it's noon."""
     return Said(wall, None, "at") if wall.clock is not None else None
+
+
+@grammar.rule("said", "at like|say ,? <clock>", weight=0.5)
+def at_like(clock: Clock) -> Said:
+    """At like five."""
+    return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", ("about",))
 
 
 @grammar.rule("said", "at <clock>|<clock behind at>", weight=0.3)

@@ -27,6 +27,9 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
+COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
+"""Words behind which "than" makes a length of time a difference."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -67,6 +70,9 @@ class Judge:
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         if isinstance(time, Range):
+            if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+                # "The Monday to Friday timetable"
+                return False
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
                 between = said.preposition == "between" and self._binds(piece)
@@ -169,6 +175,9 @@ class Judge:
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
+        if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
+            # "For a minute less than the packet says"
+            return False
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
             return False
@@ -239,7 +248,7 @@ class Judge:
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
-        if not self.around.may_end(piece):
+        if not self.around.may_end(piece) or self.around.is_unit(piece.end):
             return False
         before = piece.start - 1
         counted = self.measures.is_number(before)

@@ -65,8 +65,9 @@ def _is_share(piece: Piece, scanned: Scanned) -> bool:
 
 def _is_compound(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a unit that a hyphen makes an adjective: "the 24-hour shop"."""
-    before = around.words[piece.start - 1] if piece.start else None
-    hyphenated = before is not None and before.text == "-" and before.glued
+    first, before = around.words[piece.start], around.words[piece.start - 1] if piece.start else None
+    # Between number words, which "second" may be one of, the hyphen is left out.
+    hyphenated = before is not None and first.glued and (before.text == "-" or before.end < first.start)
     return piece.category == "unit" and hyphenated and not around.may_end(piece)
 
 

@@ -83,6 +83,11 @@ class Surroundings:
             and before in self.lexicon.addressing
         )
 
+    def is_unit(self, place: int) -> bool:
+        """Whether the word at a place is a unit, which a number before it counts."""
+        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
+        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in found)
+
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
         if wall.part is not None or self.may_end(piece):

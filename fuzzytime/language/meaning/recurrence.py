@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
-from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, midnight
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
+from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:
@@ -147,9 +147,8 @@ class CalendarRecurrence:
 
     def time_of_day(self, wall: Wall, clock: Clock) -> int:
         """Give the seconds since midnight of a clock time: without am or pm, as the policy says."""
-        candidates = clock.candidates()
-        if wall.part is not None and len(candidates) > 1:
-            return candidates[1] if wall.part.half in {Half.PM, Half.NIGHT} else candidates[0]
+        if wall.part is not None:
+            clock = halved(clock, wall.part.half)
         policy = self.moment.policy
         return clock.first_from(policy.workday_from if self._is_of_workdays() else policy.plausible_from)
 

@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -36,6 +36,9 @@ TURNED = {
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
 
+SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
+"""How a time binds that says when something is done."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -70,7 +73,8 @@ class _Composer:
         instructions = []
         for place, sketch in enumerate(sketches):
             listed = place > 0 and sketch.part is sketches[place - 1].part
-            self.moment = replace(self.moment, listed=listed)
+            follows = sketch.part.segment.connective == "then"
+            self.moment = replace(self.moment, listed=listed, follows=follows)
             instructions.append(self._instruction(sketch, len(self.given) + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
@@ -110,6 +114,7 @@ class _Composer:
             requirements.append(connected)
             self.explained.append(connected.span)
         requirements.sort(key=lambda requirement: requirement.span)
+        self.remarks += _contradictions(requirements)
         operation, duration = (
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
@@ -144,8 +149,8 @@ class _Composer:
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
         for requirement in times.requirements:
-            if requirement.constraint is Constraint.AT and requirement.grain in SUB_DAY:
-                self.moment = replace(self.moment, since=requirement.t_spec)
+            if requirement.constraint in SAID_WHEN and requirement.grain in SUB_DAY:
+                self.moment = replace(self.moment, since=requirement.earliest)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
@@ -186,6 +191,16 @@ class _Composer:
                 if strict is None and own and tree is part.tree:
                     strict = reading.moved(base)
         return tuple(tokens), strict or StrictReading()
+
+
+def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
+    """Point at a second moment for the same thing: "switch it off at six and back on at eight"."""
+    moments = [r for r in requirements if r.constraint is Constraint.AT and r.t_spec is not None]
+    for other in moments[1:]:
+        first = moments[0]
+        if other.reference is first.reference and other.t_spec != first.t_spec:
+            message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
+            yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
 
 
 def _awaiting(sketch: Sketch) -> Sketch:

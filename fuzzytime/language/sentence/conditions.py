@@ -63,7 +63,8 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "until golden brown", "once tender": what becomes so is not said."""
     said = [tree.nodes[place] for place in nodes]
     words = [node.lower for node in said if node.tag not in {"CC", ","}]
-    named = any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
+    again = words[:1] in (["more"], ["again"])
+    named = again or any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
     if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
         return None
     return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))

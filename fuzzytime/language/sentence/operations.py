@@ -85,7 +85,10 @@ class Reader:
         return None
 
     def _hangs_on(self, place: int, verb: int) -> bool:
-        return verb in self.tree.above(place) and self.tree.nodes[place].tag in {"IN", "RP", "RB"}
+        node = self.tree.nodes[place]
+        # "On the way back"
+        owned = self.tree.nodes[node.head].relation == "pobj"
+        return verb in self.tree.above(place) and node.tag in {"IN", "RP", "RB"} and not owned
 
     def _governs_nothing(self, place: int) -> bool:
         """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""

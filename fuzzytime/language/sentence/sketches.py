@@ -27,7 +27,7 @@ from fuzzytime.requirement import Constraint, Reference
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
 
-ADDED = frozenset({"and", "&", ","})
+ADDED = frozenset({"and", "&", ",", "again", "once", "more", "also"})
 OFFERED = frozenset({"or"})
 BOUNDS = {
     "before": (Constraint.BEFORE, "before"),
@@ -244,6 +244,6 @@ def _alternatives(
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
-    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(
-        said.time, (Duration, Repeat, TimeWord)
-    )
+    if isinstance(said.time, (Duration, TimeWord)):
+        return (said.constraint or getattr(said.time, "constraint", None)) is Constraint.AT
+    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)
