@@ -36,7 +36,7 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 @grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
 def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """9am on sundays; but "two nights" are no nights at two."""
-    return None if wall.bare else narrowed_repeat(repeat, wall)
+    return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)

@@ -137,7 +137,13 @@ def over_the_next(duration: Duration) -> Said:
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
 
 
-@grammar.rule("said", "during|in|within|for the? first <duration>", weight=0.5)
+@grammar.rule("said", "for the? first <duration>", weight=0.5)
+def for_the_first(duration: Duration) -> Said:
+    """For the first twenty minutes."""
+    return replace(in_the_first(duration), preposition="for")
+
+
+@grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
 def in_the_first(duration: Duration) -> Said:
     """During the first twenty minutes."""
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)

@@ -149,7 +149,7 @@ def at_or_later(goal: Goal) -> Said:
 @grammar.rule(
     "said",
     "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at the latest",
+    "by|at|on|in? <goal> at? the? latest",
     "at|on|by <goal> or earlier|before|sooner",
     weight=0.4,
 )

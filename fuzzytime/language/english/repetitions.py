@@ -141,7 +141,7 @@ def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
     return Repeat(walls=tuple(Wall(Fields(weekday=number), part) for number in numbers))
 
 
-@grammar.rule("repeat", "every|each <date>", "every|each <feast>", weight=0.1)
+@grammar.rule("repeat", "every|each <date>", "every|each <feast>", "every|each <season>", weight=0.1)
 def every_date(days: Calendar) -> Repeat | None:
     """Every june third, every easter."""
     return Repeat(walls=(Wall(days),)) if not days.fixed else None

@@ -30,6 +30,9 @@ NAMING = frozenset({"on", "to", "for", "of"})
 COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
 """Words behind which "than" makes a length of time a difference."""
 
+SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
+"""Verbs that a length of time is the object of: "do ten minutes of yoga"."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -192,13 +195,20 @@ class Judge:
         if said.constraint is Constraint.FOR and said.preposition is None:
             # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
             follower = self.around.follower(piece)
-            return follower in self.lexicon.lasting or (self.around.may_end(piece) and follower != "of")
+            if follower == "of":
+                # "Do ten minutes of yoga"
+                return self.around.before(piece) in SPENDING
+            return follower in self.lexicon.lasting or self.around.may_end(piece)
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
             return False
         owned = self.texts[piece.start + 1 : piece.end][:1]
+        named = "the" in {self.texts[piece.start], self.around.before(piece)}
+        if wall.part is not None and named and self.around.follower(piece) in {"before", "after"}:
+            # "The evening before the trip": which evening, is not said.
+            return False
         if said.preposition in NAMING and OWNING & set(owned) and not self.around.may_end(piece):
             # "Turn on the ten o'clock news", "the slides for the Monday meeting"
             return False

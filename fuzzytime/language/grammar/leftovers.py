@@ -48,6 +48,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if (
                     around.is_name(piece)
+                    or _is_noun(piece, around)
                     or _is_share(piece, scanned)
                     or around.describes(piece)
                     or _is_compound(piece, around)
@@ -69,6 +70,15 @@ def _is_compound(piece: Piece, around: Surroundings) -> bool:
     # Between number words, which "second" may be one of, the hyphen is left out.
     hyphenated = before is not None and first.glued and (before.text == "-" or before.end < first.start)
     return piece.category == "unit" and hyphenated and not around.may_end(piece)
+
+
+def _is_noun(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
+    named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
+    behind = around.texts[piece.start - 2] if piece.start > 1 else ""
+    bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
+    single = piece.category == "unit" and not around.texts[piece.start].endswith("s")
+    return single and named and not bound
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

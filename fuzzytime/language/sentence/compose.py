@@ -119,7 +119,7 @@ class _Composer:
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        if operation is not None and operation.negated and any(r.constraint in TURNED for r in requirements):
+        if operation is not None and operation.negated and any(map(_is_turned, requirements)):
             requirements = [_turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), None
         return Instruction(
@@ -215,12 +215,21 @@ def _awaiting(sketch: Sketch) -> Sketch:
     return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
 
 
+def _is_turned(requirement: TimeRequirement) -> bool:
+    """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
+    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
+    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+
+
 def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
     """Read "don't open it before six" as: open it, not before six."""
-    constraint = TURNED.get(requirement.constraint)
-    if constraint is None:
+    if not _is_turned(requirement):
         return requirement
+    constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
     time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
+    if requirement.constraint is Constraint.BETWEEN:
+        # "Don't stir it for the first ten minutes": after them.
+        time = requirement.latest
     after = constraint is Constraint.AFTER
     return replace(
         requirement,

@@ -250,7 +250,7 @@ def _addressed(one: _Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
         place = one.source.places(name.start + part.offset, name.end + part.offset)
         named = name.text[0].isupper() or name.lower in lexicon.persons
         timed = bool(one.source.covered & set(place))
-        if mark.text == "," and named and not timed and not name.may_act and name.text.isalpha():
+        if mark.text in {",", ":"} and named and not timed and not name.may_act and name.text.isalpha():
             segment = replace(one.segment, span=rest, addressee=name.text)
             if rest[0] < rest[1] and _waiting(one.position, one.source, segment, lexicon).text:
                 return [segment]

@@ -118,6 +118,10 @@ class Reader:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
             named = self._words([p for p in direct if p > verb], verb)
             words = named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        if not words:
+            # "Do ten minutes of yoga"
+            of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
+            words = self._words([p for o in of for p in self.tree.children(o, "pobj")], verb)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
@@ -143,7 +147,10 @@ class Reader:
 
     def _subject(self, verb: int) -> str | None:
         """Give what a statement is about: "the assignment should start now"."""
-        subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self.timed(p)]
+        node = self.tree.nodes[verb]
+        # "The sauce needs to simmer"
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
         return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
@@ -158,7 +165,7 @@ class Reader:
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]
-        counted = node.relation == "npadvmod" and node.tag == "CD"
+        counted = node.relation == "npadvmod" and node.tag in {"CD", "NNS", "NN"}
         return node.relation == "prep" or counted or node.lower in self.lexicon.places
 
     def _behind_times(self, verb: int) -> Iterator[int]:

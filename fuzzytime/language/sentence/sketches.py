@@ -68,7 +68,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches = _led([_sketch(draft, part, lexicon) for part in draft.parts])
+    sketches = _repeated(_led([_sketch(draft, part, lexicon) for part in draft.parts]), draft.text)
     for whole in _shared(sketches, draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
@@ -98,6 +98,22 @@ def _led(sketches: list[Sketch]) -> list[Sketch]:
         else:
             led.append(sketch)
     return led
+
+
+def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let a length of time alone behind "then" be of what was done before: "then five minutes on high"."""
+    repeated: list[Sketch] = []
+    for sketch in sketches:
+        before, part = repeated[-1].operation if repeated else None, sketch.part
+        lasts = any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+        if sketch.operation is None and before is not None and part.segment.connective == "then" and lasts:
+            spans = ((node.start + part.offset, node.end + part.offset) for node in part.tree.nodes)
+            said = [span for span in spans if not any(_overlap(span, p.span) for p in sketch.phrases)]
+            place = text[said[0][0] : said[-1][1]] if said else before.place
+            repeated.append(replace(sketch, operation=replace(before, place=place)))
+        else:
+            repeated.append(sketch)
+    return repeated
 
 
 def _shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
