@@ -22,6 +22,7 @@ from fuzzytime.scheduling.objectives import (
 from fuzzytime.scheduling.over_time import OverTime
 from fuzzytime.scheduling.replan import Move, Replan, replan
 from fuzzytime.scheduling.schedule import THRESHOLD, Certificate, Schedule, Status
+from fuzzytime.scheduling.shares import Shares
 from fuzzytime.scheduling.small import HeldKarp
 from fuzzytime.scheduling.solve import solve
 from fuzzytime.scheduling.solver import Solver
@@ -54,6 +55,7 @@ __all__ = [
     "OverTime",
     "Replan",
     "Schedule",
+    "Shares",
     "SimulatedAnnealing",
     "Solver",
     "Status",

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from fuzzytime.scheduling import small
+from fuzzytime.scheduling import shares, small
 from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
@@ -18,7 +18,7 @@ EXACT_JOBS = 12
 
 @dataclass(frozen=True, slots=True)
 class Auto:
-    """Held-Karp for few skills, labels for many; a mixed-integer program for what neither knows."""
+    """Held-Karp for few skills, labels or shares for more; a mixed-integer program for what none knows."""
 
     name: ClassVar[str] = "auto"
 
@@ -30,7 +30,9 @@ class Auto:
             best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
         elif problem.agents == 1:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
-        # Both relax what binds jobs otherwise than by their order.
+        elif not shares.why_not(problem, watch.limits.memory):
+            best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
             other = Milp().search(problem, watch, best)

@@ -12,10 +12,6 @@ a job of S, every schedule that continues a label costs at least cost + B[t]: la
 the threshold are dropped. So a schedule that is found is optimal, and where none is found every schedule
 costs at least the threshold, unless something else was cut off: by the width of a beam, or for want of room.
 
-After an exact run a second sweep, from the end back, knows for every label what the rest costs at least, so
-that all starts can be deleted that no schedule below the threshold uses: far more than the bound deletes, and
-the next, finer grid is small.
-
 Labels come in blocks of slots no longer than the shortest job that starts in them: a matrix (set × slot), and
 a job is added to all sets and slots of a block at once. Tanaka, Fujikuma and Araki, An exact algorithm for
 single-machine scheduling without machine idle time, J. Sched. 12 (2009) 575-593, prune in the same way.
@@ -31,7 +27,7 @@ import numpy as np
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.memory import Masks, memory_for
+from fuzzytime.scheduling.memory import Masks, Remember, last_needed, memory_of_open
 from fuzzytime.scheduling.paths import Arcs, Ways, block_bounds, ways_to_end
 
 LONGEST_BLOCK = 64
@@ -110,6 +106,8 @@ class Labels:
         The cost of rejecting everything, less all prices.
     before
         For each job those that must be done before it.
+    remember
+        What labels know of the jobs done.
     """
 
     def __init__(
@@ -120,8 +118,9 @@ class Labels:
         prices: Floats,
         base: float,
         before: Sequence[Sequence[int]],
+        remember: Remember = memory_of_open,
     ) -> None:
-        self._arcs, self.durations, self.prices = arcs, durations, prices
+        self.arcs, self.durations, self.prices = arcs, durations, prices
         count, duration = durations.size, durations[arcs.job]
         longest = min(LONGEST_BLOCK, int(durations.max(initial=1)))
         self.bounds = block_bounds(0, slots, arcs.start, duration, longest)
@@ -131,14 +130,15 @@ class Labels:
         opens, closes = np.full(count, self.blocks), np.full(count, -1)
         np.minimum.at(opens, arcs.job, block)
         np.maximum.at(closes, arcs.job, block)
-        self.memory = memory_for(opens, closes, self.blocks, before, prices)
+        self.memory = remember(opens, last_needed(closes, before), self.blocks, prices)
         bit = self.memory.of_job
         self.ahead = _Ahead.of(beyond, self.bounds, opens, bit)
         # What has no bit is rejected: for want of starts, or, incomplete, for want of bits.
-        self.base = base + float(prices[bit == 0].sum())
+        self.base = base + float(self.memory.prices[bit == 0].sum())
         self.needed = [np.bitwise_or.reduce(bit[list(firsts)], initial=np.uint64(0)) for firsts in before]
         possible = [bool(bit[job]) and all(bit[first] for first in before[job]) for job in range(count)]
-        self._history: list[tuple[Masks, Floats] | None] = []
+        self.limit = np.inf
+        self.history: list[tuple[Masks, Floats] | None] = []
         self.moves: list[list[_Move]] = [[] for _ in range(self.blocks)]
         order = np.lexsort((arcs.start, arcs.job, block))
         key = (block * count + arcs.job)[order]
@@ -169,9 +169,9 @@ class Labels:
         width
             Sets that are kept in each block at most; None for all.
         """
-        limit = threshold - self.base
+        limit = self.limit = threshold - self.base
         exact, used = self.memory.complete, 0
-        history = self._history = [None] * self.blocks
+        history = self.history = [None] * self.blocks
         arriving: list[list[_Piece]] = [[] for _ in range(self.blocks)]
         arriving[0].append(_Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
         for number in range(self.blocks):
@@ -197,9 +197,9 @@ class Labels:
             for move in self.moves[number]:
                 if used > cells or watch.is_over():
                     return Found(exact=False)
-                rows, columns, after = self._done(move, masks, cost, limit)
+                rows, columns, after = self.done(move, masks, cost, limit)
                 used += after.size
-                for block, column, here in self._landings(number, move, columns):
+                for block, column, here in self.landings(number, move, columns):
                     piece = after[:, here]
                     some = np.isfinite(piece).any(axis=1)
                     if some.any():
@@ -207,7 +207,7 @@ class Labels:
                         arriving[block].append(_Piece(sets, piece[some], column, number))
         return self._best(limit, exact=exact)
 
-    def _done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
+    def done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
         """Add a job to the labels of a block that may do it: rows, columns, costs, inf above the limit."""
         bit, needed = self.memory.of_job[move.job], self.needed[move.job]
         rows = np.flatnonzero((masks & (bit | needed)) == needed)
@@ -221,7 +221,7 @@ class Labels:
         after = np.where(below[some, low:high], before[some, low:high] + move.cost[low:high], np.inf)
         return rows[some], slice(move.column + low, move.column + high), after
 
-    def _landings(self, number: int, move: _Move, columns: slice) -> Iterator[tuple[int, int, slice]]:
+    def landings(self, number: int, move: _Move, columns: slice) -> Iterator[tuple[int, int, slice]]:
         """Tell where a job that starts in some columns of a block ends.
 
         Gives the block, the column there from which on, and the part of the columns that ends in it.
@@ -233,51 +233,6 @@ class Labels:
             taken = min(size - done, int(self.bounds[block + 1]) - end)
             yield block, end - int(self.bounds[block]), slice(done, done + taken)
             end, done, block = end + taken, done + taken, block + 1
-
-    def used_below(self, threshold: float) -> Arcs:
-        """Give the arcs of all schedules that cost less than a threshold, after an exact run up to it.
-
-        A second sweep, from the end back, tells for every label what the rest costs at least.
-        """
-        limit, count = threshold - self.base, self.durations.size
-        rest: list[Floats] = [np.empty((0, 0))] * (self.blocks + 1)
-        used: list[Ints] = [np.empty(0, np.int64)]
-        for number in reversed(range(self.blocks)):
-            masks, cost = self._history[number] or (np.empty(0, np.uint64), np.empty((0, 0)))
-            if not masks.size:
-                continue
-            here = np.full(cost.shape, np.inf)
-            here[:, -1] = self._onward(rest, number, number + 1, masks, slice(0, 1))[:, 0]
-            for move in self.moves[number]:
-                rows, columns, after = self._done(move, masks, cost, limit)
-                sets = masks[rows] | self.memory.of_job[move.job]
-                for block, column, part in self._landings(number, move, columns):
-                    landing = slice(column, column + part.stop - part.start)
-                    onward = self._onward(rest, number, block, sets, landing)
-                    through = np.flatnonzero((after[:, part] + onward < limit).any(axis=0))
-                    first = columns.start + part.start
-                    used.append((int(self.bounds[number]) + first + through) * count + move.job)
-                    added = move.cost[first - move.column :][: onward.shape[1]]
-                    place = np.ix_(rows, np.arange(first, first + onward.shape[1]))
-                    here[place] = np.minimum(here[place], onward + added)
-            rest[number] = np.minimum.accumulate(here[:, ::-1], axis=1)[:, ::-1]
-        key = self._arcs.start * count + self._arcs.job
-        return self._arcs.select(np.isin(key, np.concatenate(used)))
-
-    def _onward(
-        self, rest: Sequence[Floats], origin: int, block: int, masks: Masks, columns: slice
-    ) -> Floats:
-        """Give what sets that are carried into a block cost from its columns on; inf where none was kept."""
-        sets, extra = self.memory.closed(origin, block, masks)
-        if block == self.blocks:
-            return extra[:, None]
-        known = self._history[block]
-        if known is None:
-            return np.full((masks.size, columns.stop - columns.start), np.inf)
-        row = np.minimum(np.searchsorted(known[0], sets), known[0].size - 1)
-        onward = rest[block][row, columns] + extra[:, None]
-        onward[known[0][row] != sets] = np.inf
-        return onward
 
     def _merged(self, pieces: list[_Piece], block: int, width: int) -> tuple[Masks, Floats]:
         """Make one matrix of all pieces that arrive in a block, each set once, then let time pass."""
@@ -299,22 +254,24 @@ class Labels:
 
     def _best(self, limit: float, *, exact: bool) -> Found:
         """Give the best label of the last block."""
-        last = self._history[-1]
-        if last is None:
+        _, final = self.last()
+        row = int(final.argmin()) if final.size else 0
+        if not final.size or final[row] >= limit:
             return Found(exact)
-        final = last[1][:, -1] + self.memory.closed(self.blocks - 1, self.blocks, last[0])[1]
-        row = int(final.argmin())
-        if final[row] >= limit:
-            return Found(exact)
-        return Found(exact, float(final[row] + self.base), self._traced(row))
+        return Found(exact, float(final[row] + self.base), self.traced(row))
 
-    def _traced(self, row: int) -> Ints:
-        """Walk back along equal costs from a label of the last block."""
+    def last(self) -> tuple[Masks, Floats]:
+        """Give the sets with which the last run came to the end, and what each costs, less the base."""
+        masks, cost = self.history[-1] or (np.empty(0, np.uint64), np.empty((0, 1)))
+        return masks, cost[:, -1] + self.memory.closed(self.blocks - 1, self.blocks, masks)[1]
+
+    def traced(self, row: int) -> Ints:
+        """Give the start slots of one of the last sets, −1 for what is not done: back along equal costs."""
         starts = np.full(self.durations.size, -1, np.int64)
         slack = ROUNDING * max(1.0, float(self.prices.max(initial=0.0)))
         block, column = self.blocks - 1, -1
         while True:
-            masks, cost = self._history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
+            masks, cost = self.history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
             value = cost[row, column] + slack
             column = int((cost[row] <= value).argmax())  # at the first slot with this cost something arrived
             slot = int(self.bounds[block]) + column
@@ -323,7 +280,7 @@ class Labels:
             for job, origin, past_column, added in self._arrivals(block, column, slot):
                 bit = self.memory.of_job[job] if job is not None else np.uint64(0)
                 needed = self.needed[job] if job is not None else np.uint64(0)
-                past, past_cost = self._history[origin] or (masks, cost)
+                past, past_cost = self.history[origin] or (masks, cost)
                 after, extra = self.memory.closed(origin, block, past | bit)
                 same = (after == masks[row]) & ((past & (bit | needed)) == needed)
                 same &= past_cost[:, past_column] + added + extra <= value
@@ -337,11 +294,11 @@ class Labels:
 
     def _arrivals(self, block: int, column: int, slot: int) -> Iterator[tuple[int | None, int, int, float]]:
         """Give what may arrive at a slot: idling over a block's edge (no job), or a job that ends there."""
-        if column == 0 and self._history[block - 1] is not None:
+        if column == 0 and self.history[block - 1] is not None:
             yield None, block - 1, -1, 0.0
         origins = np.searchsorted(self.bounds, slot - self.durations, "right") - 1
         for origin in np.unique(origins[origins >= 0]).tolist():
-            for move in self.moves[origin] if self._history[origin] is not None else ():
+            for move in self.moves[origin] if self.history[origin] is not None else ():
                 place = slot - int(self.durations[move.job] + self.bounds[origin])
                 if origins[move.job] == origin and move.column <= place < move.column + move.cost.size:
                     yield move.job, origin, place, float(move.cost[place - move.column])

@@ -5,7 +5,7 @@ Jobs that are not open at the same time may share a bit, so that 64 bits serve a
 64 open at once.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,9 @@ from fuzzytime.scheduling.grid import Ints
 Masks = NDArray[np.uint64]
 
 BITS = 64
+
+Remember = Callable[[Ints, Ints, int, Floats], "Memory"]
+"""Gives bits to jobs, by their first and last blocks, the number of blocks, and prices."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -51,23 +54,18 @@ class Memory:
         return masks, extra
 
 
-def memory_for(
-    opens: Ints, closes: Ints, blocks: int, before: Sequence[Sequence[int]], prices: Floats
-) -> Memory:
+def memory_of_open(opens: Ints, closes: Ints, blocks: int, prices: Floats) -> Memory:
     """Give bits to jobs so that those open in the same block differ; jobs for which none is left get none.
 
     Parameters
     ----------
     opens, closes : arrays of shape (jobs,)
-        First and last block in which each can start; the last is negative where it never can.
+        First and last block in which each is open; the last is negative where it never is.
     blocks
         How many there are.
-    before
-        For each job those that must be done before it, and are remembered as long as it may start.
     prices : array of shape (jobs,)
         λ.
     """
-    closes = _last_needed(closes, before)
     bit = np.zeros(opens.size, np.uint64)
     closing: list[list[int]] = [[] for _ in range(blocks + 1)]
     last_use, complete = np.full(BITS, -1), True
@@ -84,8 +82,28 @@ def memory_for(
     return Memory(bit, closing, prices, complete)
 
 
-def _last_needed(closes: Ints, before: Sequence[Sequence[int]]) -> Ints:
-    """Let what must come first stay open as long as what waits for it."""
+def memory_of_all(opens: Ints, closes: Ints, blocks: int, prices: Floats) -> Memory:
+    """Give each of at most 64 jobs a bit that it keeps, where nothing is paid for what is not done.
+
+    Parameters
+    ----------
+    opens, closes, blocks, prices
+        As for `memory_of_open`.
+    """
+    bit = np.where(closes >= 0, np.uint64(1) << np.arange(opens.size, dtype=np.uint64), np.uint64(0))
+    return Memory(bit, [[] for _ in range(blocks + 1)], np.zeros(prices.size), complete=True)
+
+
+def last_needed(closes: Ints, before: Sequence[Sequence[int]]) -> Ints:
+    """Let what must come first stay open as long as what waits for it.
+
+    Parameters
+    ----------
+    closes : array of shape (jobs,)
+        The last block in which each can start, negative where it never can.
+    before
+        For each job those that must be done before it.
+    """
     found = closes.copy()
     changed = True
     while changed:

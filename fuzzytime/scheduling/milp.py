@@ -14,13 +14,13 @@ from typing import ClassVar
 
 import numpy as np
 
-from fuzzytime.scheduling.exact import bytes_for
 from fuzzytime.scheduling.flow import Flow
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.paths import Arcs
 from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.refinement import bytes_for
 from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled

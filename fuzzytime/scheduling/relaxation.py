@@ -72,6 +72,10 @@ class Relaxation:
             gradient += agents * np.bincount(visited, minlength=prices.size)
         return value, gradient
 
+    def cheapest(self) -> list[float]:
+        """Give what the best bound's path costs on each lane."""
+        return [float(paths.run(self.prices).cost[-1]) for paths in self._paths]
+
     def improve(self, upper: float, steps: int, enough: float, watch: Stopwatch) -> None:
         """Search better prices, and delete the arcs that no schedule below a known cost uses.
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
-from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Solver, Status, solve
+from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Shares, Solver, Status, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults
@@ -18,6 +18,7 @@ from scheduling.random_tasks import faults
     [
         *(("one agent, labels", seed) for seed in range(16)),
         *(("several agents", seed) for seed in range(16)),
+        *(("several agents, shares", seed) for seed in range(16)),
         *(("several agents, program", seed) for seed in range(3)),
         *(("lags", seed) for seed in range(6)),
     ],
@@ -54,6 +55,20 @@ def test_twenty_skills_are_proved() -> None:
     assert schedule.certificate.status is Status.OPTIMAL
 
 
+@pytest.mark.parametrize("agents", [2, 3])
+def test_shares_prove_what_held_karp_proves(agents: int) -> None:
+    task = spread(9, 3, agents)
+    shares, both = solve(task, solver=Shares()), solve(task, solver=HeldKarp())
+    assert shares.certificate.status is both.certificate.status is Status.OPTIMAL
+    assert shares.weighted_cost == pytest.approx(both.weighted_cost, abs=1e-3)
+
+
+def test_eighteen_skills_for_two_agents_are_proved() -> None:
+    schedule = solve(spread(18, 4, agents=2), limits=Limits(seconds=60))
+    assert not faults(schedule)
+    assert schedule.certificate.status is Status.OPTIMAL
+
+
 def test_the_bound_of_many_skills_holds_for_any_time_limit() -> None:
     task = spread(25, 2)
     best = solve(task, limits=Limits(seconds=60))
@@ -74,7 +89,7 @@ class Ticks:
         return float(next(self._looks))
 
 
-@pytest.mark.parametrize("solver", [Labels(), Milp(), HeldKarp(), LocalSearch()])
+@pytest.mark.parametrize("solver", [Labels(), Shares(), Milp(), HeldKarp(), LocalSearch()])
 def test_an_interrupt_gives_the_best_so_far(solver: Solver) -> None:
     looks = iter(range(1 << 30))
 
@@ -83,7 +98,8 @@ def test_an_interrupt_gives_the_best_so_far(solver: Solver) -> None:
             raise KeyboardInterrupt
         return False
 
-    schedule = solve(spread(8, 1), solver=solver, limits=Limits(stopped=interrupted))
+    agents = 2 if isinstance(solver, Shares) else 1
+    schedule = solve(spread(8, 1, agents), solver=solver, limits=Limits(stopped=interrupted))
     assert not faults(schedule)
     assert schedule.certificate.lower_cost <= schedule.weighted_cost
 

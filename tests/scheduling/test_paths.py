@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Floats
+from fuzzytime.scheduling.backward import used_below
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.labels import Labels
 from fuzzytime.scheduling.limits import Limits, Stopwatch
@@ -84,5 +85,5 @@ def test_labels_keep_just_the_starts_of_schedules_below_a_cost(case: Case, eight
     assert found.exact
     least = min(cost for _, cost in once)
     assert found.cost == (pytest.approx(least, abs=1e-9) if least < threshold else np.inf)
-    kept = program.used_below(threshold)
+    kept = used_below(program, threshold)
     assert set(zip(kept.job.tolist(), kept.start.tolist(), strict=True)) == expected

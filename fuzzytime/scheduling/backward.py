@@ -1,0 +1,76 @@
+"""The sweep back over the labels of a run, which tells for every start whether a good schedule uses it.
+
+A run of labels (`fuzzytime.scheduling.labels`) knows what leads to each label. From the end back, the same
+labels tell what the rest costs at least, now with the sets themselves in place of a bound. A start through
+which every schedule costs too much can be deleted: far more are than by the bound, so that the next, finer
+grid is small.
+"""
+
+import numpy as np
+
+from fuzzytime.satisfaction import Floats
+from fuzzytime.scheduling.grid import Ints
+from fuzzytime.scheduling.labels import Labels
+from fuzzytime.scheduling.memory import Masks
+from fuzzytime.scheduling.paths import Arcs
+
+
+def used_below(labels: Labels, threshold: float, beyond: Floats | None = None) -> Arcs:
+    """Give the arcs of all schedules that cost less than a threshold, after an exact run.
+
+    Parameters
+    ----------
+    labels
+        The program that was run.
+    threshold
+        Where nothing is beyond, at most that of the run.
+    beyond : array of shape (sets,)
+        What is to be added for each of the last sets.
+    """
+    limit, count = threshold - labels.base, labels.durations.size
+    within = min(limit, labels.limit) if beyond is None else labels.limit
+    rest = _Rest(labels)
+    used: list[Ints] = [np.empty(0, np.int64)]
+    for number in reversed(range(labels.blocks)):
+        masks, cost = labels.history[number] or (np.empty(0, np.uint64), np.empty((0, 0)))
+        if not masks.size:
+            continue
+        here = np.full(cost.shape, np.inf)
+        here[:, -1] = rest.after(number, number + 1, masks, slice(0, 1))[:, 0]
+        if beyond is not None and number + 1 == labels.blocks:
+            here[:, -1] += beyond
+        for move in labels.moves[number]:
+            rows, columns, after = labels.done(move, masks, cost, within)
+            sets = masks[rows] | labels.memory.of_job[move.job]
+            for block, column, part in labels.landings(number, move, columns):
+                onward = rest.after(number, block, sets, slice(column, column + part.stop - part.start))
+                through = np.flatnonzero((after[:, part] + onward < limit).any(axis=0))
+                first = columns.start + part.start
+                used.append((int(labels.bounds[number]) + first + through) * count + move.job)
+                added = move.cost[first - move.column :][: onward.shape[1]]
+                place = np.ix_(rows, np.arange(first, first + onward.shape[1]))
+                here[place] = np.minimum(here[place], onward + added)
+        rest.costs[number] = np.minimum.accumulate(here[:, ::-1], axis=1)[:, ::-1]
+    key = labels.arcs.start * count + labels.arcs.job
+    return labels.arcs.select(np.isin(key, np.concatenate(used)))
+
+
+class _Rest:
+    """What the rest costs at least, for the labels of each block that the sweep has seen."""
+
+    def __init__(self, labels: Labels) -> None:
+        self._labels = labels
+        self.costs: list[Floats] = [np.empty((0, 0))] * (labels.blocks + 1)
+
+    def after(self, origin: int, block: int, masks: Masks, columns: slice) -> Floats:
+        """Give what sets that are carried into a block cost from its columns on; inf where none was kept."""
+        sets, extra = self._labels.memory.closed(origin, block, masks)
+        if block == self._labels.blocks:
+            return extra[:, None]
+        known = self._labels.history[block]
+        if known is None:
+            return np.full((masks.size, columns.stop - columns.start), np.inf)
+        row = np.minimum(np.searchsorted(known[0], sets), known[0].size - 1)
+        onward = self.costs[block][row, columns] + extra[:, None]
+        onward[known[0][row] != sets] = np.inf
+        return onward

@@ -1,0 +1,156 @@
+"""Grid after grid, each finer and over fewer starts, until a bound meets the best schedule.
+
+On each grid the relaxation finds prices and a bound, and deletes the starts that no better schedule uses.
+What then closes the grid, an exact program over the starts that are left, differs from solver to solver. The
+grid's costs lie below those in continuous time (`fuzzytime.scheduling.grid`), so all its bounds hold there.
+"""
+
+import math
+from abc import ABC, abstractmethod
+from typing import ClassVar
+
+import numpy as np
+
+from fuzzytime.satisfaction import cell_chord_errors
+from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
+from fuzzytime.scheduling.schedule import OPTIMAL_GAP
+from fuzzytime.scheduling.settle import settled
+from fuzzytime.scheduling.solver import Draft
+
+FINER = 20
+"""How much finer than that it may be, so that all durations are whole numbers of slots."""
+
+REFINEMENT = 4
+"""How much finer the next grid is, where the gap is too large."""
+
+FASTEST_REFINEMENT = 8
+"""How much finer at most: what one grid deletes, the next need not have."""
+
+MOST_SLOTS = 1 << 18
+"""Slots of the finest grid."""
+
+BYTES_PER_START = 200
+"""Memory that a start takes, in the bound's two directions."""
+
+STEPS = 40
+"""Evaluations of the bound between two deletions of starts."""
+
+ENOUGH = 0.035
+"""The gap in cost, by the largest weight, that is left to labels."""
+
+CLOSED = 1e-7
+"""The gap in cost, by weight, at which nothing is left to prove."""
+
+
+def fine_enough(problem: Problem, draft: Draft, step: float, error: float) -> float:
+    """Refine a step until the grid's costs at a draft's starts are not too far below the real ones.
+
+    It stays above a share of the horizon: at a jump no grid helps.
+    """
+    placed = [
+        (job, start)
+        for job, start in zip(problem.jobs, draft.starts.tolist(), strict=True)
+        if not math.isnan(start)
+    ]
+    smallest = max(job.latest + job.duration for job in problem.jobs) / MOST_SLOTS
+    while step > smallest:
+        off = 0.0
+        for job, start in placed:
+            low = math.floor(start / step) * step
+            (lost,) = cell_chord_errors(job.function, [low, low + step])
+            off += min(job.weight * float(lost), job.worst)
+        if off <= error:
+            break
+        step /= 2
+    return step
+
+
+def bytes_for(problem: Problem, step: float) -> float:
+    """Give the memory that the starts of a problem take on a grid."""
+    lengths = [window.length for job in problem.jobs for lane in job.windows for window in lane]
+    return BYTES_PER_START * math.fsum(lengths) / step
+
+
+class GridSearch(ABC):
+    """The best schedule so far, and what is proved.
+
+    Parameters
+    ----------
+    problem
+        To be solved.
+    watch
+        For time and memory.
+    best
+        A schedule to begin with.
+    """
+
+    first_slots: ClassVar[int]
+    """Slots of the first grid, at least."""
+
+    def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
+        self.problem, self.watch = problem, watch
+        self.best, self.lower = best, 0.0
+        self.goal = OPTIMAL_GAP * problem.weight
+
+    @abstractmethod
+    def close(self, relaxation: Relaxation) -> bool:
+        """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
+
+    def run(self) -> Draft:
+        """Bound and solve grid after grid until the gap closes, a limit is met, or somebody interrupts."""
+        try:
+            self._refine()
+        except KeyboardInterrupt:
+            self.watch.stop()
+        best = self.best
+        return Draft(best.starts, best.agents, best.cost, min(self.lower, best.cost))
+
+    def _refine(self) -> None:
+        problem, watch = self.problem, self.watch
+        # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
+        closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
+        step, enough = step_for(problem, self.first_slots, FINER), self.left_over
+        if bytes_for(problem, step) > watch.limits.memory:
+            return
+        left, grid = problem, grid_of(problem, step)
+        relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
+        relaxation.improve(self.best.cost, STEPS, enough, watch)
+        self.lower = relaxation.lower
+        while not self.is_closed() and not watch.is_over():
+            solved = self.close(relaxation)
+            if self.is_closed():
+                break
+            left = relaxation.narrowed(left)
+            finest = fine_enough(problem, self.best, step / REFINEMENT, self.goal / 2)
+            step = max(finest, step / FASTEST_REFINEMENT)
+            if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
+                break
+            relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
+            relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
+
+    @property
+    def left_over(self) -> float:
+        """The gap in cost that the relaxation need not close."""
+        return ENOUGH * max(job.weight for job in self.problem.jobs)
+
+    def is_closed(self) -> bool:
+        """Tell whether the best schedule is proved to be as good as can be told."""
+        return self.best.cost - self.lower <= self.goal
+
+    def is_over(self) -> bool:
+        """Tell whether nothing is left to prove on a grid, or no time to do so."""
+        return self.best.cost - self.lower <= CLOSED * self.problem.weight or self.watch.is_over()
+
+    def take(self, draft: Draft) -> None:
+        """Keep a schedule if it is the best."""
+        self.best = draft if draft.cost < self.best.cost else self.best
+
+    def timed(self, grid: Grid, slots: Ints, agents: Ints) -> Draft:
+        """Time the order of some starts, with what takes no slot where it was."""
+        hints, agents = np.where(slots >= 0, grid.times(slots), np.nan), agents.copy()
+        instant = grid.durations == 0
+        hints[instant], agents[instant] = self.best.starts[instant], self.best.agents[instant]
+        return settled(self.problem, hints, agents, 2 * grid.step)
