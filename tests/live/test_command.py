@@ -94,6 +94,7 @@ def test_one_who_stays_needs_no_plan_to_begin_with(tmp_path: Path) -> None:
         ((*STIR, "--exec", "no_such_program_of_ours"), Exit.NO_INPUT),
         (("no_such_file",), Exit.NO_INPUT),
         (("-i", "in ten minutes"), Exit.BAD_DATA),
+        (("tests/data/unknown_after.yaml",), Exit.BAD_DATA),
     ],
 )
 def test_an_end_has_its_code(arguments: tuple[str, ...], code: Exit, tmp_path: Path) -> None:
