@@ -6,7 +6,7 @@ from typing import ClassVar
 from fuzzytime.scheduling import shares, small
 from fuzzytime.scheduling.exact import Labels
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.local_search import KICKS, LocalSearch
 from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
@@ -35,6 +35,7 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
-            other = Milp().search(problem, watch, best)
+            kicked = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
+            other = Milp().search(problem, watch, kicked)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best

@@ -18,7 +18,7 @@ from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
+from fuzzytime.scheduling.local_search import KICKS, LocalSearch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.refinement import CLOSED, STEPS, GridSearch
 from fuzzytime.scheduling.relaxation import Relaxation
@@ -26,6 +26,9 @@ from fuzzytime.scheduling.solver import Draft
 
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
+
+STARTS = 2
+"""Of the local search anew, where labels took too much room."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +61,7 @@ class _Search(GridSearch):
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         super().__init__(problem, watch, best)
         self._repaired: Floats | None = None
+        self._starts = 0
 
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
@@ -84,16 +88,20 @@ class _Search(GridSearch):
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
     def _repair(self, relaxation: Relaxation) -> None:
-        """Search around the cheapest path of the relaxation, once for the same prices."""
+        """Search around the relaxation's path, from the beginning, and around the best schedule."""
         if relaxation.prices is self._repaired:
             return
         self._repaired = relaxation.prices
-        begin = self._timed(relaxation.grid, relaxation.visited())
-        found = LocalSearch().search(self.problem, self.watch.share(0.3), begin)
-        if found.cost < self.best.cost:
-            self.best = found
-            relaxation.fix(found.cost)
-            relaxation.improve(found.cost, STEPS, self.goal, self.watch)
+        known, watch = self.best.cost, self.watch.share(0.4)
+        path = self._timed(relaxation.grid, relaxation.visited())
+        self.take(LocalSearch().search(self.problem, watch, path))
+        for _ in range(STARTS):
+            self._starts += 1
+            self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch.share(0.5)))
+        self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch, self.best))
+        if self.best.cost < known:
+            relaxation.fix(self.best.cost)
+            relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)
             self.lower = max(self.lower, relaxation.lower)
 
     def _labels(

@@ -4,6 +4,10 @@ Each agent's order has the tables of `fuzzytime.scheduling.orders`, so that one 
 every agent at once, with the best slots for all others. Jobs that start next to each other are improved
 together, a stretch of them after the other, while the rest stands still. Lags cut a job's curve by where the
 other job is at the time.
+
+Where no single job is better elsewhere, kicks go on: several jobs, neighbours or any, are taken out at once,
+put back one by one, and that is kept unless it loses (ruin and recreate: Schrimpf, Schneider,
+Stamm-Wilbrandt and Dueck, J. Comput. Phys. 159 (2000) 139-171).
 """
 
 import math
@@ -23,6 +27,15 @@ from fuzzytime.scheduling.solver import Draft, nothing
 STRETCH = 40
 """Jobs that are improved together."""
 
+MOST_KICKED = 10
+"""Jobs that a kick takes out, at most."""
+
+KICKS = 40
+"""Of a search where an exact method has left a gap."""
+
+KICKS_A_STRETCH = 20
+"""Kicks before another stretch has its turn."""
+
 IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
 
@@ -37,12 +50,15 @@ class LocalSearch:
         Of the order in which jobs are tried.
     slots
         Slots of the grid, at least.
+    kicks
+        How many.
     """
 
     name: ClassVar[str] = "local-search"
 
     seed: int = 0
     slots: int = 1500
+    kicks: int = 0
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Improve until no job is better elsewhere."""
@@ -50,7 +66,9 @@ class LocalSearch:
         grid = grid_of(problem, step_for(problem, self.slots))
         plan = Rough(problem, grid, begin)
         try:
-            plan.improve(watch, np.random.default_rng(self.seed))
+            generator = np.random.default_rng(self.seed)
+            plan.improve(watch, generator)
+            plan.kick(self.kicks, watch, generator)
         except KeyboardInterrupt:
             watch.stop()
         hints = np.where(plan.placed, grid.times(np.array(plan.slots, np.int64)), np.nan)
@@ -101,6 +119,20 @@ class Rough:
             # A second look sees more only where jobs stood still, or waited for some not placed before.
             if count <= STRETCH and not self._before:
                 break
+
+    def kick(self, kicks: int, watch: Stopwatch, generator: np.random.Generator) -> None:
+        """Kick stretches drawn at random, all jobs where they are few, until the stopwatch is over."""
+        count = len(self.placed)
+        together = KICKS_A_STRETCH if count > STRETCH else max(kicks, 1)
+        for done in range(0, kicks, together):
+            ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
+            first = int(generator.integers(max(count - STRETCH, 0) + 1))
+            stretch = _Stretch(self, ranking[first : first + STRETCH])
+            for _ in range(min(kicks - done, together)):
+                if watch.is_over():
+                    break
+                stretch.kick(generator)
+            stretch.settle()
 
     def _improve_stretch(
         self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator
@@ -193,6 +225,29 @@ class _Stretch:
         if agent is not None and removed is not None:
             self.orders[agent].put_back(removed)
         return False
+
+    def kick(self, generator: np.random.Generator) -> None:
+        """Take several jobs out at once and put them back; undo that where it loses."""
+        gain, agent_of = self.gain, dict(self.agent_of)
+        sequences = {agent: list(order.sequence) for agent, order in self.orders.items()}
+        ranking = [job for sequence in sequences.values() for job in sequence]
+        ranking += [job for job in self.members if job not in agent_of]
+        size = min(int(generator.integers(2, MOST_KICKED + 1)), len(ranking))
+        if generator.random() < 0.5:
+            middle = int(generator.integers(len(ranking)))
+            near = ranking[max(middle - size, 0) : middle + size + 1]
+        else:
+            near = generator.permutation(ranking)[: 2 * size].tolist()
+        out = generator.permutation(near)[:size].tolist()
+        for job in out:
+            if job in self.agent_of:
+                self.orders[self.agent_of.pop(job)].remove(job)
+        for job in [*out, *generator.permutation(near).tolist()]:
+            self.reinsert(job)
+        if self.gain > gain + IMPROVEMENT:
+            self.agent_of = agent_of
+            for agent, order in self.orders.items():
+                order.rearrange(sequences[agent])
 
     def settle(self) -> None:
         """Write the slots that were found into the plan."""

@@ -111,6 +111,13 @@ class Order:
         self._forward[place + 1 : count + 2] = removed.forward
         self._backward[: place + 1] = removed.backward
 
+    def rearrange(self, sequence: Sequence[int]) -> None:
+        """Take another sequence."""
+        if self.sequence != list(sequence):
+            self.sequence = list(sequence)
+            self._backward[len(self.sequence)] = 0.0
+            self._fill(0, len(self.sequence))
+
     def insert(self, place: int, job: int) -> None:
         """Put a job in at a place."""
         count = len(self.sequence)

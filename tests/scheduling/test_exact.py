@@ -8,6 +8,7 @@ import pytest
 
 from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Shares, Solver, Status, solve
+from fuzzytime.scheduling.local_search import KICKS
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults
@@ -117,6 +118,15 @@ def test_what_must_come_first_comes_first_among_many() -> None:
     schedule = solve(task, solver=Labels(), limits=Limits(seconds=60))
     assert not faults(schedule)
     assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_kicks_find_what_no_single_move_finds() -> None:
+    tasks = [spread(25, seed, agents=2) for seed in range(4)]
+    once = [solve(task, solver=LocalSearch()).weighted_cost for task in tasks]
+    kicked = [solve(task, solver=LocalSearch(kicks=KICKS)) for task in tasks]
+    assert not any(faults(schedule) for schedule in kicked)
+    assert all(schedule.weighted_cost <= cost for schedule, cost in zip(kicked, once, strict=True))
+    assert any(schedule.weighted_cost < cost - 0.1 for schedule, cost in zip(kicked, once, strict=True))
 
 
 def test_two_agents_work_at_the_same_time() -> None:
