@@ -328,3 +328,10 @@ def test_a_terminal_s_lines_are_broken_between_words_and_a_pipe_s_are_whole(
     widths = [len(line) for line in stream.getvalue().splitlines()]
     assert max(widths) <= most
     assert (len("moved: s1 put the roast in the oven from 17:14:06 to 17:01:06") in widths) == (most > 40)
+
+
+def test_a_long_instruction_is_undone_in_a_line() -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
+    assert max(map(len, talk.say(":undo").splitlines())) <= 80
+    assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80

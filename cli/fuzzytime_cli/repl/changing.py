@@ -7,7 +7,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.choices import SolverChoice
-from fuzzytime_cli.render import plain
+from fuzzytime_cli.render import fitted, plain, width_of
 from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
@@ -19,6 +19,9 @@ from fuzzytime_cli.repl.scene import (
     step,
 )
 from fuzzytime_cli.session import KeptBusy, KeptReading
+
+BRIEF = 60
+"""Columns that the name of a step has."""
 
 
 def drop(scene: Scene, text: str) -> Reply:
@@ -127,16 +130,16 @@ def busy(scene: Scene, text: str) -> Reply:
 def undo(scene: Scene, _: str) -> Reply:
     """Take the last step back."""
     what = scene.conversation.store.undo(scene.conversation.name)
-    return (
-        Reply((Text(f"undone: {plain(what)}"),), changed=True) if what else said("there is nothing to undo")
-    )
+    return Reply((_brief("undone", what),), changed=True) if what else said("there is nothing to undo")
 
 
 def redo(scene: Scene, _: str) -> Reply:
     """Take an undone step again."""
     what = scene.conversation.store.redo(scene.conversation.name)
-    return (
-        Reply((Text(f"done again: {plain(what)}"),), changed=True)
-        if what
-        else said("there is nothing to redo")
-    )
+    return Reply((_brief("done again", what),), changed=True) if what else said("there is nothing to redo")
+
+
+def _brief(done: str, what: str) -> Text:
+    """Name a step, which may be a long instruction, in a line."""
+    words = plain(what)
+    return Text(f"{done}: {words if width_of(words) <= BRIEF else fitted(words, BRIEF)}")
