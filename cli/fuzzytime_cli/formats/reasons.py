@@ -228,7 +228,7 @@ def _minutes(why: Why, plan: Plan) -> str:
 
 
 def _proof(certificate: Certificate) -> str:
-    """Say whether a better schedule is ruled out: a minute that gains something is no surprise where none is."""
+    """Say whether better schedules are ruled out: where not, a minute that gains is no surprise."""
     match certificate.status:
         case Status.OPTIMAL:
             return " No schedule satisfies better: proved."
