@@ -35,7 +35,7 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
-            kicked = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
+            kicked = LocalSearch(kicks=5 * KICKS).search(problem, watch.share(0.2), best)
             other = Milp().search(problem, watch, kicked)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
