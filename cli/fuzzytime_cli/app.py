@@ -16,7 +16,11 @@ from fuzzytime_cli.faults import exit_of
 
 app = typer.Typer(
     name="fuzzytime",
-    help="Turns what people say about time into the schedule that satisfies them most, and says why.",
+    help=(
+        "Turns what people say about time into the schedule that satisfies them most, and says why.\n\n"
+        "Without a command it holds a conversation on a terminal, and plans what a pipe brings."
+    ),
+    epilog='To begin: fuzzytime plan -i "Boil the eggs in about five minutes"',
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     invoke_without_command=True,
