@@ -139,7 +139,7 @@ class Solving:
             metavar="SATISFACTION",
             min=0.0,
             max=0.5,
-            help="What is satisfied less is rejected (default 0.001); with 0 nothing is: a clash is infeasible.",
+            help="What is satisfied less is rejected (default 0.001); at 0 a clash is infeasible.",
         ),
     ] = None
     time_limit: Annotated[

@@ -26,7 +26,7 @@ class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
 
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
-    becomes ("let the dough rest", "have the slides ready").
+    becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
     """
 
     verb: str
@@ -36,6 +36,7 @@ class Operation:
     place: str | None = None
     particle: str | None = None
     complement: str | None = None
+    addressee: str | None = None
     negated: bool = False
 
     @property

@@ -30,6 +30,9 @@ class Policy:
     ----------
     plausible_from, plausible_to
         A clock time without am or pm is its next occurrence within these hours of the day.
+    workday_from
+        A clock time without am or pm that is repeated on all working days is its first from this time of day
+        on; any other that is repeated, its first from ``plausible_from`` on.
     same_weekday
         Which day a weekday means on that very day, where no time of day decides it.
     week_starts
@@ -46,6 +49,7 @@ class Policy:
 
     plausible_from: time = time(7)
     plausible_to: time = time(22)
+    workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT
     week_starts: int = 0
     weekend_from: int = 5

@@ -34,7 +34,7 @@ SENTENCES = (
     "remind me {} to call mum",
     "call mum {}, then feed the cat",
 )
-WORDS = [word for word in entries("word") if word.value.constraint is not Constraint.EVERY]
+WORDS = [word for word in entries("word") if word.value.constraint not in {Constraint.EVERY, Constraint.FOR}]
 OF_NUMBERS = {"less than", "more than", "some"}
 """Hedges that stand beside numbers only: nobody says "more than at noon"."""
 

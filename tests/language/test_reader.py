@@ -43,6 +43,8 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
         match key:
             case "do":
                 found[key] = operation.name if operation is not None else None
+            case "to":
+                found[key] = operation.addressee if operation is not None else None
             case "lemma" | "negated" | "object" | "place":
                 found[key] = getattr(operation, key)
             case "duration":
@@ -130,7 +132,13 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("paint the fence for months", "months"),
         ("paint the fence every day except sundays", "sundays"),
         ("paint the fence on the 31st of april", "on the 31st of april"),
-        ("take a ten minute walk", "ten minute"),
+        ("boil a ten minute egg", "ten minute"),
+        ("put the bins out the night before", "the night before"),
+        ("pack the bags the evening before the trip", "evening"),
+        ("switch the pump off at 6 and back on at 8", "at 8"),
+        ("boil it for 1 minute less than the packet says", "1 minute"),
+        ("wipe the bar at closing time", "closing time"),
+        ("turn the roast halfway through", "halfway through"),
         ("stir the soup at half past", "at half past"),
         ("stir the soup half past soon", "half past"),
         ("meet me at ten past", "at ten past"),
@@ -138,12 +146,33 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("stir the soup now and then", "now and then"),
         ("stir the soup every now and then", "every now and then"),
         ("water the plants from time to time", "from time to time"),
+        ("leave the heating off until further notice", "until further notice"),
+        ("what should I do next?", "what should I do next"),
+        ("when does the soup start?", "when does the soup start"),
+        ("is the soup ready?", "is the soup ready"),
+        ("Koche die Suppe", "Koche die Suppe"),
+        ("stelle den Topf auf den Herd", "stelle den Topf auf den Herd"),
     ],
 )
 def test_words_that_look_like_time_and_are_none_are_pointed_at(text: str, words: str) -> None:
     reading = language().read(text, now=NOW)
     pointed = [text[slice(*r.span)] for r in reading.remarks if r.kind is RemarkKind.NOT_UNDERSTOOD]
     assert pointed == [words]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "invite June and April to dinner",
+        "iron the Sunday dress",
+        "visit the 24-hour shop",
+        "sort the bills by month",
+    ],
+)
+def test_words_that_belong_to_a_name_or_a_noun_are_not_pointed_at(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert reading.remarks == ()
+    assert reading.instructions[0].requirements == ()
 
 
 def test_of_times_joined_by_or_the_first_is_taken_and_said() -> None:

@@ -19,9 +19,12 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Half, Part
+from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+PLAUSIBLE = Policy().plausible_from
 
 
 @grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
@@ -33,7 +36,7 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 @grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
 def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """9am on sundays; but "two nights" are no nights at two."""
-    return None if wall.bare else narrowed_repeat(repeat, wall)
+    return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
@@ -54,6 +57,23 @@ def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     clock = replace(wall.clock, bare=False, pair=False)
     more = dict.fromkeys(replace(old, clock=clock) for old in repeat.walls)
     return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
+
+
+@grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
+def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> Repeat | None:
+    """At 8 every morning and at 8 every night, every monday morning and every friday evening."""
+    other = second if third is None and isinstance(second, Repeat) else None
+    if third is not None and isinstance(second, Wall):
+        other = narrowed_repeat(third, second)
+    if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
+        return None
+    return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
+
+
+def _is_plain(repeat: Repeat) -> bool:
+    """Whether it is nothing but days with times of day."""
+    timed = all(wall.clock is not None or wall.part is not None for wall in repeat.walls)
+    return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)
 
 
 @grammar.rule("repeat", "<repeat> at? <same>", weight=0.2)
@@ -125,7 +145,7 @@ def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
     """Give a repetition within hours of the day: every weekday from 9 to 5."""
     if first.clock is None or not isinstance(last, Wall) or last.clock is None:
         return None
-    begins = first.clock.usual
+    begins = first.clock.first_from(PLAUSIBLE)
     ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
     return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
 

@@ -155,7 +155,8 @@ def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
 # -- minutes past and to --------------------------------------------------------------------------------
 
 
-def _moved(clock: Clock, minutes: float) -> Clock | None:
+def moved(clock: Clock, minutes: float) -> Clock | None:
+    """Give a clock time that many minutes after the hour, or the half hour, that is said."""
     if clock.grain is Unit.SECOND or clock.minute % 30 or not -60 < minutes < 60 or minutes != int(minutes):
         return None
     return replace(clock, shift=int(minutes * 60), grain=Unit.MINUTE, bare=False, pair=False)
@@ -182,25 +183,25 @@ def quarter(fraction: float) -> float | None:
 @grammar.rule("clock", "<minutes of clock> past|after <clock>", weight=0.2)
 def past(minutes: float, clock: Clock) -> Clock | None:
     """A quarter past three, ten after six pm."""
-    return _moved(clock, minutes)
+    return moved(clock, minutes)
 
 
 @grammar.rule("clock", "<minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
 def to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven, a quarter to noon."""
-    return _moved(clock, -minutes)
+    return moved(clock, -minutes)
 
 
 @grammar.rule("clock", "<bare minutes of clock> past|after <clock>", weight=0.2)
 def bare_past(minutes: float, clock: Clock) -> Clock | None:
     """Ten past three."""
-    return _moved(clock, minutes)
+    return moved(clock, minutes)
 
 
 @grammar.rule("clock", "<bare minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
 def bare_to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven; it may be a count of something too."""
-    found = _moved(clock, -minutes)
+    found = moved(clock, -minutes)
     return replace(found, pair=clock.bare) if found is not None else None
 
 
@@ -213,17 +214,21 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "a? <fraction> past",
     "<minutes of clock> past",
     "at a? <fraction> to",
+    "halfway|midway through",
+    "closing|opening|boarding|quitting|departure|arrival time",
+    "half way through",
+    "the <part> before|after",
     "at <minutes of clock>|<bare minutes of clock> past|to",
 )
-def of_no_hour(minutes: float | None = None) -> bool:
-    """At half past, at ten to, for a while: of which hour, or how long, is not said."""
+def of_no_hour(minutes: float | Part | None = None) -> bool:
+    """At half past, at ten to, for a while, the night before: of what, or how long, is not said."""
     return True
 
 
 @grammar.rule("clock", "half <clock>", weight=0.1)
 def half_hour(clock: Clock) -> Clock | None:
     """Half three: half past three."""
-    return _moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
+    return moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
 
 
 # -- words for clock times ------------------------------------------------------------------------------

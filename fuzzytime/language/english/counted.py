@@ -44,6 +44,18 @@ def in_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
+@grammar.rule("said", "in like|say ,? <duration>", weight=0.6)
+def in_like(duration: Duration) -> Said:
+    """In like ten minutes."""
+    return _length(duration.hedged("about"), Constraint.AT, "in")
+
+
+@grammar.rule("said", "for like|say ,? <duration>", weight=0.6)
+def for_like(duration: Duration) -> Said:
+    """For like ten minutes."""
+    return _length(duration.hedged("about"), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "starting|beginning|commencing in <duration>", weight=0.4)
 def starting_in(duration: Duration) -> Said:
     """Starting in a quarter of an hour."""
@@ -85,6 +97,15 @@ def before_the_next(hedge: str | None, duration: Duration) -> Said:
     return _length(duration.hedged(*([hedge] if hedge else [])), Constraint.BEFORE, "before")
 
 
+@grammar.rule("said", "before|within|in|over|during the? next|coming <unit> or <quantity>", weight=0.6)
+def before_the_next_or_two(unit: UnitWord, more: Quantity) -> Said | None:
+    """In the next hour or two."""
+    if len(unit.form) == 1 or more.indefinite or more.value <= 1:
+        return None
+    last = Duration(((more.value * unit.count, unit.unit),), bare_end=True)
+    return _length(Duration(((unit.count, unit.unit),), until=last), Constraint.BEFORE, "before")
+
+
 @grammar.rule("said", "before <duration>", "before <duration> from now", weight=0.2)
 def before_duration(duration: Duration) -> Said:
     """Before ten minutes."""
@@ -116,7 +137,13 @@ def over_the_next(duration: Duration) -> Said:
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
 
 
-@grammar.rule("said", "during|in|within|for the? first <duration>", weight=0.5)
+@grammar.rule("said", "for the? first <duration>", weight=0.5)
+def for_the_first(duration: Duration) -> Said:
+    """For the first twenty minutes."""
+    return replace(in_the_first(duration), preposition="for")
+
+
+@grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
 def in_the_first(duration: Duration) -> Said:
     """During the first twenty minutes."""
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)

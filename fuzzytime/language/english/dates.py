@@ -112,6 +112,18 @@ def dotted(numbers: Typed) -> Fields | None:
     return _either(numbers[0], numbers[1], None)
 
 
+@grammar.rule("weak date", "<last d.m.>", weight=0.2)
+def stopped_at_end(numbers: Typed) -> Fields | None:
+    """On 3.4.: day and month, if a preposition says so, as the full stop may end a sentence."""
+    return stopped(numbers)
+
+
+@grammar.rule("date", "<d.m.>", weight=0.3)
+def stopped(numbers: Typed) -> Fields | None:
+    """20.3. at ten: day and month, as the full stop behind both says."""
+    return _valid(None, numbers[1], numbers[0])
+
+
 @grammar.rule("date", "<weekday> <dotted date>", "<weekday> , <dotted date>")
 def dotted_date(weekday: int, date: Fields) -> Fields:
     """Friday 7.6."""

@@ -148,6 +148,30 @@ def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     return replace(first, until=longer, ordinal_end=longer.ordinal_end)
 
 
+@grammar.rule("duration", "<quantity> <unit> ,|or|to <unit> and <fraction>", weight=0.3)
+def one_or_one_and_a_half(
+    quantity: Quantity, unit: UnitWord, again: UnitWord, part: float
+) -> Duration | None:
+    """An hour, hour and a half."""
+    first, last = _length(quantity, unit), _length(Quantity(1 + part), again)
+    if first is None or last is None or unit.unit is not again.unit or quantity.value != 1:
+        return None
+    return replace(first, until=last, indefinite=False)
+
+
+@grammar.rule("duration", "<duration> ,? and|but <hedge> <quantity>|<duration>", weight=0.3)
+def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Duration) -> Duration | None:
+    """At least two hours and no more than four."""
+    bounded = "at least" in shorter.hedges and hedge in {"at most", "less than"}
+    if not bounded or len(shorter.terms) != 1 or shorter.until is not None:
+        return None
+    if isinstance(longer, Quantity):
+        longer = Duration(((longer.value, shorter.terms[0][1]),), bare_end=True)
+    if longer.hedges or longer.until is not None or shorter.seconds >= longer.seconds:
+        return None
+    return replace(shorter, hedges=(), until=longer)
+
+
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)
 def hedged(hedge: str, duration: Duration) -> Duration:
     """Roughly ten minutes, at least an hour."""

@@ -67,6 +67,18 @@ def added(quantity: Quantity) -> Quantity:
     return quantity
 
 
+@grammar.rule("quantity", "a|an good|solid <integer>", weight=0.1)
+def a_good(number: Integer) -> Quantity:
+    """A good ten (minutes): that many, or more."""
+    return Quantity(number.value, ("at least",))
+
+
+@grammar.rule("quantity", "a|an full|further|extra|additional|mere|whole <integer>", weight=0.1)
+def a_full(number: Integer) -> Quantity:
+    """A full ten (minutes), a further five."""
+    return Quantity(number.value)
+
+
 @grammar.rule("quantity", "another <integer>?")
 def another(number: Integer | None) -> Quantity:
     """Another hour, another five minutes."""

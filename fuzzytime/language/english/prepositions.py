@@ -36,11 +36,21 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 
 
 @grammar.rule(
-    "said", "when|once|whenever it's|its <wall>", "when|once|whenever it is|gets <wall>", weight=0.5
+    "said",
+    "when|once|whenever it's|its <wall>",
+    "when|once|whenever it is|gets|strikes|hits|turns <wall>",
+    "when|once|whenever the clock strikes|hits|shows|says|reads|turns <wall>",
+    weight=0.5,
 )
 def when_it_is(wall: Wall) -> Said | None:
     """When it is three p.m., once it's noon."""
     return Said(wall, None, "at") if wall.clock is not None else None
+
+
+@grammar.rule("said", "at like|say ,? <clock>", weight=0.5)
+def at_like(clock: Clock) -> Said:
+    """At like five."""
+    return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", ("about",))
 
 
 @grammar.rule("said", "at <clock>|<clock behind at>", weight=0.3)
@@ -139,7 +149,7 @@ def at_or_later(goal: Goal) -> Said:
 @grammar.rule(
     "said",
     "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at the latest",
+    "by|at|on|in? <goal> at? the? latest",
     "at|on|by <goal> or earlier|before|sooner",
     weight=0.4,
 )

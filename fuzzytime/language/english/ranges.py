@@ -2,13 +2,23 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.clocks import moved, number
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Fields
-from fuzzytime.language.meaning.expressions import Duration, Ending, Goal, Offset, Range, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Edge,
+    Ending,
+    Goal,
+    Offset,
+    Range,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -74,6 +84,40 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
 def between(first: Goal, last: Goal) -> Said | None:
     """Between 5 and 6 pm, from monday to friday."""
     return _range(first, last, "between")
+
+
+@grammar.rule(
+    "said",
+    "between <clock> and <minutes past>",
+    "from <clock> to|until|till <minutes past>",
+    weight=1.1,
+)
+def until_past(first: Clock, minutes: float) -> Said | None:
+    """Between three and half past."""
+    if first.shift or first.minute >= minutes:
+        return None
+    last = replace(first, minute=int(minutes), grain=Unit.MINUTE)
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=replace(last, bare=False))), "between")
+
+
+@grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
+def minutes_past(minutes: float) -> float:
+    """Half past: of the hour that was said before, or is said behind it."""
+    return minutes
+
+
+@grammar.rule(
+    "said",
+    "between <minutes of clock>|<bare minutes of clock> and <minutes past> <clock>",
+    "from <minutes of clock>|<bare minutes of clock> to <minutes past> <clock>",
+    weight=1.1,
+)
+def between_minutes_past(minutes: float, more: float, clock: Clock) -> Said | None:
+    """Between ten and twenty past three."""
+    first, last = moved(clock, minutes), moved(clock, more)
+    if minutes >= more or first is None or last is None:
+        return None
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
 
 
 @grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
@@ -148,6 +192,26 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
         return None
     # "Eat lunch by one": a meal beside a bound is what is to be done.
     return None if wall.weak and wall.part is not None else refined(said, wall)
+
+
+@grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)
+def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
+    """Tomorrow, but not before ten: from then to the end of that day."""
+    bound = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall)
+    days = wall.days
+    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
+        return None
+    return replace(bound, time=Range(bound.time, Ending(Edge.END, days)), constraint=Constraint.BETWEEN)
+
+
+@grammar.rule("said", "<wall> ,? but|and <preposition_before> <goal>", weight=0.6)
+def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
+    """Tomorrow, but before ten: from when that day begins to then."""
+    bound = refined(Said(goal.time, Constraint.BEFORE, before.name, goal.hedges), wall)
+    days = wall.days
+    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
+        return None
+    return replace(bound, time=Range(Ending(Edge.START, days), bound.time), constraint=Constraint.BETWEEN)
 
 
 def refined(said: Said, wall: Wall) -> Said | None:

@@ -141,7 +141,7 @@ def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
     return Repeat(walls=tuple(Wall(Fields(weekday=number), part) for number in numbers))
 
 
-@grammar.rule("repeat", "every|each <date>", "every|each <feast>", weight=0.1)
+@grammar.rule("repeat", "every|each <date>", "every|each <feast>", "every|each <season>", weight=0.1)
 def every_date(days: Calendar) -> Repeat | None:
     """Every june third, every easter."""
     return Repeat(walls=(Wall(days),)) if not days.fixed else None
@@ -249,13 +249,21 @@ def twice() -> int:
     return 2
 
 
-@grammar.rule("times", "<integer> times?")
+@grammar.rule("times", "<integer> times")
 def times(number: Integer) -> int | None:
     """Three times."""
     return number.value if 0 < number.value <= 1000 else None
 
 
-@grammar.rule("repeat", "<times> a|an|per|every|each <unit>", "<times> daily", weight=0.1)
+@grammar.rule("few", "<integer>")
+def few(number: Integer) -> int | None:
+    """Two (a day); but "two every night" is a clock time."""
+    return times(number)
+
+
+@grammar.rule(
+    "repeat", "<times> a|an|per|every|each <unit>", "<times> daily", "<few> a|an|per <unit>", weight=0.1
+)
 def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     """Twice a day, three times an hour."""
     if unit is not None and len(unit.form) == 1:

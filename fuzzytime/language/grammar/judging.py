@@ -1,16 +1,14 @@
 """Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR, Measures
+from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
-from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.relations import Deictic
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -25,9 +23,15 @@ ASKED = frozenset({"me", "us", "just"})
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
 """Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
 
-SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
-OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
-"""Words that open a noun: "the Sunday suit"."""
+
+NAMING = frozenset({"on", "to", "for", "of"})
+"""Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
+
+COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
+"""Words behind which "than" makes a length of time a difference."""
+
+SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
+"""Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
@@ -44,6 +48,7 @@ class Judge:
         self.lexicon = lexicon
         self.texts = [word.text for word in words]
         self.measures = Measures(words, lexicon)
+        self.around = Surroundings(words, lexicon)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -62,16 +67,19 @@ class Judge:
             return self._accepts_wall(piece, said, time)
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
-        if isinstance(time, Repeat) and self._before(piece) in {"most", "some", "many", "few"}:
+        if isinstance(time, Repeat) and self.around.before(piece) in {"most", "some", "many", "few"}:
             # "Most evenings": which, is not said.
             return False
         if isinstance(time, (Repeat, TimeWord)):
-            return said.preposition is not None or not self._describes(piece)
+            return said.preposition is not None or not self.around.describes(piece)
         if isinstance(time, Range):
+            if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+                # "The Monday to Friday timetable"
+                return False
             ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
             if ends and all(end.bare or end.weak for end in ends):
                 between = said.preposition == "between" and self._binds(piece)
-                return between and not self.measures.measured(piece) and self._may_end(piece)
+                return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
 
     def _is_excepted(self, piece: Piece) -> bool:
@@ -86,9 +94,11 @@ class Judge:
         )
 
     def _begins_clause(self, piece: Piece) -> bool:
-        """Whether it is the first word of a longer one that begins a clause: "now that"."""
+        """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
         marker = longest_match(self.words, piece.start, self.lexicon.clauses)
-        return marker is not None and len(marker) > piece.end - piece.start
+        if marker is None or len(marker) < piece.end - piece.start:
+            return False
+        return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
 
     def _is_added(self, piece: Piece) -> bool:
         """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
@@ -109,8 +119,10 @@ class Judge:
         if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
-        found = [p for p in numbers if p.value.time.bare and self._may_end(p) and not self._runs_on(p)][:1]
-        if joint == "," and found and self._follower(found[0]) not in {",", "and", "or"}:
+        found = [p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self._runs_on(p)][
+            :1
+        ]
+        if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
 
@@ -124,7 +136,7 @@ class Judge:
             last = self.words[piece.end - 1]
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
-            if joins(self.words, piece.end) and last.is_letters and not self._timely(piece.end + 1):
+            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
                 # "Twenty-year-old", "second-hand"
                 return True
             if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
@@ -161,73 +173,49 @@ class Judge:
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
         return True
 
-    def _before(self, piece: Piece) -> str:
-        return self.texts[piece.start - 1] if piece.start else ""
-
-    def _follower(self, piece: Piece) -> str:
-        return self.texts[piece.end] if piece.end < len(self.texts) else ""
-
-    def _may_end(self, piece: Piece) -> bool:
-        """Whether what follows does not make its last word count or describe something."""
-        follower = self._follower(piece)
-        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
-            # "At ten to": of which hour is not said.
-            return False
-        if not follower or not follower[0].isalnum():
-            return follower not in {"%", "°", "€", "$"}
-        return follower in self.lexicon.function_words or self._is_in_front(piece) or self._timely(piece.end)
-
-    def _is_in_front(self, piece: Piece) -> bool:
-        """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
-        before = self.texts[piece.start - 1] if piece.start else "."
-        behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
-        plural = self._follower(piece).endswith("s") and not self._follower(piece).endswith("ss")
-        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
-
-    def _describes(self, piece: Piece) -> bool:
-        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
-        before = self.texts[piece.start - 1] if piece.start else ""
-        if before not in {"a", "an", "the", "my", "our", "your"}:
-            return False
-        # "A monday morning call": times behind it describe the same noun.
-        last = replace(
-            piece, end=next(p for p in range(piece.end, len(self.texts) + 1) if not self._timely(p))
-        )
-        return not self._may_end(last)
-
-    def _timely(self, place: int) -> bool:
-        """Whether the word at a place begins a time."""
-        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
-        return any(piece.category in _TIMELY for piece in found)
-
     def _binds(self, piece: Piece) -> bool:
         return bool(BINDING & set(self.texts[piece.start : piece.start + 2]))
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
+        if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
+            # "For a minute less than the packet says"
+            return False
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
             return False
         if last.bare_end and self.measures.divided(piece):
             return False
         alone = duration.indefinite and said.preposition is None
-        if last.ordinal_end and alone and self._before(piece) in ASKED:
+        if last.ordinal_end and alone and self.around.before(piece) in ASKED:
             # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
-            return self._may_end(piece) and not (said.preposition is None and last.bare_end)
+            return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
-            # "a ten minute walk", "five minutes of fame"
-            return self._may_end(piece) and self._follower(piece) != "of"
+            # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
+            follower = self.around.follower(piece)
+            if follower == "of":
+                # "Do ten minutes of yoga"
+                return self.around.before(piece) in SPENDING
+            return follower in self.lexicon.lasting or self.around.may_end(piece)
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if said.preposition is None and (self._describes(piece) or self._names(piece, wall)):
+        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return False
+        owned = self.texts[piece.start + 1 : piece.end][:1]
+        named = "the" in {self.texts[piece.start], self.around.before(piece)}
+        if wall.part is not None and named and self.around.follower(piece) in {"before", "after"}:
+            # "The evening before the trip": which evening, is not said.
+            return False
+        if said.preposition in NAMING and OWNING & set(owned) and not self.around.may_end(piece):
+            # "Turn on the ten o'clock news", "the slides for the Monday meeting"
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
         day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
-        if day and not self._may_end(piece):
+        if day and not self.around.may_end(piece):
             # "After the first one is done"
             return False
         if (
@@ -239,13 +227,21 @@ class Judge:
             # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
-            return self._may_end(piece) and said.preposition is not None
+            return self.around.may_end(piece) and said.preposition is not None
+        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
+            # "Before bed", but "before the bed is made"
+            return False
         if wall.weak:
             unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
-            return bound and self._may_end(piece)
-        if wall.days is None and wall.clock is None and said.preposition is None and not self._may_end(piece):
+            return bound and self.around.may_end(piece)
+        if (
+            wall.days is None
+            and wall.clock is None
+            and said.preposition is None
+            and not self.around.may_end(piece)
+        ):
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
@@ -257,25 +253,12 @@ class Judge:
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
 
-    def _names(self, piece: Piece, wall: Wall) -> bool:
-        """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
-        if wall.part is not None or self._may_end(piece):
-            return False
-        if wall.clock is not None:
-            worded = all(word.is_letters for word in self.words[piece.start : piece.end])
-            return wall.days is None and wall.clock.full_day and worded
-        days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
-        owned = self.texts[piece.start] in OWNING
-        return isinstance(days, (Feast, Season)) or (
-            owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
-        )
-
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
-        if not self._may_end(piece):
+        if not self.around.may_end(piece) or self.around.is_unit(piece.end):
             return False
         before = piece.start - 1
         counted = self.measures.is_number(before)
@@ -293,10 +276,3 @@ class Judge:
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
-
-
-_TIMELY = frozenset(
-    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
-    | {"part", "day", "weekday", "month", "day_part", "unit"}
-)
-"""Categories of words that may follow a time and belong to it, or to another."""

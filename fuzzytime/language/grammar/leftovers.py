@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
@@ -32,7 +33,8 @@ def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> 
 
 
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
-    """Give the places of words that look like time."""
+    """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
+    around = Surroundings(scanned.words, lexicon)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -44,7 +46,13 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 doubtful = words[0].text in lexicon.ambiguous or len(words[0].text) < SHORTEST
                 if len(words) == 1 and words[0].is_letters and doubtful and not counted:
                     continue
-                if _is_share(piece, scanned):
+                if (
+                    around.is_name(piece)
+                    or _is_noun(piece, around)
+                    or _is_share(piece, scanned)
+                    or around.describes(piece)
+                    or _is_compound(piece, around)
+                ):
                     continue
                 yield from range(start, piece.end)
 
@@ -54,6 +62,23 @@ def _is_share(piece: Piece, scanned: Scanned) -> bool:
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
     behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
     return unit is Unit.QUARTER and behind == "of"
+
+
+def _is_compound(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a unit that a hyphen makes an adjective: "the 24-hour shop"."""
+    first, before = around.words[piece.start], around.words[piece.start - 1] if piece.start else None
+    # Between number words, which "second" may be one of, the hyphen is left out.
+    hyphenated = before is not None and first.glued and (before.text == "-" or before.end < first.start)
+    return piece.category == "unit" and hyphenated and not around.may_end(piece)
+
+
+def _is_noun(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
+    named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
+    behind = around.texts[piece.start - 2] if piece.start > 1 else ""
+    bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
+    single = piece.category == "unit" and not around.texts[piece.start].endswith("s")
+    return single and named and not bound
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

@@ -58,6 +58,8 @@ class Lexicon:
         Words that begin what says where.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
+    lasting
+        Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     impersonal
@@ -70,6 +72,8 @@ class Lexicon:
         Words beside which even a bound is one: "by 10", "until 10".
     usual_hours
         By words for what people do, the hours at which they do it.
+    questions, foreign
+        Words that begin a question, by how they do, and words that show that a text is not English.
     function_words
         Words that may follow a bare number without making it a count.
     """
@@ -94,6 +98,7 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     appointing: frozenset[str]
+    lasting: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
     impersonal: frozenset[str]
@@ -103,6 +108,8 @@ class Lexicon:
     changing: frozenset[tuple[str, ...]]
     counting: frozenset[str]
     amount_nouns: frozenset[str]
+    questions: Mapping[str, frozenset[tuple[str, ...]]]
+    foreign: frozenset[str]
     function_words: frozenset[str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
@@ -137,8 +144,13 @@ class Lexicon:
         """Give what the tables say of the words from one place on."""
         for entry in self.entries.get(words[start].text, ()):
             end = _matched(words, start, entry.words)
-            if end:
+            if end and not (entry.category == "unit" and _ends_sentence(words, end)):
                 yield Piece(entry.category, start, end, entry.value, entry.weight, "word")
+
+
+def _ends_sentence(words: Sequence[Word], end: int) -> bool:
+    """Whether a full stop before a place is no abbreviation's: "for two min. Add the salt"."""
+    return words[end - 1].text == "." and end < len(words) and words[end].capital
 
 
 def _matched(words: Sequence[Word], start: int, form: tuple[str, ...]) -> int:

@@ -50,6 +50,7 @@ _SHAPES = tuple(
         ("n-n-n", r"(\d{1,2})[-/.](\d{1,2})[-/.](\d{4}|\d\d)(?!\d)"),
         ("n/n", r"(\d{1,2})[-/](\d{1,2})(?!\d)"),
         ("n.n", r"(\d{1,2})\.(\d{1,2})(?!\d)"),
+        ("d.m.", r"(\d{1,2})\.(\d{1,2})\.(?!\d)"),
         ("n/y", r"(\d{1,2})[-/](\d{4})(?!\d)"),
         ("y/n", r"(\d{4})[-/](\d{1,2})(?!\d)"),
         ("yyyymmdd", r"(\d{4})(\d\d)(\d\d)(?!\d)"),
@@ -111,9 +112,14 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
         match = shape.match(run)
         if match is not None and match.end() in ends:
             parts = match.groups()
+            behind = words[ends[match.end()] :][:1]
+            if category == "d.m." and behind and behind[0].capital:
+                # "Set it to 2.5. At noon, stop it."
+                continue
             if category in DATES and lexicon.policy.date_order is DateOrder.DAY_MONTH:
                 parts = (parts[1], parts[0], *parts[2:])
-            yield Piece(category, start, ends[match.end()], Typed(parts), 0.0, "shape")
+            name = "last d.m." if category == "d.m." and not behind else category
+            yield Piece(name, start, ends[match.end()], Typed(parts), 0.0, "shape")
 
 
 def _run(words: Sequence[Word], start: int) -> tuple[str, dict[int, int]]:

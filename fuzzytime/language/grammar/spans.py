@@ -6,7 +6,7 @@ are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
@@ -52,14 +52,14 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
         if owner != word.text and any(entry.category == "unit" for entry in lexicon.entries.get(owner, ())):
             # "In an hour's time"
             middle = word.end - 2
-            found += [Word(owner, word.start, middle, word.glued), Word("'s", middle, word.end, glued=True)]
+            found += [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]
         elif (
             base != word.text
             and (base in lexicon.numbers or base in lexicon.entries)
             and word.text not in lexicon.entries
         ):
             middle = word.end - 3
-            found += [Word(base, word.start, middle, word.glued), Word("ish", middle, word.end, glued=True)]
+            found += [replace(word, text=base, end=middle), Word("ish", middle, word.end, glued=True)]
         elif not (
             joins(words, place)
             and _numeral(words, place - 1, lexicon)

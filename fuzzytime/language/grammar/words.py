@@ -19,12 +19,16 @@ _FRACTIONS = frozenset("¼½¾⅓⅔")
 
 @dataclass(frozen=True, slots=True)
 class Word:
-    """A word, a run of digits or a mark: levelled, with its place, and whether no space stands before it."""
+    """A word, a run of digits or a mark: levelled, with its place, and whether no space stands before it.
+
+    ``capital`` says whether it was typed with a capital.
+    """
 
     text: str
     start: int
     end: int
     glued: bool
+    capital: bool = False
 
     @property
     def is_digits(self) -> bool:
@@ -47,7 +51,7 @@ def words_of(text: str) -> tuple[Word, ...]:
     last = -1
     for match in _WORD.finditer(text):
         start, end = match.span()
-        found.append(Word(_levelled(match[0]), start, end, start == last))
+        found.append(Word(_levelled(match[0]), start, end, start == last, match[0][0].isupper()))
         last = end
     return tuple(found)
 

@@ -46,12 +46,18 @@ class Grounding:
         Seconds that what is asked for was said to last, 0 where nothing was said.
     since : datetime, optional
         The clock time that was said before in the same text.
+    listed : bool
+        Whether it was said for the same thing to be done.
+    follows : bool
+        Whether what is asked for comes after it.
     """
 
     now: datetime
     policy: Policy
     lasting: float = 0.0
     since: datetime | None = None
+    listed: bool = False
+    follows: bool = False
 
     @property
     def today(self) -> Today:
@@ -166,11 +172,10 @@ class Grounding:
         return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
 
     def _part_alone(self, part: Part) -> Instants:
-        """Give the part of the day that is not over yet."""
-        here = self._part_on(self.now.date(), part)
-        if here.end <= self.now:
-            return self._part_on(self.now.date() + timedelta(days=1), part)
-        return here
+        """Give the part of the day that is not over yet: "tonight, then in the morning"."""
+        begun = self.since if self.follows and self.since is not None and self.since > self.now else self.now
+        here = self._part_on(begun.date(), part)
+        return here if here.end > begun else self._part_on(begun.date() + timedelta(days=1), part)
 
     def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
         """Give the next occurrence; without am or pm, the next plausible one."""
@@ -188,7 +193,9 @@ class Grounding:
         chosen = (plausible or moments)[0]
         if self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
-            follows = [moment for moment in moments if self.since < moment < self.since + FOLLOWING]
+            # Of "at eight, twelve and five", none is at night only because another is in the evening.
+            known = plausible if self.listed else moments
+            follows = [moment for moment in known if self.since < moment < self.since + FOLLOWING]
             chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)

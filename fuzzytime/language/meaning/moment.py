@@ -14,12 +14,15 @@ from fuzzytime.times import parse_clock, parse_zone, seconds_between
 class Moment:
     """When an instruction was given: with a zone, without, or not known.
 
-    ``since`` is the time in seconds that was said before in the same text.
+    ``since`` is the time in seconds that was said before in the same text, ``listed`` whether for the same
+    thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it.
     """
 
     now: datetime | None
     policy: Policy
     since: float | None = None
+    listed: bool = False
+    follows: bool = False
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -35,7 +38,7 @@ class Moment:
             return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
         here = self.now.replace(tzinfo=None)
         since = None if self.since is None else here + timedelta(seconds=self.since)
-        return Grounding(here, self.policy, since=since)
+        return Grounding(here, self.policy, since=since, listed=self.listed, follows=self.follows)
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:
         """Give the seconds from now to a wall-clock time, in our zone or another.

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
-from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, midnight
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
+from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.requirement import Unit
 
 if TYPE_CHECKING:
@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 
 MOST = 10_000
 """Occurrences that are given at most."""
+
+WORKDAYS = frozenset(Fields(weekday=day) for day in range(5))
+"""The days of "on weekdays"."""
 
 Window = tuple[float, float]
 """Where an occurrence begins, and where it is over, in seconds; a moment where the two are one."""
@@ -122,7 +125,7 @@ class CalendarRecurrence:
         now = self.moment.grounding().now
         today = Today(now.date(), self.moment.policy)
         for days in _series(wall.days).upcoming(today, today.day):
-            start, end = _on(wall, days)
+            start, end = self._on(wall, days)
             if start < now:
                 # A stretch that is running counts from now on.
                 if end <= now:
@@ -132,27 +135,29 @@ class CalendarRecurrence:
             if first >= self.first:
                 yield first, min(last, max(self.last, first))
 
+    def _on(self, wall: Wall, days: Days) -> tuple[datetime, datetime]:
+        """Give where a wall-clock expression begins and is over, on its days."""
+        begins = midnight(days.first)
+        if wall.clock is not None:
+            moment = begins + timedelta(seconds=self.time_of_day(wall, wall.clock))
+            return moment, moment
+        if wall.part is not None:
+            return begins + timedelta(seconds=wall.part.start), begins + timedelta(seconds=wall.part.end)
+        return begins, midnight(days.end)
 
-def _on(wall: Wall, days: Days) -> tuple[datetime, datetime]:
-    """Give where a wall-clock expression begins and is over, on its days."""
-    begins = midnight(days.first)
-    if wall.clock is not None:
-        moment = begins + timedelta(seconds=_seconds_of_day(wall, wall.clock))
-        return moment, moment
-    if wall.part is not None:
-        return begins + timedelta(seconds=wall.part.start), begins + timedelta(seconds=wall.part.end)
-    return begins, midnight(days.end)
+    def time_of_day(self, wall: Wall, clock: Clock) -> int:
+        """Give the seconds since midnight of a clock time: without am or pm, as the policy says."""
+        if wall.part is not None:
+            clock = halved(clock, wall.part.half)
+        policy = self.moment.policy
+        return clock.first_from(policy.workday_from if self._is_of_workdays() else policy.plausible_from)
+
+    def _is_of_workdays(self) -> bool:
+        return {wall.days for wall in self.walls} == WORKDAYS
 
 
 def _series(days: Calendar | None) -> Calendar:
     return days if days is not None else Cycle(Unit.DAY)
-
-
-def _seconds_of_day(wall: Wall, clock: Clock) -> int:
-    candidates = clock.candidates()
-    if wall.part is not None and len(candidates) > 1:
-        return candidates[1] if wall.part.half in {Half.PM, Half.NIGHT} else candidates[0]
-    return clock.usual
 
 
 def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | CalendarRecurrence:

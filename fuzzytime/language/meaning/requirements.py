@@ -21,12 +21,16 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.recurrence import recurrence_of
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, recurrence_of
 from fuzzytime.language.meaning.relations import Away
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
 UPPER = frozenset({"at most", "less than"})
 LOWER = frozenset({"at least", "more than"})
+_NOT_SAID = {
+    Constraint.EVERY: "how often is not said: say an interval, as in 'every ten minutes'",
+    Constraint.FOR: "how long is not said: say a length or an end, as in 'for ten minutes'",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,9 +146,8 @@ class _Grounder:
         return self._requirement(constraint, min(near, far), max(near, far), hedges=said, duration=time)
 
     def _of_word(self, time: TimeWord) -> Grounded:
-        if time.constraint is Constraint.EVERY:
-            message = "how often is not said: say an interval, as in 'every ten minutes'"
-            raise UngroundedError(message)
+        if time.constraint in _NOT_SAID:
+            raise UngroundedError(_NOT_SAID[time.constraint])
         constraint = self.said.constraint or time.constraint
         if constraint is Constraint.VAGUE:
             return Grounded(requirement=self._requirement(constraint, None, None, word=time.word))
@@ -163,7 +166,23 @@ class _Grounder:
             grain=min(grains, key=list(Unit).index, default=None),
             recurrence=recurrence,
         )
-        return Grounded(requirement=requirement, recurrence=recurrence)
+        return Grounded(
+            requirement=requirement, recurrence=recurrence, remarks=self._decided(time.walls, recurrence)
+        )
+
+    def _decided(self, walls: tuple[Wall, ...], recurrence: Recurrence) -> tuple[Remark, ...]:
+        """Say which half of the day the policy chose for a clock time that is repeated."""
+        remarks = []
+        for wall in walls:
+            clock = wall.clock
+            if clock is None or wall.part is not None or not isinstance(recurrence, CalendarRecurrence):
+                continue
+            chosen = recurrence.time_of_day(wall, clock)
+            others = [seconds for seconds in clock.candidates() if seconds != chosen]
+            if others:
+                message = f"{self.text!r} is taken as {_hours(chosen)}, not {_hours(others[0])}: say am or pm"
+                remarks.append(Remark(RemarkKind.POLICY, self.phrase.span, message))
+        return tuple(dict.fromkeys(remarks))
 
     def _of_instants(self, time: Time) -> Grounded:
         zone = _zone_in(time)
@@ -273,6 +292,10 @@ def _grain_of(wall: Wall) -> Unit:
     if wall.clock is not None:
         return wall.clock.grain
     return Unit.HOUR if wall.part is not None or wall.days is None else wall.days.grain
+
+
+def _hours(seconds: int) -> str:
+    return f"{seconds // 3600:02}:{seconds // 60 % 60:02}"
 
 
 def _zone_in(time: Time) -> str | None:

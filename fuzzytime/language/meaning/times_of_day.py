@@ -1,6 +1,7 @@
 """Times of day and parts of the day as said, before it is known which half of the day they are in."""
 
 from dataclasses import dataclass, replace
+from datetime import time
 from enum import StrEnum
 
 from fuzzytime.requirement import Unit
@@ -62,11 +63,10 @@ class Clock:
             return ((before_noon if 6 <= self.hour <= 11 else after_noon) % DAY_SECONDS,)
         return tuple(sorted((before_noon % DAY_SECONDS, after_noon % DAY_SECONDS)))
 
-    @property
-    def usual(self) -> int:
-        """Which of them lies in the usual hours, from seven in the morning on."""
-        candidates = self.candidates()
-        return next((seconds for seconds in candidates if seconds >= 7 * 3600), candidates[0])
+    def first_from(self, hour: time) -> int:
+        """Give which of them comes first from a time of day on."""
+        begin = hour.hour * 3600 + hour.minute * 60
+        return min(self.candidates(), key=lambda seconds: (seconds - begin) % DAY_SECONDS)
 
 
 @dataclass(frozen=True, slots=True)

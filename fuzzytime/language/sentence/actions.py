@@ -83,7 +83,7 @@ def _order_before(tree: Tree, root: int) -> int:
                 return place
             continue
         bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
-        if bare and (node.relation == "csubj" or (node.lemma == "have" and tree.nodes[root].tag == "VB")):
+        if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
             return place
     if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
         # "Serve the soup the second it boils": the clause was taken for the sentence.
@@ -91,6 +91,12 @@ def _order_before(tree: Tree, root: int) -> int:
             if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
                 return root if tree.children(place, "mark", "aux", "advmod", *SUBJECTS) else place
     return root
+
+
+def _brings(tree: Tree, have: int, root: int) -> bool:
+    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
+    between = any(have < place < root for place in tree.children(root, *SUBJECTS))
+    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
 
 
 def _is_order(tree: Tree, place: int) -> bool:
@@ -143,7 +149,8 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
     named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
     if named is not None:
         return Reference(named)
-    if tree.nodes[place].lower in lexicon.results and tree.children(place, "auxpass", "aux"):
+    node = tree.nodes[place]
+    if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
     if lemma in lexicon.causing and any(
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)

@@ -43,7 +43,7 @@ class Anchors:
             verb=clause.verb,
             object=clause.object,
             target=target,
-            edge=Edge.START if before or together else Edge.END,
+            edge=Edge.START if before or together or clause.kind == "into" else Edge.END,
             lag=lag,
             exact=distance is not None,
         )
@@ -67,7 +67,12 @@ class Anchors:
         time = phrase.said.time
         part = time.part if isinstance(time, Wall) and time.days is None else None
         constraint = phrase.said.constraint
-        if part is None or not part.meal or constraint not in {Constraint.BEFORE, Constraint.AFTER}:
+        if (
+            part is None
+            or not part.meal
+            or part.place
+            or constraint not in {Constraint.BEFORE, Constraint.AFTER}
+        ):
             return None
         words = content_words(part.name)
         targets = [

@@ -6,19 +6,17 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.conditions import condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.requirement import Condition
+from fuzzytime.requirement import Condition, Constraint
 
-BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
-UNLESS = "unless"
-"""The marker whose clause must not hold."""
+EVENTFUL = frozenset({"after", "before", "until", "by the time"})
+"""Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
-LONGEST_STATE = 3
-"""Words that say how something is, at most: "until light and fluffy"."""
+STATED = frozenset({"when", "if", "until"})
+"""Clauses that say what must be so."""
 
-SUBJECTS = ("nsubj", "nsubjpass", "expl")
-DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
@@ -27,7 +25,7 @@ class Clause:
     """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
 
     ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
-    says must hold.
+    says must hold; ``time`` when it says that is ("before the guests arrive at seven").
     """
 
     kind: str
@@ -39,6 +37,7 @@ class Clause:
     condition: Condition | None = None
     distance: Duration | None = None
     is_event: bool = False
+    time: Phrase | None = None
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""
@@ -55,13 +54,12 @@ def clauses_of(
     """
     found: list[Clause] = []
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    reader = _Clauses(tree, words, phrases, lexicon, covered)
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
-        clause = None
-        if form is not None and lexicon.clauses[form] != "":
-            clause = _Clauses(tree, words, phrases, lexicon, covered).read(place, form)
-        if clause is None:
+        clause = None if form is None else reader.read(place, form)
+        if form is None or clause is None:
             place += 1
             continue
         found.append(clause)
@@ -87,55 +85,59 @@ class _Clauses:
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses[form]
-        marker_end = self._behind(place, len(form))
-        end = self._end(place, marker_end)
-        if end <= marker_end:
+        first = place + len(form)
+        end = self._end(place, first)
+        last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
+        time = next((phrase for phrase in last if _is_apart(phrase)), None)
+        said_end = end if time is None else time.first
+        if said_end <= first:
             return None
-        content = (self.words[marker_end].start, self.words[end - 1].end)
+        content = (self.words[first].start, self.words[said_end - 1].end)
         nodes = list(self.tree.at(*content))
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
         start = self.words[place].start
         distance = self._distance(place)
+        duration = None
         if distance is not None:
             start = distance.span[0]
-        duration = (
-            distance.said.time if distance is not None and isinstance(distance.said.time, Duration) else None
+            if isinstance(distance.said.time, Duration):
+                hedges = (*distance.said.hedges, *distance.said.time.hedges)
+                duration = replace(distance.said.time, hedges=hedges)
+        if kind == "into" and duration is None:
+            return None
+        clause = Clause(
+            kind=kind, marker=" ".join(form), span=(start, content[1]), content=content, distance=duration
         )
-        if duration is not None and distance is not None:
-            duration = replace(duration, hedges=(*distance.said.hedges, *duration.hedges))
-        span = (start, content[1])
+        found = self._told(clause, nodes)
+        if found is None or time is None or kind not in EVENTFUL or not _dates(time, duration):
+            return found
+        return replace(found, time=time, span=(start, time.span[1]))
+
+    def _told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
+        """Give a clause with what it says: that something is done, or so, or an event."""
+        said = self.tree.text[slice(*clause.span)]
         verb = self._verb(nodes)
-        if verb is None and kind in {"when", "until"}:
-            said = self.tree.text[start : content[1]]
-            condition = self._happening(nodes, said)
-            if condition is None and form[0] == "the":
+        if verb is not None:
+            return replace(
+                clause,
+                verb=self.tree.nodes[verb].lemma,
+                object=self._object(verb, nodes),
+                condition=condition_of(self.tree, verb, nodes, said),
+            )
+        if clause.kind in STATED:
+            condition = happening(self.tree, nodes, said)
+            if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"
                 return None
-            condition = condition or self._state(nodes, said)
-            if condition is None:
-                return self._event(kind, form, span, content, nodes, duration)
-            return Clause(kind=kind, marker=" ".join(form), span=span, content=content, condition=condition)
-        if verb is None:
-            return self._event(kind, form, span, content, nodes, duration)
-        return Clause(
-            kind=kind,
-            marker=" ".join(form),
-            span=span,
-            content=content,
-            verb=self.tree.nodes[verb].lemma,
-            object=self._object(verb, nodes),
-            condition=self._condition(verb, nodes, self.tree.text[start : content[1]]),
-            distance=duration,
-        )
+            condition = condition or state(self.tree, nodes, said)
+            if condition is not None:
+                return replace(clause, condition=condition)
+        return self._event(clause, nodes)
 
     def _is_counted(self, place: int) -> bool:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
-
-    def _behind(self, place: int, length: int) -> int:
-        """Give the place behind a marker of some words, whose hyphens the words may have kept."""
-        return place + length
 
     def _end(self, place: int, first: int) -> int:
         """Give where the clause ends: at a comma, at "and" and a time, or at the main verb behind it."""
@@ -206,76 +208,20 @@ class _Clauses:
                     return text
         return None
 
-    def _condition(self, verb: int, nodes: Sequence[int], text: str) -> Condition:
-        """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
-        inside = set(nodes)
-        subjects = [p for p in self.tree.children(verb, *SUBJECTS) if p in inside]
-        negated = any(p in inside for p in self.tree.children(verb, "neg"))
-        negated ^= text.lower().startswith(UNLESS)
-        if not subjects:
-            return Condition(text=text, negated=negated)
-        subject = " ".join(
-            self.tree.nodes[p].lower
-            for p in sorted(self.tree.below(subjects[0]))
-            if p in inside and self.tree.nodes[p].tag not in DETERMINERS
-        )
-        node = self.tree.nodes[verb]
-        predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
-        said = [p for p in self.tree.children(verb, *predicates) if p in inside and p > verb]
-        if node.lemma not in BE or not said:
-            action = node.lower if node.lemma not in BE else None
-            return Condition(text=text, subject=subject or None, word=action, negated=negated)
-        last = said[-1]
-        hedges = tuple(self.tree.nodes[p].lower for p in sorted(self.tree.below(last)) if p < last)
-        return Condition(
-            text=text,
-            subject=subject or None,
-            word=self.tree.nodes[last].lower,
-            hedges=hedges,
-            negated=negated,
-        )
-
-    def _happening(self, nodes: Sequence[int], text: str) -> Condition | None:
-        """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
-        *before, last = (self.tree.nodes[p] for p in nodes)
-        named = [node.lower for node in before if node.tag not in DETERMINERS]
-        if last.tag != "NNS" or len(named) == len(before) or not named or not before[-1].tag.startswith("NN"):
-            return None
-        return Condition(text=text, subject=" ".join(named), word=last.lower)
-
-    def _state(self, nodes: Sequence[int], text: str) -> Condition | None:
-        """Read "until golden brown", "once tender": what becomes so is not said."""
-        said = [self.tree.nodes[place] for place in nodes]
-        words = [node.lower for node in said if node.tag not in {"CC", ","}]
-        named = any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
-        if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
-            return None
-        return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))
-
-    def _event(
-        self,
-        kind: str,
-        form: tuple[str, ...],
-        span: Span,
-        content: Span,
-        nodes: Sequence[int],
-        distance: Duration | None,
-    ) -> Clause | None:
+    def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        if kind not in {"after", "before", "until"} or not self.tree.nodes[nodes[-1]].tag:
+        if clause.kind not in {"after", "before", "until", "into"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None:
             return None
         noun = self._noun_end(nodes)
         end = self.tree.nodes[noun].end
-        return Clause(
-            kind=kind,
-            marker=" ".join(form),
-            span=(span[0], end),
-            content=(content[0], end),
-            object=self.tree.text[content[0] : end],
-            distance=distance,
+        return replace(
+            clause,
+            span=(clause.span[0], end),
+            content=(clause.content[0], end),
+            object=self.tree.text[clause.content[0] : end],
             is_event=True,
         )
 
@@ -294,3 +240,17 @@ class _Clauses:
                 break
             last = place
         return last
+
+
+def _is_apart(phrase: Phrase) -> bool:
+    """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
+    lasting = phrase.said.constraint is Constraint.FOR
+    return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
+
+
+def _dates(phrase: Phrase, distance: Duration | None) -> bool:
+    """Whether a time is when an event is: neither a bound nor a length; to count from it, it is a moment."""
+    time = phrase.said.time
+    if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
+        return False
+    return distance is None or time.clock is not None

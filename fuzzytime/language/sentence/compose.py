@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -22,10 +22,11 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
-from fuzzytime.language.sentence.sketches import Sketch, sketches_of
+from fuzzytime.language.sentence.sketches import DATED, Sketch, sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
 TURNED = {
@@ -34,6 +35,9 @@ TURNED = {
     Constraint.FOR: Constraint.AFTER,
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
+
+SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
+"""How a time binds that says when something is done."""
 
 LASTING = frozenset({"until", "through"})
 
@@ -66,16 +70,18 @@ class _Composer:
                 )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
-        instructions = tuple(
-            self._instruction(sketch, len(self.given) + place, operations)
-            for place, sketch in enumerate(sketches)
-        )
+        instructions = []
+        for place, sketch in enumerate(sketches):
+            listed = place > 0 and sketch.part is sketches[place - 1].part
+            follows = sketch.part.segment.connective == "then"
+            self.moment = replace(self.moment, listed=listed, follows=follows)
+            instructions.append(self._instruction(sketch, len(self.given) + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
         return Reading(
             text=self.draft.text,
             now=self.draft.now,
-            instructions=instructions,
+            instructions=tuple(instructions),
             tokens=tokens,
             strict=strict,
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
@@ -86,7 +92,9 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = _awaiting(sketch)
-        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch.operation))
+        part, text = sketch.part, self.draft.text
+        self.remarks += doubts_of(text, part.segment.span, self.draft.scanned.words, part.tree, self.lexicon)
+        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
@@ -106,11 +114,12 @@ class _Composer:
             requirements.append(connected)
             self.explained.append(connected.span)
         requirements.sort(key=lambda requirement: requirement.span)
+        self.remarks += _contradictions(requirements)
         operation, duration = (
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        if operation is not None and operation.negated and any(r.constraint in TURNED for r in requirements):
+        if operation is not None and operation.negated and any(map(_is_turned, requirements)):
             requirements = [_turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), None
         return Instruction(
@@ -122,28 +131,36 @@ class _Composer:
             fuzzy_parameters=sketch.parameters,
         )
 
-    def _moment(self, operation: Operation | None) -> Moment:
+    def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
-        words = words_of(operation.name) if operation is not None else ()
+        named = [sketch.operation.name] if sketch.operation is not None else []
+        dated = (self.draft.text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
+        words = words_of(" ; ".join((*dated, *named)))
         for place in range(len(words)):
             form = longest_match(words, place, self.lexicon.usual_hours)
             if form is not None:
                 first, last = self.lexicon.usual_hours[form]
-                policy = replace(self.moment.policy, plausible_from=first, plausible_to=last)
+                policy = replace(
+                    self.moment.policy, plausible_from=first, plausible_to=last, workday_from=first
+                )
                 return replace(self.moment, policy=policy)
         return self.moment
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
         for requirement in times.requirements:
-            if requirement.constraint is Constraint.AT and requirement.grain in SUB_DAY:
-                self.moment = replace(self.moment, since=requirement.t_spec)
+            if requirement.constraint in SAID_WHEN and requirement.grain in SUB_DAY:
+                self.moment = replace(self.moment, since=requirement.earliest)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
         self.explained.append(clause.span)
         target = anchors.target_of(clause)
-        if target is None and clause.condition is not None and clause.kind in {"when", "until", "while"}:
+        if (
+            target is None
+            and clause.condition is not None
+            and clause.kind in {"when", "if", "until", "while"}
+        ):
             reference = Reference.FINISH if clause.kind == "until" else Reference.START
             return TimeRequirement(
                 text=text,
@@ -176,6 +193,16 @@ class _Composer:
         return tuple(tokens), strict or StrictReading()
 
 
+def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
+    """Point at a second moment for the same thing: "switch it off at six and back on at eight"."""
+    moments = [r for r in requirements if r.constraint is Constraint.AT and r.t_spec is not None]
+    for other in moments[1:]:
+        first = moments[0]
+        if other.reference is first.reference and other.t_spec != first.t_spec:
+            message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
+            yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
+
+
 def _awaiting(sketch: Sketch) -> Sketch:
     """Read "don't serve it until the guests arrive" as: serve it, when they do."""
     operation = sketch.operation
@@ -188,12 +215,21 @@ def _awaiting(sketch: Sketch) -> Sketch:
     return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
 
 
+def _is_turned(requirement: TimeRequirement) -> bool:
+    """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
+    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
+    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+
+
 def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
     """Read "don't open it before six" as: open it, not before six."""
-    constraint = TURNED.get(requirement.constraint)
-    if constraint is None:
+    if not _is_turned(requirement):
         return requirement
+    constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
     time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
+    if requirement.constraint is Constraint.BETWEEN:
+        # "Don't stir it for the first ten minutes": after them.
+        time = requirement.latest
     after = constraint is Constraint.AFTER
     return replace(
         requirement,

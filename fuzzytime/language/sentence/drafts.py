@@ -24,6 +24,9 @@ JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
 
+SHORTEST_CALL = 3
+"""Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
+
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
 
@@ -143,6 +146,17 @@ class _Waiting:
             places = [place for place in places if place >= end]
         return 0
 
+    def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
+        """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
+        if not tree.nodes or is_doubtful(tree):
+            return bool(tree.nodes)
+        words, covered = self.source.scanned.words, self.source.covered
+        root = self.main + tree.nodes[tree.root or 0].start
+        before = [p for p in self.source.places(self.main, root) if p not in covered]
+        if not before or longest_match(words, before[0], lexicon.clauses) is not None:
+            return False
+        return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
+
 
 def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
     """Parse every segment, and cut it again where its tree shows a further instruction."""
@@ -155,11 +169,11 @@ def _parted(sources: Sequence[_Source], lexicon: Lexicon, trees: Trees) -> list[
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:
             break
-        found, fronts = _trees(waiting, trees), _uncapitalised([one.front for one in waiting], trees)
+        found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
         following: list[_Waiting] = []
         for one, tree, front in zip(waiting, found, fronts, strict=True):
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else list(_cut(one, part, lexicon))
+            cut = [] if last_round else _addressed(one, part, lexicon) or list(_cut(one, part, lexicon))
             following += [_waiting(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
@@ -188,7 +202,7 @@ def _main(source: _Source, segment: Segment, lexicon: Lexicon) -> int:
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]
 
 
-def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
+def _trees(waiting: Sequence[_Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
     found = _uncapitalised(texts, trees)
@@ -196,12 +210,12 @@ def _trees(waiting: Sequence[_Waiting], trees: Trees) -> list[Tree]:
         again = [
             (place, waiting[place].behind_time)
             for place, tree in enumerate(found)
-            if tree.nodes and is_doubtful(tree) and (carrier or waiting[place].behind_time)
+            if waiting[place].doubts(tree, lexicon) and (carrier or waiting[place].behind_time)
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
             bare = tree.without_carrier(carrier, texts[place], skipped)
-            if bare.nodes and not is_doubtful(bare):
+            if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     return found
 
@@ -218,6 +232,29 @@ def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
 def _lowered(text: str) -> str:
     """Give a text whose first letter is no capital, as behind other words."""
     return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text
+
+
+def _addressed(one: _Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the segment without the name before its first comma, or behind its last, of who is asked.
+
+    A name begins with a capital, and is no verb: "Wash, peel and slice the apples" asks nobody by name.
+    """
+    nodes = part.tree.nodes
+    if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
+        return []
+    first, last = one.segment.span
+    for name, mark, rest in (
+        (nodes[0], nodes[1], (nodes[2].start + part.offset, last)),
+        (nodes[-1], nodes[-2], (first, nodes[-3].end + part.offset)),
+    ):
+        place = one.source.places(name.start + part.offset, name.end + part.offset)
+        named = name.text[0].isupper() or name.lower in lexicon.persons
+        timed = bool(one.source.covered & set(place))
+        if mark.text in {",", ":"} and named and not timed and not name.may_act and name.text.isalpha():
+            segment = replace(one.segment, span=rest, addressee=name.text)
+            if rest[0] < rest[1] and _waiting(one.position, one.source, segment, lexicon).text:
+                return [segment]
+    return []
 
 
 def _cut(one: _Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
@@ -240,7 +277,7 @@ def _cut(one: _Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            yield Segment((start, last))
+            yield Segment((start, last), addressee=one.segment.addressee)
             return
 
 
@@ -266,5 +303,8 @@ def _chain(one: _Waiting, part: Part, start: int) -> list[Segment]:
     spans = zip(begins, (*ends[1:], one.segment.span[1]), strict=True)
     return [
         replace(one.segment, span=(one.segment.span[0], ends[0])),
-        *(Segment(span, "then", joint) for span, joint in zip(spans, joints, strict=True)),
+        *(
+            Segment(span, "then", joint, one.segment.addressee)
+            for span, joint in zip(spans, joints, strict=True)
+        ),
     ]

@@ -75,6 +75,12 @@ def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not 
         raise ModelError(f"the model {name} must load: {error}") from error
 
 
+@cache
+def _verbs(name: str) -> frozenset[str]:
+    """Give the verbs that the model's dictionary lists; tags of a word that stands alone are guesses."""
+    return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
+
+
 def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
     """Parse texts, in batches.
 
@@ -87,6 +93,7 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
     if not wanted:
         return
     pipeline = _pipeline(package.name)
+    verbs = _verbs(package.name)
     for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
         nodes = tuple(
             Node(
@@ -97,6 +104,7 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
                 token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
+                bool({token.lower_, token.lemma_} & verbs),
             )
             for token in doc
             if not token.is_space

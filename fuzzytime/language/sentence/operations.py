@@ -14,7 +14,7 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
-PLACES = ("prep", "advmod")
+PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
 )
@@ -85,7 +85,10 @@ class Reader:
         return None
 
     def _hangs_on(self, place: int, verb: int) -> bool:
-        return verb in self.tree.above(place) and self.tree.nodes[place].tag in {"IN", "RP", "RB"}
+        node = self.tree.nodes[place]
+        # "On the way back"
+        owned = self.tree.nodes[node.head].relation == "pobj"
+        return verb in self.tree.above(place) and node.tag in {"IN", "RP", "RB"} and not owned
 
     def _governs_nothing(self, place: int) -> bool:
         """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""
@@ -115,6 +118,10 @@ class Reader:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
             named = self._words([p for p in direct if p > verb], verb)
             words = named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        if not words:
+            # "Do ten minutes of yoga"
+            of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
+            words = self._words([p for o in of for p in self.tree.children(o, "pobj")], verb)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
@@ -140,7 +147,10 @@ class Reader:
 
     def _subject(self, verb: int) -> str | None:
         """Give what a statement is about: "the assignment should start now"."""
-        subjects = [p for p in self.tree.children(verb, *SUBJECTS) if not self.timed(p)]
+        node = self.tree.nodes[verb]
+        # "The sauce needs to simmer"
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
         return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
@@ -155,7 +165,8 @@ class Reader:
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]
-        return node.relation == "prep" or node.lower in self.lexicon.places
+        counted = node.relation == "npadvmod" and node.tag in {"CD", "NNS", "NN"}
+        return node.relation == "prep" or counted or node.lower in self.lexicon.places
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
@@ -181,9 +192,16 @@ class Reader:
                 if place <= verb:
                     continue
                 if self.timed(place):
+                    if self._describes(place):
+                        continue
                     break
                 found.append(place)
         return sorted(set(found))
+
+    def _describes(self, place: int) -> bool:
+        """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
+        head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
+        return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
 
     def _said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""

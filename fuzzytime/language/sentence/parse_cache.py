@@ -15,7 +15,7 @@ from pathlib import Path
 from fuzzytime.language.sentence.model import ModelPackage
 from fuzzytime.language.sentence.tree import Node, Tree
 
-FORMAT = 1
+FORMAT = 2
 """Number of the format of the rows; part of their keys."""
 
 ROWS = 50_000
@@ -80,7 +80,7 @@ def _key(text: str, package: ModelPackage) -> bytes:
 
 
 def _written(tree: Tree) -> str:
-    rows = [[n.start, n.end, n.tag, n.lemma, n.relation, n.head] for n in tree.nodes]
+    rows = [[n.start, n.end, n.tag, n.lemma, n.relation, n.head, int(n.may_act)] for n in tree.nodes]
     return json.dumps(rows, separators=(",", ":"))
 
 
@@ -88,8 +88,10 @@ def _read(text: str, row: str) -> Tree:
     """Read a row; one that does not fit its text is a ValueError."""
     nodes = []
     rows = json.loads(row)
-    for start, end, tag, lemma, relation, head in rows:
+    for start, end, tag, lemma, relation, head, may_act in rows:
         if not 0 <= start < end <= len(text) or not 0 <= head < len(rows):
             raise ValueError("a row must fit its text")
-        nodes.append(Node(text[start:end], start, end, str(tag), str(lemma), str(relation), head))
+        nodes.append(
+            Node(text[start:end], start, end, str(tag), str(lemma), str(relation), head, bool(may_act))
+        )
     return Tree(text, tuple(nodes))

@@ -80,7 +80,8 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     known = content_words(operation.object) | content_words(operation.place)
     shared = len(named & content_words(operation.object))
     if clause.is_event:
-        return shared if named and shared else 0.0
+        # "Before the walk", where the dog is walked; "into the roast", where the meat is roasted.
+        return shared + (operation.lemma in named) if named else 0.0
     same_verb = clause.verb == operation.lemma
     if same_verb and (shared or not named or named <= PRONOUNS or not known):
         return 2.0 + shared

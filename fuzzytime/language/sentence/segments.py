@@ -28,11 +28,15 @@ COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 
 @dataclass(frozen=True, slots=True)
 class Segment:
-    """A stretch of the text that holds one instruction, and the connective that led to it, with its span."""
+    """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
+
+    ``addressee`` is who was asked by name, before a comma or behind one.
+    """
 
     span: Span
     connective: str = ""
     connective_span: Span = (0, 0)
+    addressee: str | None = None
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
@@ -53,6 +57,7 @@ def segments_of(
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
+    following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -69,7 +74,7 @@ def segments_of(
         if words[place].text in ENDS and _is_end(text, words, place):
             cuts.append((place, place + 1, ""))
         place += 1
-    return list(_between(text, words, cuts, lexicon.addresses))
+    return list(_between(text, words, cuts, lexicon))
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
@@ -77,6 +82,15 @@ def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
     later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
     joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
     return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
+
+
+def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
+    if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
+        return False
+    word, object_ = words[phrase.end], words[phrase.end + 1].text
+    inside = word.text in lexicon.function_words | lexicon.places
+    return word.capital or (not inside and object_ in ARTICLES | {"it", "them"})
 
 
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:
@@ -111,16 +125,11 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
 
 
 def _between(
-    text: str, words: Sequence[Word], cuts: Sequence[tuple[int, int, str]], addresses: frozenset[str]
+    text: str, words: Sequence[Word], cuts: Sequence[tuple[int, int, str]], lexicon: Lexicon
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = start
-        # "Hey robot, please": who is spoken to is no part of what is to be done.
-        while begin < first - 1 and (
-            words[begin].text in addresses or (begin > start and words[begin].text == ",")
-        ):
-            begin += 1
+        begin = _behind_opening(words, start, first, lexicon)
         segment = _segment(text, words, begin, first, connective, said)
         if segment is not None:
             yield segment
@@ -128,6 +137,20 @@ def _between(
         start = end
         if name:
             connective, said = name, (words[first].start, words[end - 1].end)
+
+
+def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
+    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it."""
+    begin = start
+    while begin < end - 1:
+        suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
+        if suggestion is not None and begin + len(suggestion) < end:
+            begin += len(suggestion)
+        elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
+            begin += 1
+        else:
+            break
+    return begin
 
 
 def _segment(

@@ -5,9 +5,17 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Edge,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
@@ -19,8 +27,19 @@ from fuzzytime.requirement import Constraint, Reference
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
 
-ADDED = frozenset({"and", "&", ","})
+ADDED = frozenset({"and", "&", ",", "again", "once", "more", "also"})
 OFFERED = frozenset({"or"})
+BOUNDS = {
+    "before": (Constraint.BEFORE, "before"),
+    "by the time": (Constraint.BEFORE, "by"),
+    "until": (Constraint.BEFORE, "until"),
+    "after": (Constraint.AFTER, "after"),
+}
+"""How the time of an event binds what is said to be before or after it."""
+
+DATED = "clause"
+"""The rule of a phrase that is a clause with a time of its own."""
+
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
@@ -49,7 +68,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    for whole in _shared([_sketch(draft, part, lexicon) for part in draft.parts], draft.text, lexicon):
+    sketches = _repeated(_led([_sketch(draft, part, lexicon) for part in draft.parts]), draft.text)
+    for whole in _shared(sketches, draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
@@ -58,6 +78,42 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
                 message = f"{text!r} is not used: of times joined by 'or', the first is taken"
                 remarks.append(Remark(RemarkKind.POLICY, phrase.span, message))
     return found, remarks
+
+
+def _led(sketches: list[Sketch]) -> list[Sketch]:
+    """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
+    led: list[Sketch] = []
+    for sketch in sketches:
+        before, segment = led[-1] if led else None, sketch.part.segment
+        alone = before is not None and before.operation is None and bool(before.phrases)
+        if before is not None and alone and segment.connective == "then":
+            whole = (before.part.segment.span[0], segment.span[1])
+            led[-1] = replace(
+                sketch,
+                part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
+                phrases=(*before.phrases, *sketch.phrases),
+                clauses=(*before.clauses, *sketch.clauses),
+                references=(*(None for _ in before.phrases), *sketch.references),
+            )
+        else:
+            led.append(sketch)
+    return led
+
+
+def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let a length of time alone behind "then" be of what was done before: "then five minutes on high"."""
+    repeated: list[Sketch] = []
+    for sketch in sketches:
+        before, part = repeated[-1].operation if repeated else None, sketch.part
+        lasts = any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+        if sketch.operation is None and before is not None and part.segment.connective == "then" and lasts:
+            spans = ((node.start + part.offset, node.end + part.offset) for node in part.tree.nodes)
+            said = [span for span in spans if not any(_overlap(span, p.span) for p in sketch.phrases)]
+            place = text[said[0][0] : said[-1][1]] if said else before.place
+            repeated.append(replace(sketch, operation=replace(before, place=place)))
+        else:
+            repeated.append(sketch)
+    return repeated
 
 
 def _shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -86,23 +142,56 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
-    kept = tuple(phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses))
-    action = action_of(part.tree, lexicon)
+    kept = [phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses)]
+    kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
+    clauses = [clause for clause in clauses if clause.time is None]
+    kept.sort(key=lambda phrase: phrase.span)
+    action = _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
         references = (None,) * len(kept)
-        return Sketch(part=part, phrases=kept, clauses=tuple(clauses), references=references)
+        return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
     spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
     return Sketch(
         part=part,
-        phrases=kept,
+        phrases=tuple(kept),
         clauses=tuple(clauses),
         references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
-        operation=replace(operation, span=(a + part.offset, b + part.offset)),
+        operation=replace(
+            operation,
+            span=(a + part.offset, b + part.offset),
+            addressee=part.segment.addressee or operation.addressee,
+        ),
         parameters=parameters_of(reader, action),
     )
+
+
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
+    """Give the verb below one that is about time itself: "take your time peeling the potatoes"."""
+    if action is None:
+        return None
+    timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    below = part.tree.children(action.place, "advcl", "xcomp", "ccomp")
+    found = next((place for place in below if place not in timed and part.tree.nodes[place].is_verb), None)
+    return replace(action, place=found) if action.place in timed and found is not None else action
+
+
+def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
+    """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
+    constraint, preposition = BOUNDS[clause.kind]
+    said = replace(time.said, constraint=constraint, preposition=preposition, edge=Edge.START)
+    if clause.distance is not None and isinstance(time.said.time, Wall):
+        direction = 1 if constraint is Constraint.AFTER else -1
+        distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
+        said = Said(distance, None, None, clause.distance.hedges)
+    places = [
+        place
+        for place, word in enumerate(draft.scanned.words)
+        if clause.span[0] <= word.start < clause.span[1]
+    ]
+    return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
 
 
 def _overlap(one: Span, other: Span) -> bool:
@@ -111,6 +200,9 @@ def _overlap(one: Span, other: Span) -> bool:
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    if phrase.rule == DATED:
+        # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
     first, end = (place - part.offset for place in phrase.span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):
@@ -129,7 +221,7 @@ def _clauses(
     places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
     start = places[0] if places else 0
     words = [draft.scanned.words[place] for place in places]
-    local_words = [Word(w.text, w.start - offset, w.end - offset, w.glued) for w in words]
+    local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
     local = [
         replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
         for p in phrases
@@ -168,6 +260,6 @@ def _alternatives(
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
-    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(
-        said.time, (Duration, Repeat, TimeWord)
-    )
+    if isinstance(said.time, (Duration, TimeWord)):
+        return (said.constraint or getattr(said.time, "constraint", None)) is Constraint.AT
+    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)

@@ -8,7 +8,10 @@ NOMINAL = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD", "DT", "JJ"})
 
 @dataclass(frozen=True, slots=True)
 class Node:
-    """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says."""
+    """A word: its place, Penn Treebank tag, dictionary form, and relation to its head as the model says.
+
+    ``may_act`` says whether the model's dictionary has it for a verb too, whatever its tag.
+    """
 
     text: str
     start: int
@@ -17,6 +20,7 @@ class Node:
     lemma: str
     relation: str
     head: int
+    may_act: bool = True
 
     @property
     def lower(self) -> str:

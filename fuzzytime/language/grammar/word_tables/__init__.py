@@ -75,6 +75,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         places=frozenset(form[0] for form in speech.words("places")),
         appointing=frozenset(form[0] for form in speech.words("appointing")),
+        lasting=frozenset(form[0] for form in speech.words("lasting")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
@@ -84,6 +85,11 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
         amount_nouns=frozenset(form[0] for form in speech.words("measures", "amounts")),
+        questions={
+            name: frozenset(speech.words("questions", name))
+            for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
+        },
+        foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=frozenset(form[0] for form in speech.words("function_words")),
         usual_hours=usual_hours,
         policy=policy,
@@ -93,7 +99,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words",
+    "amounts", "measures", "function_words", "questions", "foreign", "lasting",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

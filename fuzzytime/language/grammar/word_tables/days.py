@@ -58,8 +58,9 @@ def read_days(tables: Tables) -> None:
 
 
 def _stopped(form: Form) -> list[Form]:
-    """Give an abbreviation's form with its full stop."""
-    return [(*form, ".")] if len(form) == 1 and len(form[0]) < FULL_STOP_BELOW else []
+    """Give an abbreviation's form with its full stop; "hours" is none."""
+    whole = form[0].removesuffix("s") in tuple(Unit)
+    return [(*form, ".")] if len(form) == 1 and len(form[0]) < FULL_STOP_BELOW and not whole else []
 
 
 def read_parts(tables: Tables) -> None:

@@ -33,7 +33,16 @@ def read_policy(tables: Tables) -> Policy:
     node = tables.sections.get("policy")
     if node is None:
         return Policy()
-    names = ("plausible", "same_weekday", "week_starts", "weekend", "date_order", "bare_pair_from", "ask")
+    names = (
+        "plausible",
+        "workday_from",
+        "same_weekday",
+        "week_starts",
+        "weekend",
+        "date_order",
+        "bare_pair_from",
+        "ask",
+    )
     fields = reader.mapping(node, "policy", names, names)
     if len(fields) < len(names):
         return Policy()
@@ -46,6 +55,7 @@ def read_policy(tables: Tables) -> Policy:
     return Policy(
         plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
         plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
+        workday_from=_time(tables, fields["workday_from"], "policy.workday_from"),
         same_weekday=SameWeekday(
             reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))
             or SameWeekday.NEXT

@@ -58,7 +58,7 @@ def read_words(tables: Tables) -> None:
     """Add time words and corrections."""
 
     def make(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        kinds = (Constraint.AT, Constraint.VAGUE, Constraint.EVERY)
+        kinds = (Constraint.AT, Constraint.VAGUE, Constraint.EVERY, Constraint.FOR)
         constraint = tables.reader.choice(fields["constraint"], f"words.{name}.constraint", kinds)
         return [("word", TimeWord(name, Constraint(constraint or Constraint.VAGUE)))]
 

@@ -1,0 +1,102 @@
+"""What stands before and behind a stretch of words, and whether that makes it a part of a noun."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import BEHIND_VERBS
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.relations import Deictic
+
+SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
+OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
+"""Words that open a noun: "the Sunday suit"."""
+TIMELY = frozenset(
+    {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
+    | {"part", "day", "weekday", "month", "day_part", "unit"}
+)
+"""Categories of words that may follow a time and belong to it, or to another."""
+
+
+class Surroundings:
+    """The words of a text, and what stands around a piece of it."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+
+    def before(self, piece: Piece) -> str:
+        """Give the word before it."""
+        return self.texts[piece.start - 1] if piece.start else ""
+
+    def follower(self, piece: Piece) -> str:
+        """Give the word behind it."""
+        return self.texts[piece.end] if piece.end < len(self.texts) else ""
+
+    def may_end(self, piece: Piece) -> bool:
+        """Whether what follows does not make its last word count or describe something."""
+        follower = self.follower(piece)
+        if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
+            # "At ten to": of which hour is not said.
+            return False
+        if not follower or not follower[0].isalnum():
+            return follower not in {"%", "°", "€", "$"}
+        return follower in self.lexicon.function_words or self._is_in_front(piece) or self.timely(piece.end)
+
+    def _is_in_front(self, piece: Piece) -> bool:
+        """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
+        before = self.texts[piece.start - 1] if piece.start else "."
+        behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
+        plural = self.follower(piece).endswith("s") and not self.follower(piece).endswith("ss")
+        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
+
+    def describes(self, piece: Piece) -> bool:
+        """Whether it stands between an article and a noun: "the 3 pm meeting"."""
+        before = self.texts[piece.start - 1] if piece.start else ""
+        if before not in {"a", "an", "the", "my", "our", "your"}:
+            return False
+        # "A monday morning call": times behind it describe the same noun.
+        last = replace(
+            piece, end=next(p for p in range(piece.end, len(self.texts) + 1) if not self.timely(p))
+        )
+        return not self.may_end(last)
+
+    def timely(self, place: int) -> bool:
+        """Whether the word at a place begins a time."""
+        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
+        return any(piece.category in TIMELY for piece in found)
+
+    def is_name(self, piece: Piece) -> bool:
+        """Whether it is who is called: "invite June and April", "phone May"."""
+        place = piece.start
+        while place > 1 and self.texts[place - 1] in {"and", ","} and self.words[place - 2].capital:
+            place -= 2
+        before = self.texts[place - 1] if place else ""
+        return (
+            piece.category == "month"
+            and self.words[piece.start].capital
+            and before in self.lexicon.addressing
+        )
+
+    def is_unit(self, place: int) -> bool:
+        """Whether the word at a place is a unit, which a number before it counts."""
+        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
+        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in found)
+
+    def names(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
+        if wall.part is not None or self.may_end(piece):
+            return False
+        if wall.clock is not None:
+            worded = all(word.is_letters for word in self.words[piece.start : piece.end])
+            return wall.days is None and wall.clock.full_day and worded
+        days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
+        owned = self.texts[piece.start] in OWNING
+        return isinstance(days, (Feast, Season)) or (
+            owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
+        )

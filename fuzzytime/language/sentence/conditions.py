@@ -1,0 +1,70 @@
+"""What a clause says must be so: "the pan is very hot", "the timer rings", "golden brown"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.requirement import Condition
+
+BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
+STARTING = frozenset({"start", "begin", "stop", "cease"})
+"""What goes on is what matters: "when it starts to rain"."""
+
+UNLESS = "unless"
+"""The marker whose clause must not hold."""
+
+LONGEST_STATE = 3
+"""Words that say how something is, at most: "until light and fluffy"."""
+
+SUBJECTS = ("nsubj", "nsubjpass", "expl")
+DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
+
+
+def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
+    """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
+    inside = set(nodes)
+    subjects = [p for p in tree.children(verb, *SUBJECTS) if p in inside]
+    negated = any(p in inside for p in tree.children(verb, "neg"))
+    negated ^= text.lower().startswith(UNLESS)
+    if not subjects:
+        return Condition(text=text, negated=negated)
+    subject = " ".join(
+        tree.nodes[p].lower
+        for p in sorted(tree.below(subjects[0]))
+        if p in inside and tree.nodes[p].tag not in DETERMINERS
+    )
+    node = tree.nodes[verb]
+    predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
+    said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
+    if node.lemma not in BE or not said:
+        below = [p for p in tree.children(verb, "xcomp") if p in inside and node.lemma in STARTING]
+        action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
+        return Condition(text=text, subject=subject or None, word=action, negated=negated)
+    last = said[-1]
+    hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)
+    return Condition(
+        text=text,
+        subject=subject or None,
+        word=tree.nodes[last].lower,
+        hedges=hedges,
+        negated=negated,
+    )
+
+
+def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
+    *before, last = (tree.nodes[p] for p in nodes)
+    named = [node.lower for node in before if node.tag not in DETERMINERS]
+    if last.tag != "NNS" or len(named) == len(before) or not named or not before[-1].tag.startswith("NN"):
+        return None
+    return Condition(text=text, subject=" ".join(named), word=last.lower)
+
+
+def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "until golden brown", "once tender": what becomes so is not said."""
+    said = [tree.nodes[place] for place in nodes]
+    words = [node.lower for node in said if node.tag not in {"CC", ","}]
+    again = words[:1] in (["more"], ["again"])
+    named = again or any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
+    if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
+        return None
+    return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))

@@ -1,0 +1,55 @@
+"""Words that are no instruction: questions, and what is not English. They are said, and not planned."""
+
+from collections.abc import Iterator, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.sentence.tree import Tree
+
+OBJECTS = ("dobj", "attr", "oprd")
+DETERMINERS = frozenset({"DT", "PRP$"})
+
+
+def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon: Lexicon) -> Iterator[Remark]:
+    """Give what makes a stretch of a text no instruction; ``tree`` is that of its words."""
+    said = [word for word in words if span[0] <= word.start < span[1]]
+    behind = next((word.text for word in words if word.start >= span[1]), "")
+    if asks(said, behind, lexicon):
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
+        return
+    foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
+    if foreign:
+        message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:
+    """Whether words are a question; "could you …?" and "why don't you …?" ask for something to be done.
+
+    ``behind`` is the mark that follows them.
+    """
+
+    def opens(place: int, *names: str) -> bool:
+        forms = (form for name in names for form in lexicon.questions[name])
+        return place < len(words) and longest_match(words, place, forms) is not None
+
+    if not words or opens(0, "requesting", "suggesting"):
+        return False
+    placed = opens(0, "placing") and (opens(1, "helping") or behind == "?")
+    return placed or opens(0, "asking", "stating") or (opens(0, "helping") and opens(1, "asked"))
+
+
+def foreign_words(tree: Tree, lexicon: Lexicon) -> list[int]:
+    """Give the words that no English sentence has: small words of another language.
+
+    Of those that English has too, "den" is one without an article, and "die" where it has an object.
+    """
+    found = []
+    for place, node in enumerate(tree.nodes):
+        named = place > 0 and tree.nodes[place - 1].tag in DETERMINERS
+        if node.text in lexicon.foreign and not named:
+            acts = node.is_verb and bool(tree.children(place, *OBJECTS))
+            if acts or not (node.may_act and node.is_verb):
+                found.append(place)
+    return found
