@@ -33,6 +33,9 @@ DOUBTFUL = 0.01
 STARTS = 2
 """Of the local search anew, where labels took too much room and the schedule is doubtful."""
 
+MOST_ANEW = 100
+"""Up to so many skills that is worth its time."""
+
 
 @dataclass(frozen=True, slots=True)
 class Labels:
@@ -99,9 +102,11 @@ class _Search(GridSearch):
         path = self._timed(relaxation.grid, relaxation.visited())
         self.take(LocalSearch().search(self.problem, watch, path))
         if self.best.cost - self.lower > DOUBTFUL * self.problem.weight:
-            for _ in range(STARTS):
+            for _ in range(STARTS if len(self.problem.jobs) <= MOST_ANEW else 0):
                 self._starts += 1
-                self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch.share(0.5)))
+                self._starts += 1
+            self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch.share(0.5)))
+            self._starts += 1
             self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch, self.best))
         if self.best.cost < known:
             relaxation.fix(self.best.cost)
