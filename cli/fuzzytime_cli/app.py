@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import sys
+from contextlib import suppress
 from typing import Annotated
 
 import typer
@@ -78,6 +79,11 @@ def run(arguments: list[str]) -> int:
 
 
 def _called(arguments: list[str]) -> int:
+    if arguments == ["--version"]:
+        # What Typer reads options with takes longer to import than everything else that this needs.
+        with suppress(typer.Exit):
+            _show_version(wanted=True)
+        return Exit.FINE
     try:
         app(arguments, prog_name="fuzzytime", terminal_width=_width_of_help())
     except SystemExit as stop:
