@@ -7,6 +7,7 @@ import pytest
 
 from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.scheduling import Status
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, why_sentences
 
@@ -86,6 +87,17 @@ def test_sentences_say_what_was_asked_who_took_it_and_what_a_minute_costs(interp
     assert minutes.startswith("A minute earlier it would have ")
     assert "a minute later it would have " in minutes
     assert minutes.endswith("No schedule satisfies better: proved.")
+
+
+def test_sentences_say_that_more_time_may_find_better_where_nothing_is_proved(
+    interpreter: Interpreter,
+) -> None:
+    made = planned(interpreter, wish("toast", WISH, priority=3.0), wish("flip", WISH))
+    bounded = replace(made.schedule.certificate, status=Status.BOUNDED, gap=0.125)
+    made = replace(made, schedule=replace(made.schedule, certificate=bounded))
+    assert why_sentences(made, 1)[-1].endswith(
+        "The average is within 12.50% of the best possible: more time (--time-limit) may find better."
+    )
 
 
 def test_sentences_say_what_the_whole_would_lose(interpreter: Interpreter) -> None:

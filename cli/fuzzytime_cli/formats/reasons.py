@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.interpreter import Plan
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling import Bond, Limits, Neighbour, Status, Why, elsewhere, explain
+from fuzzytime.scheduling import Bond, Certificate, Limits, Neighbour, Status, Why, elsewhere, explain
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
@@ -223,9 +223,20 @@ def _minutes(why: Why, plan: Plan) -> str:
         )
     if not parts:
         return ""
-    proved = " No schedule satisfies better: proved." if schedule.certificate.status is Status.OPTIMAL else ""
     text = "; ".join(parts)
-    return f"{text[0].upper()}{text[1:]}.{proved}"
+    return f"{text[0].upper()}{text[1:]}.{_proof(schedule.certificate)}"
+
+
+def _proof(certificate: Certificate) -> str:
+    """Say whether better schedules are ruled out: where not, a minute that gains is no surprise."""
+    match certificate.status:
+        case Status.OPTIMAL:
+            return " No schedule satisfies better: proved."
+        case Status.BOUNDED:
+            within = f"{certificate.gap:.2%} of the best possible"
+            return f" The average is within {within}: more time (--time-limit) may find better."
+        case _:
+            return ""
 
 
 def _whole(before: float, after: float, *, alone: bool) -> str:
