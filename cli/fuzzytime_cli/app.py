@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import sys
+from contextlib import suppress
 from typing import Annotated
 
 import typer
@@ -16,7 +17,11 @@ from fuzzytime_cli.faults import exit_of
 
 app = typer.Typer(
     name="fuzzytime",
-    help="Turns what people say about time into the schedule that satisfies them most, and says why.",
+    help=(
+        "Turns what people say about time into the schedule that satisfies them most, and says why.\n\n"
+        "Without a command it holds a conversation on a terminal, and plans what a pipe brings."
+    ),
+    epilog='To begin: fuzzytime plan -i "Boil the eggs in about five minutes"',
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
     invoke_without_command=True,
@@ -74,6 +79,11 @@ def run(arguments: list[str]) -> int:
 
 
 def _called(arguments: list[str]) -> int:
+    if arguments == ["--version"]:
+        # What Typer reads options with takes longer to import than everything else that this needs.
+        with suppress(typer.Exit):
+            _show_version(wanted=True)
+        return Exit.FINE
     try:
         app(arguments, prog_name="fuzzytime", terminal_width=_width_of_help())
     except SystemExit as stop:

@@ -60,15 +60,20 @@ def flattened(command: Callable[..., None]) -> Callable[..., None]:
 
 
 TaskFile = Annotated[
-    str | None, typer.Argument(help="Instructions a line, a YAML task file, or - for standard input.")
+    str | None, typer.Argument(help="Instructions, one a line; a YAML task file; or - for standard input.")
 ]
 Instructions = Annotated[
     list[str] | None,
-    typer.Option("--instruction", "-i", metavar="TEXT", help="An instruction; repeatable."),
+    typer.Option(
+        "--instruction",
+        "-i",
+        metavar="TEXT",
+        help="An instruction, typed here; repeatable.",
+    ),
 ]
 OutputFile = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="FILE", help="A file, written whole; else standard output."),
+    typer.Option("--output", "-o", metavar="FILE", help="Write to a file, whole or not at all."),
 ]
 
 
@@ -77,9 +82,16 @@ class Moment:
     """When: what counts as now, and where."""
 
     now: Annotated[
-        str | None, typer.Option(metavar="INSTANT", help="The moment to plan from, such as 2026-03-04T09:00.")
+        str | None,
+        typer.Option(
+            metavar="INSTANT",
+            help="The moment to plan from, such as 2026-03-04T09:00; the clock's if not given.",
+        ),
     ] = None
-    zone: Annotated[str | None, typer.Option(metavar="NAME", help="Time zone, such as Europe/Berlin.")] = None
+    zone: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="Time zone, such as Europe/Berlin; this machine's if not given."),
+    ] = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,10 +100,10 @@ class Understanding:
 
     profile: Annotated[
         ProfileChoice | None,
-        typer.Option(help="How wide wishes are: as in everyday life, or as in the study."),
+        typer.Option(help="How wide wishes are: as in everyday life (the default), or as in the study."),
     ] = None
     actor: Annotated[
-        ActorChoice | None, typer.Option(help="Who acts; people expect other leeway of each.")
+        ActorChoice | None, typer.Option(help="Who acts: people allow a robot and a person different leeway.")
     ] = None
     rules: Annotated[
         list[Path] | None,
@@ -101,10 +113,10 @@ class Understanding:
     ] = None
     ctx: Annotated[
         list[str] | None,
-        typer.Option("--ctx", metavar="NAME=VALUE", help="A reading now, such as pan_temp=180; repeatable."),
+        typer.Option("--ctx", metavar="NAME=VALUE", help="What is so now, such as pan_temp=180; repeatable."),
     ] = None
     context: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Readings over time, a JSON object a line.")
+        Path | None, typer.Option(metavar="FILE", help="Readings over time, one JSON object a line.")
     ] = None
 
 
@@ -112,21 +124,35 @@ class Understanding:
 class Solving:
     """How the schedule is found."""
 
-    solver: Annotated[SolverChoice | None, typer.Option(help="The method; auto proves the best it can.")] = (
-        None
-    )
-    agents: Annotated[int | None, typer.Option(min=1, max=100, help="How many can work at once.")] = None
+    solver: Annotated[
+        SolverChoice | None,
+        typer.Option(
+            help="How to search; auto (the default) finds the best, and proves it where time allows."
+        ),
+    ] = None
+    agents: Annotated[
+        int | None, typer.Option(metavar="N", min=1, max=100, help="How many can work at once (default 1).")
+    ] = None
     threshold: Annotated[
         float | None,
         typer.Option(
-            min=0.0, max=0.5, help="Satisfaction below which a skill is rejected; 0 for the strict product."
+            metavar="SATISFACTION",
+            min=0.0,
+            max=0.5,
+            help="What is satisfied less is rejected (default 0.001); at 0 a clash is infeasible.",
         ),
     ] = None
     time_limit: Annotated[
         float | None,
-        typer.Option(metavar="SECONDS", min=0.01, help="Time after which the best so far is given."),
+        typer.Option(metavar="SECONDS", min=0.01, help="When to take the best found so far (default 10)."),
     ] = None
-    seed: Annotated[int | None, typer.Option(help="Seed of the methods that draw at random.")] = None
+    seed: Annotated[
+        int | None, typer.Option(metavar="N", help="Repeats methods that draw at random (default 0).")
+    ] = None
     horizon: Annotated[
-        str | None, typer.Option(metavar="DURATION", help="How far to look ahead, such as 8h.")
+        str | None,
+        typer.Option(
+            metavar="DURATION",
+            help="How far to look ahead, such as 8h; if not given, past the last wish, at most 48 h.",
+        ),
     ] = None

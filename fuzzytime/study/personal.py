@@ -75,7 +75,7 @@ class PersonalTable:
         """The table in a few sentences."""
         low, high = self.width_interval
         return (
-            f"width {self.width:.2f} of the population's (95 %: {low:.2f} to {high:.2f})",
+            f"your wishes are {self.width:.2f} times as wide as others' (95 %: {low:.2f} to {high:.2f})",
             *(
                 f"{cue.text!r}: times are heard as {factor:.2f} of others'"
                 for cue, factor in self.times.items()

@@ -168,7 +168,7 @@ def test_names_of_prepositions_are_quoted(prior: Prior, tmp_path: Path) -> None:
 
 def test_the_table_can_be_shown(prior: Prior) -> None:
     lines = personal_table(prior, [rated(5, 600.0), rated(4, 60.0, cue=SOON, t_spec=0.0)]).lines
-    assert lines[0].startswith("width 1.")
+    assert lines[0].startswith("your wishes are 1.")
     assert [line.partition(":")[0] for line in lines[1:]] == ["'in'", "'soon'"]
 
 

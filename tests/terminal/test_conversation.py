@@ -1,14 +1,17 @@
 """A conversation, turn by turn, with a clock that the test sets."""
 
+import contextlib
 import io
 import json
-from datetime import timedelta
+from datetime import datetime, timedelta
 from pathlib import Path
 
 import pytest
 
 from fuzzytime_cli.render import Screen
-from fuzzytime_cli.repl.start import _Talk
+from fuzzytime_cli.repl.scene import Reply
+from fuzzytime_cli.repl.start import _piped, _Talk
+from fuzzytime_cli.repl.turn import Turns
 from terminal.running import ran
 from terminal.talking import NINE, Talk
 
@@ -335,3 +338,24 @@ def test_a_long_instruction_is_undone_in_a_line() -> None:
     talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
     assert max(map(len, talk.say(":undo").splitlines())) <= 80
     assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80
+
+
+@pytest.mark.parametrize(("stream", "taken"), [(Tty, 2), (io.StringIO, 1)])
+def test_ctrl_c_in_a_turn_ends_the_turn_of_one_who_types_and_all_of_a_pipe(
+    stream: type[io.StringIO], taken: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    turns, seen = Talk().turns, []
+
+    def take(_: Turns, line: str, now: datetime) -> Reply:
+        seen.append((line, now))
+        if line.startswith("Stir"):
+            raise KeyboardInterrupt
+        return Reply()
+
+    monkeypatch.setattr(Turns, "take", take)
+    screen = Screen(io.StringIO(), 80, colour=False, unicode=True, interactive=False)
+    talk = _Talk(turns, lambda: NINE, screen, bell=False)
+    typed = stream("Stir the soup now\nSet the table now\n")
+    with contextlib.nullcontext() if taken > 1 else pytest.raises(KeyboardInterrupt):
+        _piped(talk, typed)
+    assert len(seen) == taken

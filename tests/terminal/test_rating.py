@@ -57,7 +57,7 @@ def test_ratings_are_shown_with_what_they_amount_to() -> None:
     talk.say(":rate s2 4/5")
     lines = talk.say(":rate").split("\n")
     assert [line.partition(" at ")[0] for line in lines[:2]] == ["s1 fry the steak", "s2 set the table"]
-    assert lines[2].startswith("width ")
+    assert lines[2].startswith("your wishes are ")
     assert [line.partition(":")[0] for line in lines[3:]] == ["'in'", "'soon'"]
 
 

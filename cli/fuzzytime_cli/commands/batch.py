@@ -19,7 +19,10 @@ def batch(
     jobs: Annotated[
         int | None,
         typer.Option(
-            min=1, max=10_000, help="How many at once; if not given, as many as there are processors."
+            metavar="N",
+            min=1,
+            max=10_000,
+            help="How many at once; if not given, as many as there are processors.",
         ),
     ] = None,
     output: Annotated[
@@ -29,16 +32,22 @@ def batch(
         ),
     ] = None,
     backend: Annotated[
-        BatchBackend, typer.Option(help="Processes, threads, or a cluster by its name.")
+        BatchBackend, typer.Option(help="Where to work: processes (loky) or threads here, or a cluster.")
     ] = BatchBackend.LOKY,
     scheduler: Annotated[
         str | None, typer.Option(metavar="ADDRESS", help="Where the cluster is, such as tcp://host:8786.")
     ] = None,
     *,
     resume: Annotated[
-        bool, typer.Option("--resume", help="Go on with -o FILE: what it answers already is left out.")
+        bool,
+        typer.Option(
+            "--resume", help="Go on with -o FILE: files that it answers already are not planned again."
+        ),
     ] = False,
-    strict: Annotated[bool, typer.Option("--strict", help="Fail where a file cannot be planned.")] = False,
+    strict: Annotated[
+        bool,
+        typer.Option("--strict", help="Exit with the first error's code where a file cannot be planned."),
+    ] = False,
     moment: Moment,
     understanding: Understanding,
     solving: Solving,

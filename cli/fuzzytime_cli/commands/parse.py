@@ -12,7 +12,7 @@ from fuzzytime_cli.options import Instructions, Moment, Solving, Understanding, 
 
 @flattened
 def parse(
-    file: Annotated[str, typer.Argument(help="Texts a line, or - for standard input.")] = "-",
+    file: Annotated[str, typer.Argument(help="Texts, one a line; or - for standard input.")] = "-",
     jsonl: Annotated[  # noqa: FBT002 - a flag
         bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
     ] = False,

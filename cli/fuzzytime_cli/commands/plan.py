@@ -34,8 +34,11 @@ def plan(
     instruction: Instructions = None,
     output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
     output: OutputFile = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Fail where a line cannot be read.")] = False,  # noqa: FBT002
     *,
+    strict: Annotated[
+        bool,
+        typer.Option("--strict", help="Exit with 65 if a line cannot be read; the rest is planned anyway."),
+    ] = False,
     moment: Moment,
     understanding: Understanding,
     solving: Solving,

@@ -38,6 +38,15 @@ def style_of(satisfaction: float, *, rejected: bool = False) -> str:
     return "green" if satisfaction >= 0.8 else "yellow" if satisfaction >= 0.4 else "red"
 
 
+def whole(satisfaction: float) -> str:
+    """Write the satisfaction of a whole plan, a product that may be tiny.
+
+    >>> whole(0.8333), whole(1.0), whole(1e-6), whole(0.0)
+    ('0.833', '1', 'below 0.0001', '0')
+    """
+    return f"{satisfaction:.3g}" if satisfaction >= 1e-4 or satisfaction == 0 else "below 0.0001"
+
+
 @dataclass(frozen=True, slots=True)
 class _Columns:
     """Widths of the table's columns; a column that does not fit has none."""
@@ -207,7 +216,7 @@ class PlanView:
     def _summary(self) -> Text:
         schedule, certificate = self.schedule, self.schedule.certificate
         line = Text("Satisfaction ", style="bold")
-        line.append(f"{schedule.satisfaction:.3g}", style_of(schedule.geometric_mean))
+        line.append(whole(schedule.satisfaction), style_of(schedule.geometric_mean))
         if len(self.plan.skills) > 1:
             line.append(f" in all, {schedule.geometric_mean:.2f} on average", "not bold")
         line.append(f" ({self._proof()}; {certificate.method}, {certificate.seconds:.2f} s)", "dim")

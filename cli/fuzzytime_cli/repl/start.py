@@ -211,7 +211,12 @@ def _piped(talk: _Talk, stream: TextIO | None) -> None:
     talk.open()
     for line in _lines(stream, talk.screen.stream if typed else None):
         talk.beat()
-        going, _ = talk.take(line)
+        try:
+            going, _ = talk.take(line)
+        except KeyboardInterrupt:
+            if not typed:
+                raise
+            going = True  # whoever types stops this turn, not the conversation
         talk.screen.stream.flush()
         if not going:
             return

@@ -26,7 +26,8 @@ def serve(
     ] = "127.0.0.1",
     port: Annotated[int, typer.Option(min=0, max=65535, help="0 takes a free one.")] = 8765,
     name: Annotated[
-        list[str] | None, typer.Option("--name", help="Another host name by which people reach the page.")
+        list[str] | None,
+        typer.Option("--name", metavar="HOST", help="Another host name by which people reach the page."),
     ] = None,
     browse: Annotated[bool, typer.Option("--open", help="Open the page in this computer's browser.")] = False,
 ) -> None:

@@ -28,7 +28,7 @@ def analyse(
     resamples: Annotated[
         int, typer.Option(min=0, max=100_000, help="Bootstrap samples for intervals of corners; 0 for none.")
     ] = 0,
-    seed: Annotated[int, typer.Option(min=0, help="Of permutations and resamples.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Repeats permutations and resamples.")] = 0,
 ) -> None:
     """Analyse a study: a summary here, and with --out a report in HTML, plots, and numbers as JSON."""
     import json as encoding
@@ -80,7 +80,7 @@ def calibrate(
     database: Database,
     *,
     output: OutputFile = None,
-    seed: Annotated[int, typer.Option(min=0, help="Of the test between groups.")] = 0,
+    seed: Annotated[int, typer.Option(min=0, help="Repeats the test between groups.")] = 0,
 ) -> None:
     """Write the rule table that a study amounts to; `plan --rules` uses it."""
     import tempfile
