@@ -134,6 +134,8 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("paint the fence on the 31st of april", "on the 31st of april"),
         ("boil a ten minute egg", "ten minute"),
         ("put the bins out the night before", "the night before"),
+        ("by then, peel the eggs", "by then"),
+        ("start the salad around quarter to", "around quarter to"),
         ("pack the bags the evening before the trip", "evening"),
         ("switch the pump off at 6 and back on at 8", "at 8"),
         ("boil it for 1 minute less than the packet says", "1 minute"),

@@ -202,15 +202,7 @@ class Judge:
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
-            return False
-        owned = self.texts[piece.start + 1 : piece.end][:1]
-        named = "the" in {self.texts[piece.start], self.around.before(piece)}
-        if wall.part is not None and named and self.around.follower(piece) in {"before", "after"}:
-            # "The evening before the trip": which evening, is not said.
-            return False
-        if said.preposition in NAMING and OWNING & set(owned) and not self.around.may_end(piece):
-            # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        if self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
@@ -252,6 +244,21 @@ class Judge:
         return not (
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
+
+    def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it only names something, or belongs to what does."""
+        before = self.around.before(piece)
+        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return True
+        followed = self.around.follower(piece) in {"before", "after"}
+        if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
+            # "The evening before the trip": which evening, is not said.
+            return True
+        if "to" in {said.preposition, before} and self.around.names_place(piece):
+            return True
+        # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
+        return said.preposition in NAMING and owned and not self.around.may_end(piece)
 
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous

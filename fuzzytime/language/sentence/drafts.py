@@ -4,6 +4,7 @@ import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
+from itertools import pairwise
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -12,7 +13,7 @@ from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import is_doubtful
 from fuzzytime.language.sentence.corrections import corrected
-from fuzzytime.language.sentence.segments import Segment, further_verbs, segments_of
+from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs, segments_of
 from fuzzytime.language.sentence.tree import Tree
 
 CARRIERS = ("", "please ", "you should ")
@@ -26,6 +27,9 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
+
+SHORTEST_GAP = 3
+"""Words at least between two times of which the second is another thing's: "and the dog"."""
 
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
@@ -273,12 +277,29 @@ def _cut(one: _Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if chain:
             yield from chain
             return
+    starts += _gaps(one, part)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
             yield Segment((start, last), addressee=one.segment.addressee)
             return
+
+
+def _gaps(one: _Waiting, part: Part) -> list[int]:
+    """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
+    words, phrases = one.source.scanned.words, one.source.phrases
+    own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
+    found = []
+    for old, new in pairwise(own):
+        between = words[old.end : new.first]
+        if len(between) < SHORTEST_GAP or between[0].text not in {"and", ","}:
+            continue
+        nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+        nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
+        if nouns and between[1].text in ARTICLES and old.said.constraint is new.said.constraint:
+            found.append(between[1].start)
+    return found
 
 
 def _chain(one: _Waiting, part: Part, start: int) -> list[Segment]:
