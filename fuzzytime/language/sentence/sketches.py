@@ -19,10 +19,11 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
-from fuzzytime.language.sentence.drafts import Draft, Part
+from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
