@@ -269,6 +269,9 @@ class Judge:
             return False
         before = piece.start - 1
         counted = self.measures.is_number(before)
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return False
         if said.preposition == "by" and counted and not self.measures.is_amount(before):
             # "Two by four"
             return False

@@ -59,10 +59,10 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:
-    """Whether it is a part of a thing: "three quarters of the flour"."""
+    """Whether it is a part of a thing: "three quarters of the flour", "at the end of the film"."""
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
     behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
-    return unit is Unit.QUARTER and behind == "of"
+    return behind == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
 
 
 def _is_compound(piece: Piece, around: Surroundings) -> bool:

@@ -39,6 +39,9 @@ TURNED = {
 SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """How a time binds that says when something is done."""
 
+LONGER = "more than"
+"""The hedge of a length of time that is not to be exceeded."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -120,8 +123,9 @@ class _Composer:
             next((g.duration for g in times.found if g.duration is not None), None),
         )
         if operation is not None and operation.negated and any(map(_is_turned, requirements)):
+            lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [_turned(requirement, duration) for requirement in requirements]
-            operation, duration = replace(operation, negated=False), None
+            operation, duration = replace(operation, negated=False), duration if lasting else None
         return Instruction(
             span=sketch.part.segment.span,
             operation=operation,
@@ -225,6 +229,9 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
     """Read "don't open it before six" as: open it, not before six."""
     if not _is_turned(requirement):
         return requirement
+    if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
+        # "Don't boil it for more than a minute": for a minute at most.
+        return replace(requirement, fuzziness=("at most",))
     constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
     time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
     if requirement.constraint is Constraint.BETWEEN:

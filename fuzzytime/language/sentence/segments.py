@@ -182,6 +182,8 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     timed = {place for span in times for place in tree.at(*span)}
     found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
+        if place in timed and place != root:
+            continue
         alone = node.lower in lexicon.alone
         if (
             place > 1

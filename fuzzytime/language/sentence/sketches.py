@@ -181,9 +181,10 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    below = part.tree.children(action.place, "advcl", "xcomp", "ccomp")
-    found = next((place for place in below if place not in timed and part.tree.nodes[place].is_verb), None)
-    return replace(action, place=found) if action.place in timed and found is not None else action
+    nodes = enumerate(part.tree.nodes)
+    verbs = (place for place, node in nodes if node.is_verb and place not in timed)
+    found = next(verbs, None) if action.place in timed else None
+    return action if found is None else replace(action, place=found)
 
 
 def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
