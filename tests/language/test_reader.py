@@ -134,6 +134,7 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("paint the fence on the 31st of april", "on the 31st of april"),
         ("boil a ten minute egg", "ten minute"),
         ("put the bins out the night before", "the night before"),
+        ("turn the lights off at sunset and on at sunrise", "at sunrise"),
         ("stir in the cream at the very end", "at the very end"),
         ("by then, peel the eggs", "by then"),
         ("start the salad around quarter to", "around quarter to"),

@@ -53,7 +53,7 @@ class Judge:
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self._runs_on(piece) or self._is_excepted(piece):
+        if self._runs_on(piece) or self._is_excepted(piece) or self._holds_particle(piece):
             return False
         time = said.time
         if self._is_whole(piece):
@@ -81,6 +81,11 @@ class Judge:
                 between = said.preposition == "between" and self._binds(piece)
                 return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+    def _holds_particle(self, piece: Piece) -> bool:
+        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
+        first, *rest = self.texts[piece.start : piece.end]
+        return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""

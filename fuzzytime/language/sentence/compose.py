@@ -199,12 +199,19 @@ class _Composer:
 
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
     """Point at a second moment for the same thing: "switch it off at six and back on at eight"."""
-    moments = [r for r in requirements if r.constraint is Constraint.AT and r.t_spec is not None]
+    moments = [r for r in requirements if r.constraint in SAID_WHEN and r.anchor is None]
     for other in moments[1:]:
         first = moments[0]
-        if other.reference is first.reference and other.t_spec != first.t_spec:
+        if other.reference is first.reference and _is_apart(first, other):
             message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
             yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
+
+
+def _is_apart(one: TimeRequirement, other: TimeRequirement) -> bool:
+    """Whether no moment is in both."""
+    if None in {one.earliest, one.latest, other.earliest, other.latest}:
+        return False
+    return (one.latest or 0.0) < (other.earliest or 0.0) or (other.latest or 0.0) < (one.earliest or 0.0)
 
 
 def _awaiting(sketch: Sketch) -> Sketch:
