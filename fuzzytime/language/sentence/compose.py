@@ -67,7 +67,11 @@ class _Composer:
         self.remarks += remarks
         operations: list[Operation | None] = list(self.given)
         for place, sketch in enumerate(sketches):
-            if sketch.operation is not None:
+            doubts = self._doubts(sketch)
+            self.remarks += doubts
+            if doubts:
+                sketches[place] = replace(sketch, operation=None)
+            elif sketch.operation is not None:
                 named = replace(
                     sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
                 )
@@ -91,12 +95,14 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
         )
 
+    def _doubts(self, sketch: Sketch) -> list[Remark]:
+        part, words = sketch.part, self.draft.scanned.words
+        return list(doubts_of(self.draft.text, part.segment.span, words, part.tree, self.lexicon))
+
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = _awaiting(sketch)
-        part, text = sketch.part, self.draft.text
-        self.remarks += doubts_of(text, part.segment.span, self.draft.scanned.words, part.tree, self.lexicon)
         times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
