@@ -1,5 +1,6 @@
-"""What all tests share: settings of Hypothesis, and a browser."""
+"""What all tests share: settings of Hypothesis, signals as a terminal gives them, and a browser."""
 
+import signal
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,11 @@ if TYPE_CHECKING:
 # Machines differ in speed, and a slow example is no failure; runs repeat exactly in CI.
 settings.register_profile("fuzzytime", deadline=None, derandomize=True, max_examples=100)
 settings.load_profile("fuzzytime")
+
+# A shell without job control starts what runs in the background deaf to Ctrl-C, and so would be every
+# program that a test starts, to interrupt it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(scope="module")

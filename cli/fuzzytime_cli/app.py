@@ -1,6 +1,7 @@
 """The command `fuzzytime`: its commands, and the one place where errors become exit codes."""
 
 import os
+import shutil
 import signal
 import sys
 from typing import Annotated
@@ -74,13 +75,19 @@ def run(arguments: list[str]) -> int:
 
 def _called(arguments: list[str]) -> int:
     try:
-        app(arguments, prog_name="fuzzytime")
+        app(arguments, prog_name="fuzzytime", terminal_width=_width_of_help())
     except SystemExit as stop:
         # Typer ends with 1 where the reader of a pipe has gone.
         if isinstance(stop.__context__, BrokenPipeError):
             return Exit.CLOSED_PIPE
         return stop.code if isinstance(stop.code, int) else Exit.FAILURE if stop.code else Exit.FINE
     return Exit.FINE
+
+
+def _width_of_help() -> int | None:
+    """Give the columns that help has on a narrow terminal; None leaves it to Typer, which wants 50."""
+    columns = shutil.get_terminal_size().columns
+    return max(20, columns - 2) if columns < 52 else None
 
 
 def main() -> None:

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from fuzzytime.errors import DocumentError, FuzzytimeError, InstructionError
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.render import plain, width_of
+from fuzzytime_cli.render import fitted, plain, terminal_width, width_of
 
 
 class NoInputError(FuzzytimeError):
@@ -46,19 +46,41 @@ SHOWN_AROUND = 60
 """How many characters of a text are shown on each side of the words that are pointed at."""
 
 
-def underlined(text: str, span: tuple[int, int]) -> str:
+def underlined(text: str, span: tuple[int, int], width: int | None = None) -> str:
     """Give a text, made harmless, with marks under the words of a span; a long one is cut around them.
+
+    Parameters
+    ----------
+    text, span
+        A text, and the first and one past last of its characters that are pointed at.
+    width
+        Columns that there are; None for those of the terminal that shows errors, if there is one.
 
     >>> print(underlined("stir it half past", (8, 17)))
         stir it half past
                 ^^^^^^^^^
+    >>> print(underlined("stir it half past, and then serve the soup", (8, 17), 28))
+        …ir it half past, and …
+               ^^^^^^^^^
     """
     start, end = span
     before, words, after = plain(text[:start]), plain(text[start:end]), plain(text[end:])
-    before = before if len(before) <= SHOWN_AROUND else f"…{before[-SHOWN_AROUND:]}"
-    words = words if len(words) <= 2 * SHOWN_AROUND else f"{words[: 2 * SHOWN_AROUND]}…"
-    after = after if len(after) <= SHOWN_AROUND else f"{after[:SHOWN_AROUND]}…"
+    room = max(24, width or _width_of_errors()) - 4
+    words = _cut(words, min(2 * SHOWN_AROUND, room))
+    around = min(SHOWN_AROUND, max(0, room - width_of(words)) // 2)
+    if width_of(before) + width_of(words) + width_of(after) > room or around == SHOWN_AROUND:
+        before, after = _cut(before[::-1], around)[::-1], _cut(after, around)
     return f"    {before}{words}{after}\n    {' ' * width_of(before)}{'^' * max(1, width_of(words))}"
+
+
+def _cut(text: str, width: int) -> str:
+    return text if width_of(text) <= width else fitted(text, width)
+
+
+def _width_of_errors() -> int:
+    """Give the columns of the terminal that shows errors; elsewhere there is room."""
+    shown = sys.stderr is not None and sys.stderr.isatty()
+    return terminal_width() if shown else 4 * SHOWN_AROUND + 4
 
 
 def report(message: str) -> None:

@@ -107,7 +107,7 @@ def _failed(text: str, now: datetime, error: str) -> Answer:
     }
 
 
-def readable(reply: Answer) -> list[str]:
+def readable(reply: Answer, width: int | None = None) -> list[str]:
     """Give an answer as lines for a person: what is asked for, when, and what was not understood."""
     lines = [f"{reply['text']}"]
     if reply["error"]:
@@ -122,7 +122,7 @@ def readable(reply: Answer) -> list[str]:
     if reply["duration_s"] is not None:
         lines.append(f"  takes {format_duration(reply['duration_s'])}")
     for remark in reply.get("remarks", ()):
-        marked = underlined(reply["text"], tuple(remark["span"])).split("\n")
+        marked = underlined(reply["text"], tuple(remark["span"]), width and width - 4).split("\n")
         lines += [f"  note  {remark['message']}", *(f"    {line}" for line in marked)]
     return lines
 

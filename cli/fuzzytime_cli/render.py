@@ -5,8 +5,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TextIO
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from rich.console import Console
     from rich.text import Text
+
 
 # Marks that reorder or hide text; the joiners of emoji and scripts (U+200C, U+200D) stay.
 _INVISIBLE = frozenset("\u00ad\u061c\u180e\u200b\u200e\u200f\u2028\u2029\u2060\ufeff")
@@ -64,6 +67,56 @@ def fitted(text: str, width: int) -> str:
     return "".join(kept) + "…" * (width > 0) + " " * (width - 1 - used)
 
 
+def wrapped(line: str, width: int, indent: int | None = None) -> list[str]:
+    """Break a line of harmless text between words where it is too long; a word that is too long stays whole.
+
+    What follows is indented by ``indent`` columns; if that is not given, by two more than the line itself.
+
+    >>> wrapped("  moved: stir the soup", 16)
+    ['  moved: stir', '    the soup']
+    """
+    begin = _beginning(line, indent)
+    first, *others = _pieces(line, width, len(begin))
+    return [line[first], *(begin + line[piece] for piece in others)]
+
+
+def wrapped_text(line: "Text", width: int, indent: int | None = None) -> "list[Text]":
+    """Break a styled line as `wrapped` does a plain one."""
+    begin = line.blank_copy(_beginning(line.plain, indent))
+    first, *others = _pieces(line.plain, width, len(begin))
+    return [line[first], *(begin + line[piece] for piece in others)]
+
+
+def _beginning(text: str, indent: int | None) -> str:
+    """Give what the second line and those after it begin with."""
+    return " " * (len(text) - len(text.lstrip(" ")) + 2 if indent is None else indent)
+
+
+def _pieces(text: str, width: int, indent: int) -> list[slice]:
+    """Give which part of a text each line has: ``width`` columns the first, less the indent the others."""
+    own = len(text) - len(text.lstrip(" "))
+    pieces, start, room = [], 0, width
+    while width_of(text[start:]) > room:
+        end = _break(text, max(start, own), start, room)
+        if end is None:
+            break
+        pieces.append(slice(start, end))
+        start, room = end + 1, width - indent
+    return [*pieces, slice(start, len(text))]
+
+
+def _break(text: str, after: int, start: int, room: int) -> int | None:
+    """Give the last space up to which a text from ``start`` on has room, else the next one, else None."""
+    used, found = 0, None
+    for at in range(start, len(text)):
+        if text[at] == " " and at > after:
+            if used > room:
+                return at if found is None else found
+            found = at
+        used += _columns(text[at])
+    return found
+
+
 def terminal_width() -> int:
     """Give the columns that there are now: by COLUMNS, or of the terminal; 80 where there is none."""
     import shutil
@@ -113,8 +166,16 @@ class Screen:
             soft_wrap=True,
         )
 
+    def _parts(self, line: "Text | str") -> "Sequence[Text | str]":
+        return wrapped(line, self.width) if isinstance(line, str) else wrapped_text(line, self.width)
+
     def write(self, *lines: "Text | str") -> None:
-        """Write lines of harmless text, styled where this screen shows colour."""
+        """Write lines of harmless text, styled where this screen shows colour.
+
+        A terminal would break those that are too long within words; whoever reads a pipe wants them whole.
+        """
+        if self.stream.isatty():
+            lines = tuple(part for line in lines for part in self._parts(line))
         if self.colour:
             console = self.console()
             for line in lines:

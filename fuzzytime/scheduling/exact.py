@@ -27,8 +27,14 @@ from fuzzytime.scheduling.solver import Draft
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
 
+DOUBTFUL = 0.01
+"""The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
+
 STARTS = 2
-"""Of the local search anew, where labels took too much room."""
+"""Of the local search anew, where labels took too much room and the schedule is doubtful."""
+
+MOST_ANEW = 100
+"""Up to so many skills that is worth its time."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,17 +94,20 @@ class _Search(GridSearch):
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
     def _repair(self, relaxation: Relaxation) -> None:
-        """Search around the relaxation's path, from the beginning, and around the best schedule."""
+        """Search around the relaxation's path, and farther where the best schedule is doubtful."""
         if relaxation.prices is self._repaired:
             return
         self._repaired = relaxation.prices
         known, watch = self.best.cost, self.watch.share(0.4)
         path = self._timed(relaxation.grid, relaxation.visited())
         self.take(LocalSearch().search(self.problem, watch, path))
-        for _ in range(STARTS):
-            self._starts += 1
+        if self.best.cost - self.lower > DOUBTFUL * self.problem.weight:
+            for _ in range(STARTS if len(self.problem.jobs) <= MOST_ANEW else 0):
+                self._starts += 1
+                self._starts += 1
             self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch.share(0.5)))
-        self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch, self.best))
+            self._starts += 1
+            self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch, self.best))
         if self.best.cost < known:
             relaxation.fix(self.best.cost)
             relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)

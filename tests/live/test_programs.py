@@ -126,7 +126,7 @@ def test_a_command_that_hangs_is_ended_with_what_it_started() -> None:
     outcome, _ = awaited(inbox)
     assert outcome.trouble == "the command was ended by SIGKILL"
     processes = [int(word) for word in written[0].split()]
-    deadline = time.monotonic() + 5
+    deadline = time.monotonic() + 20
     while any(map(is_running, processes)) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert not any(map(is_running, processes))
@@ -139,5 +139,5 @@ def test_closing_ends_what_still_runs() -> None:
     began = time.monotonic()
     programs.close()
     assert programs.processes["s1"].poll() is not None
-    assert time.monotonic() - began < 10
+    assert time.monotonic() - began < 40
     assert os.getpid() != programs.processes["s1"].pid

@@ -7,7 +7,7 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -41,6 +41,21 @@ def answers_of(text: str) -> list[Json]:
             PLAN.validate(answer["plan"])
             answer["plan"]["certificate"].pop("seconds")
     return answers
+
+
+def until(happened: Callable[[], object], patience: float = 120.0) -> None:
+    """Wait for what happens beside the test; that it never does is an error."""
+    deadline = time.monotonic() + patience
+    while not happened():
+        if time.monotonic() > deadline:
+            raise TimeoutError
+        time.sleep(0.01)
+
+
+def lines_of(path: Path) -> list[bytes]:
+    """Give the whole lines of a file; none where it is not there yet."""
+    lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
+    return [line for line in lines if line.endswith(b"\n")]
 
 
 def tasks(folder: Path, count: int) -> Path:
@@ -206,19 +221,19 @@ class Terminal(io.StringIO):
         return True
 
 
-@pytest.mark.parametrize(("seconds", "words"), [(0.0, ""), (1.0, "1 failed")])
+@pytest.mark.parametrize(("patience", "words"), [(3600.0, ""), (0.0, "1 failed")])
 def test_progress_is_shown_on_a_terminal_once_it_takes_a_while(
-    seconds: float, words: str, monkeypatch: pytest.MonkeyPatch
+    patience: float, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     terminal = Terminal()
+    monkeypatch.setattr(start, "PATIENCE", patience)
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setattr(sys, "stdout", io.StringIO())
     with start.progress(3) as show:
         show(start.Tally(answered=1, failed=1))
-        time.sleep(seconds)
+        until(lambda: words in terminal.getvalue())
         show(start.Tally(answered=2, failed=1))
-    assert words in terminal.getvalue()
-    assert bool(words) == bool(terminal.getvalue())
+    assert bool(terminal.getvalue()) == bool(words)
 
 
 def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:
@@ -241,9 +256,7 @@ def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:
         stderr=subprocess.PIPE,
         text=True,
     ) as process:
-        deadline = time.monotonic() + 60
-        while (not output.exists() or b"\n" not in output.read_bytes()) and time.monotonic() < deadline:
-            time.sleep(0.05)
+        until(lambda: lines_of(output))
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=60)
     assert (process.returncode, errors) == (Exit.INTERRUPT, "")
@@ -254,30 +267,29 @@ def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:
 
 
 def test_a_batch_that_was_killed_goes_on_where_it_was(tmp_path: Path) -> None:
-    folder, output = tasks(tmp_path / "tasks", 8), tmp_path / "answers.jsonl"
-    arguments = ("batch", str(folder), "--jobs", "1", "-o", str(output), *NOW)
+    files, output = sorted(tasks(tmp_path / "tasks", 5).iterdir()), tmp_path / "answers.jsonl"
+    third = files[2].read_text()
+    files[2].unlink()
+    os.mkfifo(files[2])  # nobody writes into it: there the batch waits
+    arguments = ("batch", *map(str, files), "--jobs", "1", *NOW)
     process = subprocess.Popen(
-        [sys.executable, "-m", "fuzzytime_cli", *arguments],
+        [sys.executable, "-m", "fuzzytime_cli", *arguments, "-o", str(output)],
         cwd=ROOT,
         env=environment(tmp_path),
-        stderr=subprocess.DEVNULL,
     )
-    deadline = time.monotonic() + 60
-    while (not output.exists() or output.read_bytes().count(b"\n") < 2) and time.monotonic() < deadline:
-        time.sleep(0.01)
+    until(lambda: len(lines_of(output)) == 2)
     process.kill()
     process.wait()
-    kept = output.read_bytes().splitlines(keepends=True)
-    whole = [line for line in kept if line.endswith(b"\n")]
-    assert 2 <= len(whole) < 8
+    kept = lines_of(output)
+    files[2].unlink()
+    files[2].write_text(third)
     with output.open("ab") as stream:
         stream.write(b'{"schema": "fuzzytime-batch/1", "file')
-    done = ran(*arguments, "--resume", folder=tmp_path)
+    done = ran(*arguments, "-o", str(output), "--resume", folder=tmp_path)
     assert (done.code, done.out) == (Exit.FINE, "")
-    assert f"{len(whole)} of 8 files were answered before" in done.err
-    resumed = output.read_bytes().splitlines(keepends=True)
-    assert resumed[: len(whole)] == whole
-    fresh = ran(*arguments[:4], *NOW, folder=tmp_path)
+    assert "2 of 5 files were answered before" in done.err
+    assert lines_of(output)[:2] == kept
+    fresh = ran(*arguments, folder=tmp_path)
     assert answers_of(output.read_text()) == answers_of(fresh.out)
 
 

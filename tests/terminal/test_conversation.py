@@ -279,3 +279,59 @@ def test_the_schedule_follows_the_width_of_the_terminal(monkeypatch: pytest.Monk
         written.truncate(written.seek(0))
         talk.take(":why 1")
         assert columns - 20 < max(map(len, written.getvalue().splitlines())) <= columns
+
+
+def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
+    talk = Talk()
+    talk.say("Make the gravy at 10 am")
+    talk.wait(seconds=5)
+    talk.say("Serve the roast at 10:30 am")
+    talk.wait(seconds=5)
+    answer = talk.say(":edit 1 Make the gravy ten minutes before you serve the roast")
+    assert "^" not in answer
+    assert timedelta(minutes=5) < talk.start("s2") - talk.start("s1") < timedelta(minutes=15)
+
+
+def test_a_note_is_said_once_and_listed_when_asked_for() -> None:
+    talk = Talk()
+    note = "is taken as"
+    assert note in talk.say("Serve the roast at half past six")
+    assert note not in talk.say("Set the table soon")
+    assert note in talk.say(":list")
+
+
+def test_a_reference_to_nothing_is_pointed_at_once_and_again_where_it_is_said_again() -> None:
+    talk, marks, said = Talk(), "^^^^", "Make the gravy ten minutes before you serve the roast"
+    assert marks in talk.say(said)
+    assert marks not in talk.say("Set the table soon")
+    assert marks not in talk.say(":drop 1")
+    assert marks in talk.say(said)
+
+
+class Tty(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize(("stream", "most"), [(Tty(), 40), (io.StringIO(), 200)])
+def test_a_terminal_s_lines_are_broken_between_words_and_a_pipe_s_are_whole(
+    stream: io.StringIO, most: int
+) -> None:
+    talk = Talk()
+    talk.say("Stir the soup at half past six")
+    talk.say("Set the table in about twenty minutes")
+    screen = Screen(stream, 40, colour=False, unicode=True, interactive=False)
+    talk.turns.width = 40
+    screen.write("moved: s1 put the roast in the oven from 17:14:06 to 17:01:06")
+    screen.write(*talk.turns.take("Call mum before it 25:61 pm and then, after that, sing", NINE).lines)
+    screen.write(*talk.turns.take(":help", NINE).lines, *talk.turns.take("at ten past ten", NINE).lines)
+    widths = [len(line) for line in stream.getvalue().splitlines()]
+    assert max(widths) <= most
+    assert (len("moved: s1 put the roast in the oven from 17:14:06 to 17:01:06") in widths) == (most > 40)
+
+
+def test_a_long_instruction_is_undone_in_a_line() -> None:
+    talk = Talk()
+    talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
+    assert max(map(len, talk.say(":undo").splitlines())) <= 80
+    assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80

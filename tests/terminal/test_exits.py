@@ -96,6 +96,15 @@ def test_a_line_without_end_is_refused_in_few_words_and_the_rest_is_planned(tmp_
     assert "stir the soup" in done.out
 
 
+@pytest.mark.parametrize("width", [24, 40, 80])
+def test_marks_stay_under_their_words_where_there_is_little_room(width: int) -> None:
+    text = "and then put the pan on the stove at half past and wait for the butter to melt in the pan"
+    at = text.index("at half past")
+    shown, marks = underlined(text, (at, at + 12), width).split("\n")
+    assert width_of(shown) <= width
+    assert shown[marks.index("^") : len(marks)] == "at half past"
+
+
 def test_marks_stand_under_wide_words() -> None:
     first, second = underlined("寿司 at half past", (3, 17)).split("\n")
     assert width_of(first) == width_of(second)

@@ -57,6 +57,14 @@ def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path
     assert "<script" not in text
 
 
+def test_what_is_rejected_has_no_bar_in_a_picture(tmp_path: Path) -> None:
+    wishes = ("-i", "Flip the pancakes when the pan is hot", "-i", "Stir the soup now")
+    document = minidom.parseString(written(tmp_path, "svg", *wishes))  # noqa: S318 - our own output
+    words = [getattr(node.firstChild, "data", "") for node in document.getElementsByTagName("text")]
+    assert {"flip the pancakes", "rejected"} <= set(words)
+    assert len(document.getElementsByTagName("rect")) == 1
+
+
 def test_typed_text_reaches_no_output_raw(tmp_path: Path) -> None:
     for kind in ("table", "json", "jsonl", "csv", "ics", "html", "svg"):
         text = written(tmp_path, kind, "-i", HOSTILE)

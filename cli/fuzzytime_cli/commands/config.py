@@ -16,7 +16,7 @@ def show(
     as_json: Annotated[bool, typer.Option("--json", help="Write JSON.")] = False,  # noqa: FBT002
 ) -> None:
     """Show every setting's value: flags and environment before project file, user file and defaults."""
-    from fuzzytime_cli.render import plain
+    from fuzzytime_cli.render import Screen, plain
     from fuzzytime_cli.settings import KINDS, load_settings, user_file
 
     settings = load_settings({}, os.environ)
@@ -24,9 +24,10 @@ def show(
         rows = {s.name: {"value": s.value, "origin": s.origin} for s in settings.values.values()}
         sys.stdout.write(json.dumps(rows, indent=2) + "\n")
         return
+    screen = Screen.of(sys.stdout, dict(os.environ))
     for setting in settings.values.values():
         shown = os.pathsep.join(setting.value) if isinstance(setting.value, tuple) else str(setting.value)
         tail = plain(setting.origin) if origin else KINDS[setting.name].help
-        sys.stdout.write(f"{setting.name:<11} {plain(shown) or '-':<14} {tail}\n")
+        screen.write(f"{setting.name:<11} {plain(shown) or '-':<14} {tail}")
     if origin:
-        sys.stdout.write(f"the user's file is {plain(str(user_file(os.environ)))}\n")
+        screen.write(f"the user's file is {plain(str(user_file(os.environ)))}")

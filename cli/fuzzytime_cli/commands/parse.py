@@ -1,6 +1,7 @@
 """`fuzzytime parse`: what is understood of texts."""
 
 import json
+import os
 import sys
 from typing import Annotated
 
@@ -26,11 +27,12 @@ def parse(
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.inputs.source import open_stream
     from fuzzytime_cli.parsing import answers, asked_of, lines_of, readable
-    from fuzzytime_cli.render import plain
+    from fuzzytime_cli.render import Screen, plain
 
     assembly = Assembly.of(moment, Understanding(), Solving())
     language, now = assembly.language(), assembly.moment()
     texts = [text.encode("utf-8", "replace") for text in instruction or ()]
+    screen = Screen.of(sys.stdout, dict(os.environ))
     with open_stream(file if not texts else None) as stream:
         lines = iter(texts) if texts else lines_of(stream)
         asked = (asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in lines)
@@ -38,4 +40,4 @@ def parse(
             if jsonl:
                 sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")
             else:
-                sys.stdout.write("".join(f"{plain(line)}\n" for line in readable(reply)))
+                screen.write(*map(plain, readable(reply, screen.width if screen.interactive else None)))

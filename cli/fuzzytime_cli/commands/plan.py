@@ -116,9 +116,10 @@ def request_from(
 
 def report_problems(made: "Plan", source: str) -> None:
     """Say on standard error which lines were not understood, with their words underlined."""
+    name = "<stdin>" if source == "-" else source
     for problem in made.problems:
         if is_fault(problem):
-            report_problem(problem, source)
+            report_problem(problem, name)
 
 
 def report_problem(problem: "Problem", source: str) -> None:

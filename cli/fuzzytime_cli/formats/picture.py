@@ -15,7 +15,6 @@ STYLE = (
     ".grid{stroke:#e4e4e4}.wish{fill:#1f5fa8;fill-opacity:.18;stroke:#1f5fa8;stroke-opacity:.5}"
     ".good{fill:#1f5fa8}.poor{fill:#c0392b}.fair{fill:#c98a1b}.busy{fill:#999;fill-opacity:.25}"
     ".waits{stroke:#1f5fa8;stroke-width:3;stroke-dasharray:2 3}"
-    ".rejected{fill:none;stroke:#c0392b;stroke-dasharray:3 2}"
     "@media(prefers-color-scheme:dark){.label{fill:#eee}.small{fill:#aaa}.grid{stroke:#444}}"
 )
 
@@ -31,7 +30,8 @@ class _Picture:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.skills = plan.schedule.skills
-        ends = [max(skill.done, skill.end) for skill in self.skills] or [600.0]
+        planned = [skill for skill, out in zip(self.skills, plan.schedule.rejected, strict=True) if not out]
+        ends = [max(skill.done, skill.end) for skill in planned] or [600.0]
         windows = [interpreted.skill.satisfaction.acceptable(0.02) for interpreted in plan.skills]
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
         self.end = max(*ends, *wishes, 60.0) * 1.02
@@ -78,14 +78,15 @@ class _Picture:
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
         said = element("title", words(getattr(interpreted.wish, "text", specific.name)))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
-        width = max(2.0, end - start)
-        shown = "rejected" if rejected else kind
         parts = [
             element("text", words(_shortened(specific.name, 30)) + said, class_="label", x=8, y=base - 5),
             self._wish(interpreted, base),
-            element("rect", class_=shown, x=start, y=base - 9, width=width, height=9, rx=2),
             element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
         ]
+        if rejected:
+            return parts
+        width = max(2.0, end - start)
+        parts.append(element("rect", class_=kind, x=start, y=base - 9, width=width, height=9, rx=2))
         if specific.done > specific.end:
             parts.append(element("line", class_="waits", x1=end, y1=base - 4, x2=done, y2=base - 4))
         return parts

@@ -167,7 +167,7 @@ def _got(why: Why, plan: Plan) -> str:
     clock = Clock.for_times(plan.request.now, [why.start])
     start = clock.of(why.start)
     if plan.schedule.rejected[why.position]:
-        return f"It is rejected, and done at {start} after what matters: {_rejection(why, plan)}."
+        return f"It is rejected: {_rejection(why, plan)}."
     if why.lost < SHOWN:
         return f"It starts at {start} and has {why.satisfaction:.2f}: nothing stands in its way."
     to = f" to {_takers(why, plan)}" if why.neighbours else ""

@@ -13,7 +13,7 @@ from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
-from fuzzytime_cli.render import fitted, plain, width_of
+from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
@@ -71,20 +71,14 @@ class PlanView:
             Text(),
             *self._timeline(),
             Text(),
-            *self._wrapped(self._summary(), 2),
-            *(line for loss in self._losses() for line in self._wrapped(loss, self.label_width + 1)),
-            *(line for note in self._notes() for line in self._wrapped(note, 2)),
+            *wrapped_text(self._summary(), self.width),
+            *(
+                line
+                for loss in self._losses()
+                for line in wrapped_text(loss, self.width, self.label_width + 1)
+            ),
+            *(line for note in self._notes() for line in wrapped_text(note, self.width)),
         ]
-
-    def _wrapped(self, line: Text, indent: int) -> list[Text]:
-        """Break a line between words where it is too long; what follows is indented."""
-        if width_of(line.plain) <= self.width:
-            return [line]
-        at = line.plain.rfind(" ", indent + 1, self.width)
-        if at <= indent:
-            return [line]
-        rest = Text(" " * indent).append_text(line[at + 1 :])
-        return [line[:at], *self._wrapped(rest, indent)]
 
     def sentences(self) -> list[str]:
         """Give what is proved, and why each loss, as plain sentences."""
@@ -182,7 +176,7 @@ class PlanView:
         waits = "─ goes on by itself  " if any(skill.done > skill.end for skill in skills) else ""
         legend = f"█ at work  {waits}░▒▓ how well a start there would satisfy"
         indent = self.label_width + 1
-        yield from self._wrapped(Text(f"{' ' * indent}{legend}", style="dim"), indent)
+        yield from wrapped_text(Text(f"{' ' * indent}{legend}", style="dim"), self.width, indent)
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""

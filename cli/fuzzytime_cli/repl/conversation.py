@@ -79,13 +79,16 @@ class Conversation:
     # -- the plan -------------------------------------------------------------------------------------------
 
     def request(self, now: datetime, state: State | None = None) -> Request:
-        """Give what is asked for as seen from a moment."""
+        """Give what is asked for as seen from a moment.
+
+        It stands in the order in which it was said, so that what is said anew may refer to what came between.
+        """
         current = state if state is not None else self.state
         known = {f"s{entry.number}" for entry in current.entries}
         started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
         return Request(
             now=now,
-            wishes=tuple(wish_of(entry) for entry in current.entries),
+            wishes=tuple(wish_of(entry) for entry in sorted(current.entries, key=lambda entry: entry.given)),
             agents=current.agents,
             context=context_of(current.readings, now),
             busy=tuple(

@@ -6,6 +6,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import TextIO
@@ -110,6 +111,7 @@ class _Talk:
         with self.lock:
             if self.screen.interactive:
                 self.turns.width = terminal_width()
+                self.screen = replace(self.screen, width=self.turns.width)
             yield
 
     def beat(self) -> None:

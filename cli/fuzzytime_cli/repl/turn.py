@@ -1,6 +1,5 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
-import textwrap
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 
@@ -11,9 +10,10 @@ from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.language import Question
 from fuzzytime_cli.faults import message_of, underlined
 from fuzzytime_cli.formats.table import PlanView
-from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.commands import BARE, command_of, move_lines
+from fuzzytime_cli.render import plain, wrapped
+from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
+from fuzzytime_cli.repl.looking import move_lines
 from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -31,7 +31,7 @@ class Pending:
 
 @dataclass(slots=True)
 class Turns:
-    """A conversation going on: the plan on the screen, the question put, and what leads to the next.
+    """A conversation going on: the plan on the screen, the question put, what was told, and what is news.
 
     ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once.
     """
@@ -44,6 +44,7 @@ class Turns:
     version: int = -1
     pending: Pending | None = None
     news: list[Started] = field(default_factory=list)
+    told: set[Problem] = field(default_factory=set)
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -55,7 +56,7 @@ class Turns:
                 "Say what you want done and when: flip the pancakes in about two minutes.",
                 f":help shows the commands, Ctrl-D leaves; {kept} is kept.",
             )
-            return [line for sentence in greeting for line in textwrap.wrap(sentence, self.width)]
+            return [line for sentence in greeting for line in wrapped(sentence, self.width, 0)]
         lines: list[Line] = [f"Session {plain(self.conversation.name)!r} goes on."]
         return [*lines, *self._redrawn(now)]
 
@@ -125,8 +126,10 @@ class Turns:
             lines.append(
                 Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
             )
-        lines += PlanView(made, self.width, unicode=self.unicode).lines()
-        lines += [line for problem in made.problems for line in problem_lines(problem)]
+        untold = tuple(problem for problem in made.problems if problem not in self.told)
+        self.told = set(made.problems)
+        lines += PlanView(replace(made, problems=untold), self.width, unicode=self.unicode).lines()
+        lines += [line for problem in untold for line in problem_lines(problem, self.width)]
         return lines
 
     def _instruction(self, words: str, now: datetime) -> Reply:
@@ -137,7 +140,7 @@ class Turns:
         faults = [problem for problem in made.problems if problem.text == words and problem.kind in _UNREAD]
         own = [interpreted for interpreted in made.skills if interpreted.wish.identifier == f"s{number}"]
         if faults and not own:
-            return Reply(tuple(line for problem in faults for line in problem_lines(problem)))
+            return Reply(tuple(line for problem in faults for line in problem_lines(problem, self.width)))
         kept = self.conversation.change(words, lambda state: state.with_entry(words, now))
         reading = own[0].reading if own else None
         if self.asks and reading is not None and reading.questions:
@@ -169,13 +172,13 @@ def question_lines(question: Question) -> list[Line]:
     return [Text(f"Which time did you mean? Type {', '.join(choices)}.", style="bold")]
 
 
-def problem_lines(problem: Problem) -> list[Line]:
+def problem_lines(problem: Problem, width: int) -> list[Line]:
     """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
     if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
         return []
     lines: list[Line] = [Text(plain(problem.message), style="red")]
     if problem.span is not None and problem.text:
-        lines += underlined(problem.text, problem.span).split("\n")
+        lines += underlined(problem.text, problem.span, width).split("\n")
     return lines
 
 

@@ -1,0 +1,145 @@
+"""Commands of the conversation that change what is asked for, or what is so; each can be undone."""
+
+from dataclasses import replace
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.times import instant_after, parse_duration
+from fuzzytime_cli.choices import SolverChoice
+from fuzzytime_cli.render import fitted, plain, width_of
+from fuzzytime_cli.repl.scene import (
+    Reply,
+    Scene,
+    identifier_of,
+    number_and_rest,
+    number_of,
+    position_of,
+    said,
+    step,
+)
+from fuzzytime_cli.session import KeptBusy, KeptReading
+
+BRIEF = 60
+"""Columns that the name of a step has."""
+
+
+def drop(scene: Scene, text: str) -> Reply:
+    """Forget an instruction."""
+    number = number_of(text)
+    return step(scene, f":drop {number}", lambda state: state.without(number))
+
+
+def edit(scene: Scene, text: str) -> Reply:
+    """Say an instruction anew; without words put it on the prompt."""
+    first, _, rest = text.strip().partition(" ")
+    number = number_of(first)
+    if not rest.strip():
+        return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
+    words = rest.strip()
+    return step(
+        scene, f":edit {number}", lambda state: state.with_changed(number, text=words, given=scene.now)
+    )
+
+
+def duration(scene: Scene, text: str) -> Reply:
+    """Say how long an instruction takes."""
+    number, rest = number_and_rest(text, "a duration, such as 4min,")
+    seconds = parse_duration(rest)
+    if seconds < 0:
+        raise FuzzytimeError(f"a duration must be at least 0, got {rest!r}")
+    return step(
+        scene,
+        f":duration {number}",
+        lambda state: state.with_changed(number, hands_on=seconds, elapsed=seconds),
+    )
+
+
+def priority(scene: Scene, text: str) -> Reply:
+    """Say how much an instruction counts."""
+    number, rest = number_and_rest(text, "a weight, such as 2,")
+    try:
+        weight = float(rest)
+    except ValueError as error:
+        raise FuzzytimeError(f"a priority must be a number, got {rest!r}") from error
+    if not 1e-3 <= weight <= 1e3:
+        raise FuzzytimeError(f"a priority must be between 0.001 and 1000, got {rest!r}")
+    return step(scene, f":priority {number}", lambda state: state.with_changed(number, priority=weight))
+
+
+def done(scene: Scene, text: str) -> Reply:
+    """Say that a skill is done: one that is running, or one that need not start."""
+    wanted = identifier_of(text)
+    running = {one.identifier: one for one in scene.conversation.running(scene.now)}
+    if wanted in running:
+        scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
+        return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
+    position = position_of(scene, text)
+    number = number_of(scene.plan.skills[position].identifier)
+    reply = step(scene, f":done {number}", lambda state: state.without(number))
+    return replace(reply, lines=(Text(f"done: {plain(scene.plan.skills[position].skill.name)}"),))
+
+
+def ctx(scene: Scene, text: str) -> Reply:
+    """Take a reading; without one show those there are."""
+    from fuzzytime.context import parse_assignment
+
+    signals = scene.conversation.interpreter.rulebook.signals
+    if not text.strip():
+        shown = tuple(_reading_line(one) for one in scene.conversation.state.readings)
+        return Reply(shown or ("no readings yet; signals: " + ", ".join(sorted(signals)),))
+    reading = parse_assignment(text.strip(), signals)
+    kept = KeptReading(reading.signal, instant_after(scene.now, reading.at), reading.value, reading.unit)
+    return step(scene, f":ctx {text.strip()}", lambda state: replace(state, readings=(*state.readings, kept)))
+
+
+def _reading_line(kept: KeptReading) -> str:
+    value = "happened" if kept.value is None else f"{kept.value:g} {kept.unit or ''}".rstrip()
+    return f"{plain(kept.signal):<18} {plain(value):<12} at {kept.at:%H:%M:%S}"
+
+
+def agents(scene: Scene, text: str) -> Reply:
+    """Say how many can work at once."""
+    if not text.strip().isdigit() or not 1 <= int(text) <= 100:
+        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()!r}")
+    return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
+
+
+def solver(scene: Scene, text: str) -> Reply:
+    """Choose the method that finds the schedule."""
+    name = text.strip()
+    if name not in set(SolverChoice):
+        raise FuzzytimeError(f"a solver must be one of {', '.join(SolverChoice)}, got {name!r}")
+    return step(scene, f":solver {name}", lambda state: replace(state, solver=name))
+
+
+def busy(scene: Scene, text: str) -> Reply:
+    """Take a time out of the schedule."""
+    from fuzzytime_cli.inputs.surroundings import moment_of
+
+    parts = text.split(maxsplit=2)
+    if len(parts) < 2:
+        raise FuzzytimeError("two times must follow, such as: :busy 12:00 13:00 lunch")
+    start, end = (instant_after(scene.now, moment_of(part, scene.now)) for part in parts[:2])
+    if end <= start:
+        raise FuzzytimeError(f"a busy time must not end before it starts, got {parts[0]} to {parts[1]}")
+    kept = KeptBusy(start, end, parts[2] if len(parts) > 2 else "")
+    return step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
+
+
+def undo(scene: Scene, _: str) -> Reply:
+    """Take the last step back."""
+    what = scene.conversation.store.undo(scene.conversation.name)
+    return Reply((_brief("undone", what),), changed=True) if what else said("there is nothing to undo")
+
+
+def redo(scene: Scene, _: str) -> Reply:
+    """Take an undone step again."""
+    what = scene.conversation.store.redo(scene.conversation.name)
+    return Reply((_brief("done again", what),), changed=True) if what else said("there is nothing to redo")
+
+
+def _brief(done: str, what: str) -> Text:
+    """Name a step, which may be a long instruction, in a line."""
+    words = plain(what)
+    return Text(f"{done}: {words if width_of(words) <= BRIEF else fitted(words, BRIEF)}")

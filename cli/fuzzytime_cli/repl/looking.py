@@ -1,0 +1,94 @@
+"""Commands of the conversation that look: they show, draw and explain, and change nothing."""
+
+from pathlib import Path
+
+from rich.text import Text
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter import Plan
+from fuzzytime_cli.render import plain
+from fuzzytime_cli.repl.conversation import moves
+from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
+
+
+def show_list(scene: Scene, _: str) -> Reply:
+    """Show the schedule, and what was asked for."""
+    from fuzzytime_cli.formats.table import PlanView
+
+    entries = scene.conversation.state.entries
+    given = [f"{entry.number:>3}  {entry.given:%H:%M}  {plain(entry.text)}" for entry in entries]
+    running = [
+        Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
+        for one in scene.conversation.running(scene.now)
+    ]
+    return Reply((*running, *PlanView(scene.plan, scene.width, unicode=scene.unicode).lines(), "", *given))
+
+
+def why(scene: Scene, text: str) -> Reply:
+    """Explain a skill."""
+    from fuzzytime_cli.explaining import explanation_lines
+
+    position = position_of(scene, text)
+    return Reply(tuple(explanation_lines(scene.plan, position, scene.width, unicode=scene.unicode)))
+
+
+def what_if(scene: Scene, text: str) -> Reply:
+    """Show what would move if one asked for something too; nothing is changed."""
+    from fuzzytime_cli.formats.table import PlanView
+
+    if not text.strip():
+        raise FuzzytimeError("an instruction must follow, such as: :what-if call mum at noon")
+    state = scene.conversation.state.with_entry(text.strip(), scene.now)
+    made = scene.conversation.plan(scene.now, state)
+    lines: list[Text | str] = [Text("If you asked for that:", style="bold")]
+    lines += PlanView(made, scene.width, unicode=scene.unicode).lines()
+    lines += move_lines(scene.plan, made)
+    before, after = scene.plan.schedule.geometric_mean, made.schedule.geometric_mean
+    lines.append(f"average satisfaction {before:.2f} → {after:.2f}; nothing is changed")
+    return Reply(tuple(lines))
+
+
+def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None) -> list[str]:
+    """Say what moved between two plans."""
+    lines = []
+    for move in moves(before, after, started or set()):
+        ends = [
+            instant.strftime("%H:%M:%S") if instant is not None else ""
+            for instant in (move.before, move.after)
+        ]
+        name = f"{plain(move.identifier)} {plain(move.name)}"
+        if not ends[1]:
+            lines.append(f"lost its place: {name}")
+        elif not ends[0]:
+            lines.append(f"found a place: {name} at {ends[1]}")
+        else:
+            lines.append(f"moved: {name} from {ends[0]} to {ends[1]}")
+    return lines
+
+
+def plot(scene: Scene, text: str) -> Reply:
+    """Draw the satisfaction of a skill on the screen or into a file, or the plan into a file."""
+    from fuzzytime_cli.drawing.svg import chart_svg
+    from fuzzytime_cli.drawing.terminal import chart_lines
+    from fuzzytime_cli.explaining import chart_of
+    from fuzzytime_cli.files import replace_file
+    from fuzzytime_cli.formats.picture import plan_svg
+
+    which, _, file = text.strip().partition(" ")
+    if which.endswith(".svg"):
+        replace_file(Path(which), plan_svg(scene.plan))
+        return said(f"written: {which}")
+    position = position_of(scene, which)
+    interpreted = scene.plan.skills[position]
+    chart = chart_of(interpreted, scene.plan, position)
+    if file.strip():
+        replace_file(Path(file.strip()), chart_svg(chart, interpreted.skill.name))
+        return said(f"written: {file.strip()}")
+    return Reply(tuple(chart_lines(chart, scene.width, unicode=scene.unicode)))
+
+
+def now(scene: Scene, _: str) -> Reply:
+    """Say the moment."""
+    return said(
+        f"{scene.now:%A %d %B %Y, %H:%M:%S}" + (f" ({scene.now.tzname()})" if scene.now.tzinfo else "")
+    )
