@@ -134,6 +134,8 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
         return _between_clocks(repeat, time.first, time.last)
     if said.constraint is Constraint.BEFORE:
         return replace(repeat, until=time)
+    if said.preposition == "starting":
+        return replace(repeat, starting=time)
     if said.constraint is Constraint.AFTER:
         return replace(repeat, starting=time)
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):

@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.clocks import minutes_of
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -74,6 +75,15 @@ def in_number(quantity: Quantity) -> Said | None:
     if not 1 <= quantity.value <= 240 or quantity.indefinite or quantity.value != int(quantity.value):
         return None
     return _length(minutes_of(quantity), Constraint.AT, "in")
+
+
+@grammar.rule("said", "in <integer> -|to|or <integer>", weight=0.6)
+def in_numbers(first: Integer, last: Integer) -> Said | None:
+    """In 5-10: minutes."""
+    if not 1 <= first.value < last.value <= 240:
+        return None
+    shorter, longer = (minutes_of(Quantity(number.value)) for number in (first, last))
+    return _length(replace(shorter, until=longer), Constraint.AT, "in")
 
 
 @grammar.rule("said", "after <duration>", "after another <duration>", "<hedge> after <duration>", weight=0.3)

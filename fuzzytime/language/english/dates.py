@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share
 
 grammar = Grammar()
@@ -199,6 +200,12 @@ def numbered_month(numbers: Typed) -> Fields | None:
     """2014-10, 12/2015."""
     first, second = numbers[0], numbers[1]
     return _valid(first, second, None) if first > 12 else _valid(second, first, None)
+
+
+@grammar.rule("weak date", "<season>", weight=-0.1)
+def season(found: Season) -> Calendar:
+    """Autumn: sure with a preposition."""
+    return found
 
 
 @grammar.rule("weak date", "<month>", weight=-0.1)

@@ -86,6 +86,12 @@ def this_or_next(which: Which, series: Calendar) -> Calendar:
     return Deictic(which, series)
 
 
+@grammar.rule("days", "one|some|any day <days>", "one|some|any day in|of|during <days>", weight=0.5)
+def some_day(days: Calendar) -> Calendar | None:
+    """One day next week."""
+    return None if days.grain is Unit.DAY else days
+
+
 @grammar.rule("days", "the <series>", "over the <series>", weight=-0.2)
 def the_present(series: Calendar) -> Calendar | None:
     """The week: this week; but "the day" alone is none."""

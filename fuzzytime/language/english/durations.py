@@ -178,7 +178,7 @@ def hedged(hedge: str, duration: Duration) -> Duration:
     return duration.hedged(hedge)
 
 
-@grammar.rule("duration", "<duration> <hedge_after>", "<duration> - <hedge_after>", weight=0.05)
+@grammar.rule("duration", "<duration> -|,? <hedge_after>", weight=0.05)
 def hedged_after(duration: Duration, hedge: str) -> Duration:
     """Ten minutes or so, half an hour at most."""
     return replace(duration, hedges=(*duration.hedges, hedge))

@@ -129,8 +129,10 @@ def starting_at(goal: Goal) -> Said | None:
     "<goal> at the earliest",
     weight=0.3,
 )
-def or_later(goal: Goal) -> Said:
-    """3 pm or later, monday onwards, at noon at the earliest."""
+def or_later(goal: Goal) -> Said | None:
+    """3 pm or later, monday onwards, at noon at the earliest; but "now and later" are two."""
+    if isinstance(goal.time, TimeWord):
+        return None
     return _said(goal, "not before", Constraint.AFTER, Edge.START)
 
 

@@ -85,6 +85,12 @@ def every_other_weekday(number: int) -> Repeat:
     return Repeat(walls=(Wall(Fields(weekday=number)),), skip=2)
 
 
+@grammar.rule("repeat", "every|each <ordinal> <weekday>", weight=0.5)
+def every_nth_weekday(number: int, weekday: int) -> Repeat | None:
+    """Every third thursday."""
+    return Repeat(walls=(Wall(Fields(weekday=weekday)),), skip=number) if 1 < number < 100 else None
+
+
 @grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
 def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     """Every monday and thursday, on mondays and fridays."""

@@ -35,11 +35,14 @@ def joined(first: Wall, second: Wall) -> Wall | None:
             return None
     if (first.part and second.part) or (first.clock and second.clock):
         return None
-    clock = first.clock or second.clock
+    clock, part = first.clock or second.clock, first.part or second.part
+    if clock is not None and part is not None and clock.full_day and not part.is_near(clock.seconds):
+        # "At sunup, noon and sundown" are three.
+        return None
     if clock is not None:
         clock = replace(clock, bare=False, pair=False)
     weak = first.weak and second.weak
-    return Wall(days, first.part or second.part, clock, first.zone or second.zone, weak)
+    return Wall(days, part, clock, first.zone or second.zone, weak)
 
 
 @grammar.rule(

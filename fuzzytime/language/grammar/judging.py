@@ -53,7 +53,7 @@ class Judge:
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self._runs_on(piece) or self._is_excepted(piece):
+        if self._runs_on(piece) or self._is_excepted(piece) or self._holds_particle(piece):
             return False
         time = said.time
         if self._is_whole(piece):
@@ -81,6 +81,11 @@ class Judge:
                 between = said.preposition == "between" and self._binds(piece)
                 return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+    def _holds_particle(self, piece: Piece) -> bool:
+        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
+        first, *rest = self.texts[piece.start : piece.end]
+        return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
@@ -202,15 +207,7 @@ class Judge:
         return True
 
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
-            return False
-        owned = self.texts[piece.start + 1 : piece.end][:1]
-        named = "the" in {self.texts[piece.start], self.around.before(piece)}
-        if wall.part is not None and named and self.around.follower(piece) in {"before", "after"}:
-            # "The evening before the trip": which evening, is not said.
-            return False
-        if said.preposition in NAMING and OWNING & set(owned) and not self.around.may_end(piece):
-            # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        if self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
@@ -253,6 +250,21 @@ class Judge:
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
 
+    def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it only names something, or belongs to what does."""
+        before = self.around.before(piece)
+        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return True
+        followed = self.around.follower(piece) in {"before", "after"}
+        if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
+            # "The evening before the trip": which evening, is not said.
+            return True
+        if "to" in {said.preposition, before} and self.around.names_place(piece):
+            return True
+        # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
+        return said.preposition in NAMING and owned and not self.around.may_end(piece)
+
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous
 
@@ -262,6 +274,9 @@ class Judge:
             return False
         before = piece.start - 1
         counted = self.measures.is_number(before)
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return False
         if said.preposition == "by" and counted and not self.measures.is_amount(before):
             # "Two by four"
             return False

@@ -48,6 +48,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if (
                     around.is_name(piece)
+                    or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)
                     or around.describes(piece)
@@ -58,10 +59,10 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:
-    """Whether it is a part of a thing: "three quarters of the flour"."""
+    """Whether it is a part of a thing: "three quarters of the flour", "at the end of the film"."""
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
     behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
-    return unit is Unit.QUARTER and behind == "of"
+    return behind == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
 
 
 def _is_compound(piece: Piece, around: Surroundings) -> bool:
@@ -69,7 +70,8 @@ def _is_compound(piece: Piece, around: Surroundings) -> bool:
     first, before = around.words[piece.start], around.words[piece.start - 1] if piece.start else None
     # Between number words, which "second" may be one of, the hyphen is left out.
     hyphenated = before is not None and first.glued and (before.text == "-" or before.end < first.start)
-    return piece.category == "unit" and hyphenated and not around.may_end(piece)
+    joined = around.follower(piece) == "-" or not around.may_end(piece)
+    return piece.category == "unit" and hyphenated and joined
 
 
 def _is_noun(piece: Piece, around: Surroundings) -> bool:
@@ -77,8 +79,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
-    single = piece.category == "unit" and not around.texts[piece.start].endswith("s")
-    return single and named and not bound
+    return piece.category == "unit" and named and not bound
 
 
 def _joined(scanned: Scanned, places: Sequence[int]) -> Iterator[Span]:

@@ -52,6 +52,8 @@ class Lexicon:
         Verbs that bring something about: "have … ready", "let … rest".
     intransitive
         Verbs that take no object, so that they share none either: "stop and open the door".
+    alone
+        Verbs that are orders alone, where trees take them for nouns: "reduce the heat and simmer".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
@@ -95,6 +97,7 @@ class Lexicon:
     causing: frozenset[str]
     letting: frozenset[str]
     intransitive: frozenset[str]
+    alone: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     appointing: frozenset[str]

@@ -83,6 +83,11 @@ class Surroundings:
             and before in self.lexicon.addressing
         )
 
+    def names_place(self, piece: Piece) -> bool:
+        """Whether a name goes on behind it: "to Thursday Island"."""
+        behind = self.words[piece.end : piece.end + 1]
+        return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
+
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()

@@ -1,9 +1,10 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
-from datetime import datetime, timedelta
+from datetime import timedelta
 
-from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Question, Remark, RemarkKind
+from fuzzytime.language.meaning.decisions import Deciding
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -21,7 +22,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence, recurrence_of
+from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.meaning.relations import Away
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
@@ -66,6 +67,7 @@ class _Grounder:
         self.said = phrase.said
         self.text = text[phrase.span[0] : phrase.span[1]]
         self.moment = moment
+        self._deciding = Deciding(self.text, phrase.span, moment)
 
     def result(self) -> Grounded:
         time = self.said.time
@@ -166,23 +168,8 @@ class _Grounder:
             grain=min(grains, key=list(Unit).index, default=None),
             recurrence=recurrence,
         )
-        return Grounded(
-            requirement=requirement, recurrence=recurrence, remarks=self._decided(time.walls, recurrence)
-        )
-
-    def _decided(self, walls: tuple[Wall, ...], recurrence: Recurrence) -> tuple[Remark, ...]:
-        """Say which half of the day the policy chose for a clock time that is repeated."""
-        remarks = []
-        for wall in walls:
-            clock = wall.clock
-            if clock is None or wall.part is not None or not isinstance(recurrence, CalendarRecurrence):
-                continue
-            chosen = recurrence.time_of_day(wall, clock)
-            others = [seconds for seconds in clock.candidates() if seconds != chosen]
-            if others:
-                message = f"{self.text!r} is taken as {_hours(chosen)}, not {_hours(others[0])}: say am or pm"
-                remarks.append(Remark(RemarkKind.POLICY, self.phrase.span, message))
-        return tuple(dict.fromkeys(remarks))
+        remarks = self._deciding.of_repetition(time.walls, recurrence)
+        return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:
         zone = _zone_in(time)
@@ -202,7 +189,7 @@ class _Grounder:
         requirement = self._requirement(
             constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
         )
-        remarks, questions = self._decisions(found, zone)
+        remarks, questions = self._deciding.of_instants(found, zone)
         if self._has_begun(time, found, zone):
             message = (
                 f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"
@@ -254,48 +241,11 @@ class _Grounder:
             return not isinstance(time, (Ending, Range, Rest))
         return isinstance(time, Wall) and time.part is not None
 
-    def _decisions(
-        self, found: Instants, zone: str | None
-    ) -> tuple[tuple[Remark, ...], tuple[Question, ...]]:
-        span = self.phrase.span
-        remarks, questions = [], []
-        if zone is not None and self.moment.now is not None and self.moment.now.tzinfo is None:
-            remarks.append(
-                Remark(
-                    RemarkKind.POLICY, span, f"{self.text!r}: the zone is not used, as the time now has none"
-                )
-            )
-        if found.is_point and self.moment.skips(found.start, zone):
-            message = (
-                f"{self.text!r} does not exist on that day, as clocks change: taken as long after the change"
-            )
-            remarks.append(Remark(RemarkKind.POLICY, span, message))
-        if found.choices:
-            chosen = found.choices.index(found.start)
-            said = found.start.strftime("%H:%M")
-            others = " or ".join(c.strftime("%H:%M") for c in found.choices if c != found.start)
-            remarks.append(
-                Remark(
-                    RemarkKind.POLICY, span, f"{self.text!r} is taken as {said}, not {others}: say am or pm"
-                )
-            )
-            if self.moment.policy.ask:
-                questions.append(Question(span, self._with_zone(found.choices), chosen))
-        return tuple(remarks), tuple(questions)
-
-    def _with_zone(self, choices: tuple[datetime, ...]) -> tuple[datetime, ...]:
-        zone = None if self.moment.now is None else self.moment.now.tzinfo
-        return tuple(choice.replace(tzinfo=zone) for choice in choices)
-
 
 def _grain_of(wall: Wall) -> Unit:
     if wall.clock is not None:
         return wall.clock.grain
     return Unit.HOUR if wall.part is not None or wall.days is None else wall.days.grain
-
-
-def _hours(seconds: int) -> str:
-    return f"{seconds // 3600:02}:{seconds // 60 % 60:02}"
 
 
 def _zone_in(time: Time) -> str | None:
@@ -306,8 +256,3 @@ def _zone_in(time: Time) -> str | None:
     if isinstance(time, Offset) and time.anchor is not None:
         return _zone_in(time.anchor)
     return None
-
-
-def phrase_of(span: Span, said: Said) -> Phrase:
-    """Give a phrase for words that were joined outside the grammar."""
-    return Phrase(said, 0, 0, span, "joined")

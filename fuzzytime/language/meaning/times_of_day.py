@@ -7,6 +7,8 @@ from enum import StrEnum
 from fuzzytime.requirement import Unit
 
 DAY_SECONDS = 86400
+NEAR = 3 * 3600
+"""Seconds around a part of the day in which a clock time may still be said to be in it."""
 
 
 class Half(StrEnum):
@@ -89,6 +91,11 @@ class Part:
     def is_point(self) -> bool:
         """Whether it is a moment, as noon is."""
         return self.start == self.end
+
+    def is_near(self, seconds: int) -> bool:
+        """Whether a time of day, in seconds since midnight, is in it, or in the hours around it."""
+        around = range(self.start - NEAR, self.end + NEAR + 1)
+        return any(moment in around for moment in (seconds, seconds + DAY_SECONDS, seconds - DAY_SECONDS))
 
     def share(self, low: float, high: float) -> "Part":
         """Give the stretch between two shares of it: the early morning."""

@@ -17,6 +17,9 @@ EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
+REFLEXIVE = ("self", "selves")
+"""How pronouns end that are no event: "clean up after yourselves"."""
+
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
@@ -213,7 +216,7 @@ class _Clauses:
         if clause.kind not in {"after", "before", "until", "into"} or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
-        if head is None:
+        if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
             return None
         noun = self._noun_end(nodes)
         end = self.tree.nodes[noun].end

@@ -39,6 +39,9 @@ TURNED = {
 SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """How a time binds that says when something is done."""
 
+LONGER = "more than"
+"""The hedge of a length of time that is not to be exceeded."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -64,7 +67,11 @@ class _Composer:
         self.remarks += remarks
         operations: list[Operation | None] = list(self.given)
         for place, sketch in enumerate(sketches):
-            if sketch.operation is not None:
+            doubts = self._doubts(sketch)
+            self.remarks += doubts
+            if doubts:
+                sketches[place] = replace(sketch, operation=None)
+            elif sketch.operation is not None:
                 named = replace(
                     sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
                 )
@@ -88,12 +95,14 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
         )
 
+    def _doubts(self, sketch: Sketch) -> list[Remark]:
+        part, words = sketch.part, self.draft.scanned.words
+        return list(doubts_of(self.draft.text, part.segment.span, words, part.tree, self.lexicon))
+
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = _awaiting(sketch)
-        part, text = sketch.part, self.draft.text
-        self.remarks += doubts_of(text, part.segment.span, self.draft.scanned.words, part.tree, self.lexicon)
         times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
@@ -120,8 +129,9 @@ class _Composer:
             next((g.duration for g in times.found if g.duration is not None), None),
         )
         if operation is not None and operation.negated and any(map(_is_turned, requirements)):
+            lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [_turned(requirement, duration) for requirement in requirements]
-            operation, duration = replace(operation, negated=False), None
+            operation, duration = replace(operation, negated=False), duration if lasting else None
         return Instruction(
             span=sketch.part.segment.span,
             operation=operation,
@@ -195,12 +205,19 @@ class _Composer:
 
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
     """Point at a second moment for the same thing: "switch it off at six and back on at eight"."""
-    moments = [r for r in requirements if r.constraint is Constraint.AT and r.t_spec is not None]
+    moments = [r for r in requirements if r.constraint in SAID_WHEN and r.anchor is None]
     for other in moments[1:]:
         first = moments[0]
-        if other.reference is first.reference and other.t_spec != first.t_spec:
+        if other.reference is first.reference and _is_apart(first, other):
             message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
             yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
+
+
+def _is_apart(one: TimeRequirement, other: TimeRequirement) -> bool:
+    """Whether no moment is in both."""
+    if None in {one.earliest, one.latest, other.earliest, other.latest}:
+        return False
+    return (one.latest or 0.0) < (other.earliest or 0.0) or (other.latest or 0.0) < (one.earliest or 0.0)
 
 
 def _awaiting(sketch: Sketch) -> Sketch:
@@ -225,6 +242,9 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
     """Read "don't open it before six" as: open it, not before six."""
     if not _is_turned(requirement):
         return requirement
+    if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
+        # "Don't boil it for more than a minute": for a minute at most.
+        return replace(requirement, fuzziness=("at most",))
     constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
     time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
     if requirement.constraint is Constraint.BETWEEN:

@@ -122,10 +122,21 @@ class Reader:
             # "Do ten minutes of yoga"
             of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
             words = self._words([p for o in of for p in self.tree.children(o, "pobj")], verb)
+        if not words:
+            # "Wake Tim up": the name was taken for a measure.
+            names = self.tree.children(verb, "npadvmod")
+            named = [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
+            words = self._words([p for p in named if not self.timed(p)], verb)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
-        return [place for place in words if place != particle]
+        return [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+
+    def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
+        """Give the words right before an object that a tree took for a time: "install the night light"."""
+        between = list(range(verb + 1, words[0])) if words else []
+        measured = between and self.tree.nodes[between[-1]].relation == "npadvmod"
+        return between if measured and not any(self.timed(place) for place in between) else []
 
     def _place_within(self, words: Sequence[int]) -> int:
         """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""
@@ -165,7 +176,10 @@ class Reader:
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]
-        counted = node.relation == "npadvmod" and node.tag in {"CD", "NNS", "NN"}
+        numbers = (
+            child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
+        )
+        counted = node.relation == "npadvmod" and any(numbers)
         return node.relation == "prep" or counted or node.lower in self.lexicon.places
 
     def _behind_times(self, verb: int) -> Iterator[int]:

@@ -18,6 +18,9 @@ ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 
 OPENED = frozenset({"and", "but", "please", "then"})
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
+"""Words behind which "then" is a time: "by then"."""
+
 ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
@@ -107,6 +110,8 @@ def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
     if place + 1 >= len(words):
         return False
     before = words[place - 1].text if place else ","
+    if words[place].text == "then" and before in BOUND:
+        return False
     if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
         return False
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
@@ -177,7 +182,15 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     timed = {place for span in times for place in tree.at(*span)}
     found = [_first_of(tree, root)] if _follows_order(tree, root) else []
     for place, node in enumerate(tree.nodes):
-        if place > 1 and place != root and _governs(tree, place, lexicon) and place + 1 not in timed:
+        if place in timed and place != root:
+            continue
+        alone = node.lower in lexicon.alone
+        if (
+            place > 1
+            and place != root
+            and _governs(tree, place, lexicon)
+            and (alone or place + 1 not in timed)
+        ):
             found.append(place)
             continue
         if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
@@ -201,6 +214,8 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if node.tag == "NN" and before in {"and", "&"} and node.lower in lexicon.alone:
+        return True
     if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
     behind = tree.nodes[place + 1].lower

@@ -19,9 +19,11 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
-from fuzzytime.language.sentence.drafts import Draft, Part
+from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
@@ -105,12 +107,18 @@ def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
     repeated: list[Sketch] = []
     for sketch in sketches:
         before, part = repeated[-1].operation if repeated else None, sketch.part
+        first = part.tree.nodes[:1]
         lasts = any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-        if sketch.operation is None and before is not None and part.segment.connective == "then" and lasts:
-            spans = ((node.start + part.offset, node.end + part.offset) for node in part.tree.nodes)
-            said = [span for span in spans if not any(_overlap(span, p.span) for p in sketch.phrases)]
-            place = text[said[0][0] : said[-1][1]] if said else before.place
-            repeated.append(replace(sketch, operation=replace(before, place=place)))
+        spans = ((node.start + part.offset, node.end + part.offset) for node in part.tree.nodes)
+        said = [span for span in spans if not any(_overlap(span, p.span) for p in sketch.phrases)]
+        rest = text[said[0][0] : said[-1][1]] if said else None
+        if sketch.operation is not None or before is None or not sketch.phrases:
+            repeated.append(sketch)
+        elif part.segment.connective == "then" and lasts:
+            repeated.append(replace(sketch, operation=replace(before, place=rest or before.place)))
+        elif rest is not None and before.object is not None and first and first[0].lower in ARTICLES:
+            # "Feed the cat at eight and the dog at nine"
+            repeated.append(replace(sketch, operation=replace(before, object=rest, place=None)))
         else:
             repeated.append(sketch)
     return repeated
@@ -173,9 +181,10 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    below = part.tree.children(action.place, "advcl", "xcomp", "ccomp")
-    found = next((place for place in below if place not in timed and part.tree.nodes[place].is_verb), None)
-    return replace(action, place=found) if action.place in timed and found is not None else action
+    nodes = enumerate(part.tree.nodes)
+    verbs = (place for place, node in nodes if node.is_verb and place not in timed)
+    found = next(verbs, None) if action.place in timed else None
+    return action if found is None else replace(action, place=found)
 
 
 def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:

@@ -68,6 +68,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
         letting=frozenset(form[0] for form in speech.words("verbs", "letting")),
         intransitive=frozenset(form[0] for form in speech.words("verbs", "intransitive")),
+        alone=frozenset(form[0] for form in speech.words("verbs", "alone")),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
             for name, node in speech.rows("particles")

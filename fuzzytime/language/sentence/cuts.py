@@ -1,0 +1,115 @@
+"""Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
+from fuzzytime.language.sentence.waiting import Part, Waiting
+
+JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
+"""What stands between two instructions."""
+
+CHAIN = re.compile(r",?w(?:,w)*,?&")
+"""Words (w), commas and "and" (&) before the last of some verbs that share an object."""
+
+SHORTEST_CALL = 3
+"""Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
+
+SHORTEST_GAP = 3
+"""Words at least between two times of which the second is another thing's: "and the dog"."""
+
+
+def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the segment without the name before its first comma, or behind its last, of who is asked.
+
+    A name begins with a capital, and is no verb: "Wash, peel and slice the apples" asks nobody by name.
+    """
+    nodes = part.tree.nodes
+    if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
+        return []
+    first, last = one.segment.span
+    for name, mark, rest in (
+        (nodes[0], nodes[1], (nodes[2].start + part.offset, last)),
+        (nodes[-1], nodes[-2], (first, nodes[-3].end + part.offset)),
+    ):
+        place = one.source.places(name.start + part.offset, name.end + part.offset)
+        named = name.text[0].isupper() or name.lower in lexicon.persons
+        timed = bool(one.source.covered & set(place))
+        if mark.text in {",", ":"} and named and not timed and not name.may_act and name.text.isalpha():
+            segment = replace(one.segment, span=rest, addressee=name.text)
+            if rest[0] < rest[1] and Waiting.of(one.position, one.source, segment, lexicon).text:
+                return [segment]
+    return []
+
+
+def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
+    """Give the pieces of a segment around its first further verb; none where there is none."""
+    root = part.tree.root
+    if root is None:
+        return
+    first, last = one.segment.span
+    times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+    starts = [
+        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
+    ]
+    starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
+    for start in starts:
+        chain = _chain(one, part, start)
+        if chain:
+            yield from chain
+            return
+    starts += _gaps(one, part)
+    for start in starts:
+        end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+        if end > part.offset:
+            yield replace(one.segment, span=(first, end))
+            yield Segment((start, last), addressee=one.segment.addressee)
+            return
+
+
+def _gaps(one: Waiting, part: Part) -> list[int]:
+    """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
+    words, phrases = one.source.scanned.words, one.source.phrases
+    own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
+    found = []
+    for old, new in pairwise(own):
+        between = words[old.end : new.first]
+        if len(between) < SHORTEST_GAP or between[0].text not in {"and", ","}:
+            continue
+        nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+        nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
+        if nouns and between[1].text in ARTICLES and old.said.constraint is new.said.constraint:
+            found.append(between[1].start)
+    return found
+
+
+def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
+    """Give the segments of verbs alone before one with an object: "wash, peel and slice the apples".
+
+    The tree often has the further ones for nouns; what counts is that the first is its root.
+    """
+    words, covered = one.source.scanned.words, one.source.covered
+    places = [place for place in one.source.places(part.offset, start) if place not in covered]
+    shape = "".join({",": ",", "and": "&"}.get(words[place].text, "w") for place in places)
+    verbs = [place for place, mark in zip(places, shape, strict=True) if mark == "w"]
+    if not CHAIN.fullmatch(shape) or not all(words[place].is_letters for place in verbs):
+        return []
+    if places[-1] - verbs[0] >= len(places):
+        # "Wait two minutes, and paint it": the first has a time of its own.
+        return []
+    if part.tree.nodes[part.tree.root or 0].start + part.offset != words[verbs[0]].start:
+        return []
+    ends = [words[place].end for place in verbs]
+    begins = [*(words[place].start for place in verbs[1:]), start]
+    joints = [(words[place - 1].start, words[place - 1].end) for place in (*verbs[1:], places[-1] + 1)]
+    spans = zip(begins, (*ends[1:], one.segment.span[1]), strict=True)
+    return [
+        replace(one.segment, span=(one.segment.span[0], ends[0])),
+        *(
+            Segment(span, "then", joint, one.segment.addressee)
+            for span, joint in zip(spans, joints, strict=True)
+        ),
+    ]
