@@ -132,6 +132,8 @@ def within(preposition: Preposition, duration: Duration) -> Said:
     "said",
     "for <duration>",
     "for another <duration>",
+    "for a? total of <duration>",
+    "for <duration> in? total|all|altogether",
     "lasting|taking|of? <duration> long",
     "lasting|taking <duration>",
     weight=0.35,

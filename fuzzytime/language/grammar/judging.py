@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
@@ -67,24 +67,21 @@ class Judge:
             return self._accepts_wall(piece, said, time)
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, Range):
+            return self._accepts_range(piece, said, time)
         if isinstance(time, Repeat) and self.around.before(piece) in {"most", "some", "many", "few"}:
             # "Most evenings": which, is not said.
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
-        if isinstance(time, Range):
-            if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
-                # "The Monday to Friday timetable"
-                return False
-            ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
-            if ends and all(end.bare or end.weak for end in ends):
-                between = said.preposition == "between" and self._binds(piece)
-                return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
 
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
+        if first == "over":
+            # "Turn the steaks over every two minutes"
+            return rest[:1] in (["every"], ["each"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _is_excepted(self, piece: Piece) -> bool:
@@ -206,6 +203,19 @@ class Judge:
             return follower in self.lexicon.lasting or self.around.may_end(piece)
         return True
 
+    def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
+        if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+            # "The Monday to Friday timetable"
+            return False
+        if self.around.before(piece) in POSSESSIVES:
+            # "Move my three o'clock to five"
+            return False
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        if ends and all(end.bare or end.weak for end in ends):
+            between = said.preposition == "between" and self._binds(piece)
+            return between and not self.measures.measured(piece) and self.around.may_end(piece)
+        return True
+
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
         if self._is_part_of_noun(piece, said, wall):
             return False
@@ -254,6 +264,9 @@ class Judge:
         """Whether it only names something, or belongs to what does."""
         before = self.around.before(piece)
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return True
+        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
+            # "Cancel my three o'clock"
             return True
         followed = self.around.follower(piece) in {"before", "after"}
         if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:

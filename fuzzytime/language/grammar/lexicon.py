@@ -64,6 +64,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
+    landmarks
+        Things on a way: "after the bridge" says where.
     impersonal
         What "it" does or is when it stands for nothing: "rains", "dark".
     measure_verbs, measure_nouns
@@ -104,6 +106,7 @@ class Lexicon:
     lasting: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
+    landmarks: frozenset[str]
     impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]

@@ -89,7 +89,7 @@ class _Clauses:
         """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses[form]
         first = place + len(form)
-        end = self._end(place, first)
+        end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase)), None)
         said_end = end if time is None else time.first
@@ -142,24 +142,9 @@ class _Clauses:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
 
-    def _end(self, place: int, first: int) -> int:
-        """Give where the clause ends: at a comma, at "and" and a time, or at the main verb behind it."""
-        comma = next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
-        root = self.tree.root
-        if root is None or place >= len(self.words):
-            return comma
-        main = self.tree.nodes[root]
-        if place == 0 and comma == len(self.words):
-            # A clause in front without a comma: up to where the tree says that it ends.
-            inner = (
-                next(iter(self.tree.at(self.words[first].start, self.words[first].end)), None)
-                if first < len(self.words)
-                else None
-            )
-            if inner is not None and main.start > self.words[place].start:
-                before = [p for p, word in enumerate(self.words) if word.start >= main.start]
-                return before[0] if before else comma
-        return comma
+    def _end(self, first: int) -> int:
+        """Give where the clause ends: at a comma, or at "and" and a time."""
+        return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
 
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
@@ -177,9 +162,14 @@ class _Clauses:
                 phrase.end == place
                 and phrase.said.preposition is None
                 and isinstance(phrase.said.time, Duration)
+                and not self._lasts(phrase.first - 1)
             ):
                 return phrase
         return None
+
+    def _lasts(self, place: int) -> bool:
+        """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
+        return place >= 0 and self.words[place].text in self.lexicon.lasting
 
     def _verb(self, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""
@@ -219,6 +209,9 @@ class _Clauses:
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
             return None
         noun = self._noun_end(nodes)
+        if self.tree.nodes[noun].lower in self.lexicon.landmarks:
+            # "Turn left after the second crossing"
+            return None
         end = self.tree.nodes[noun].end
         return replace(
             clause,

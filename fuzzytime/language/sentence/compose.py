@@ -42,6 +42,9 @@ SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
 
+DOERS = frozenset({"you", "i", "we"})
+"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -182,7 +185,10 @@ class _Composer:
             )
         what = self.draft.text[slice(*clause.content)]
         if target is None:
+            subject = None if clause.condition is None else clause.condition.subject
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+            if clause.is_event or (subject is not None and subject not in DOERS):
+                message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
             self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
         return _referred(anchors.of_clause(clause, text, what, target), sketch.reference)
 

@@ -7,10 +7,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
-from fuzzytime.language.sentence.waiting import Part, Waiting
-
-JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
-"""What stands between two instructions."""
+from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""

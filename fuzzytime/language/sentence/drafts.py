@@ -1,6 +1,6 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -11,8 +11,9 @@ from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
+from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
 CARRIERS = ("", "please ", "you should ")
@@ -20,8 +21,6 @@ CARRIERS = ("", "please ", "you should ")
 
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
-
-Trees = Callable[[Sequence[str]], list[Tree]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +70,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
         if not waiting:
             break
         found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
+        led = {} if last_round else fronts_of(waiting, found, trees, lexicon)
         following: list[Waiting] = []
-        for one, tree, front in zip(waiting, found, fronts, strict=True):
+        for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
+            if place in led:
+                following += one.cut_at(led[place].start, led[place].main, lexicon)
+                continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else addressed(one, part, lexicon) or list(pieces_of(one, part, lexicon))
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]

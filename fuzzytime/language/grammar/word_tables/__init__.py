@@ -81,6 +81,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
+        landmarks=frozenset(form[0] for form in speech.words("landmarks")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
@@ -100,7 +101,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words", "questions", "foreign", "lasting",
+    "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
