@@ -217,3 +217,16 @@ def test_a_text_without_words_gives_no_time(text: str) -> None:
 def test_full_width_digits_and_typographic_marks_are_read() -> None:
     reading = language().read("Feed the cat at ８：３０ pm – please", now=NOW)
     assert reading.instructions[0].requirements[0].t_spec == 11.5 * 3600
+
+
+def test_an_order_that_follows_nothing_is_said() -> None:
+    reading = language().read("Meanwhile, feed the cat at noon", now=NOW)
+    (remark,) = reading.remarks
+    assert remark.kind is RemarkKind.UNRESOLVED
+    assert reading.text[slice(*remark.span)].startswith("Meanwhile")
+
+
+@pytest.mark.parametrize("text", ["Flip the pancakes after the pan is hot", "Ring the bell after the parade"])
+def test_what_readings_may_tell_is_not_said_to_be_wrong(text: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert "readings or an instruction" in remark.message

@@ -47,6 +47,13 @@ def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration 
     return _length(Quantity(quantity.value + fraction, quantity.hedges), unit)
 
 
+@grammar.rule("duration", "<quantity> <unit> and a bit|little")
+def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
+    """An hour and a bit."""
+    length = _length(quantity, unit)
+    return None if length is None else length.hedged("about")
+
+
 @grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months."""

@@ -67,6 +67,12 @@ def added(quantity: Quantity) -> Quantity:
     return quantity
 
 
+@grammar.rule("quantity", "<integer> and a bit|little", weight=0.1)
+def and_a_bit(number: Integer) -> Quantity:
+    """Three and a bit (hours)."""
+    return Quantity(number.value, ("about",))
+
+
 @grammar.rule("quantity", "a|an good|solid <integer>", weight=0.1)
 def a_good(number: Integer) -> Quantity:
     """A good ten (minutes): that many, or more."""

@@ -124,6 +124,12 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     return Ending(first, days or Relative(0))
 
 
+@grammar.rule("end", "the? <edge> of? the? day <days>", "the? <edge> of? the? day on|of <days>", weight=0.5)
+def ending_of_day(edge: Edge, days: Calendar) -> Ending | None:
+    """The end of the day tomorrow."""
+    return Ending(edge, days) if days.grain is Unit.DAY else None
+
+
 @grammar.rule(
     "rest",
     "rest|remainder|remaining of? the|my? <days>|<series>",

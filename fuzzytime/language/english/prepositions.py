@@ -6,7 +6,9 @@ from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar, Cycle
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
@@ -45,6 +47,31 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 def when_it_is(wall: Wall) -> Said | None:
     """When it is three p.m., once it's noon."""
     return Said(wall, None, "at") if wall.clock is not None else None
+
+
+@grammar.rule(
+    "word",
+    "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "as soon as you get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
+    weight=0.2,
+)
+def when_you_have_time(_leisure: str) -> TimeWord:
+    """When you get a sec, once you find the time."""
+    return TimeWord("when you can", Constraint.VAGUE)
+
+
+@grammar.rule("leisure", "moment|minute|second|sec|mo|tick|chance|time|opportunity|while|hand")
+def leisure() -> str:
+    """A moment for something."""
+    return "time"
+
+
+@grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
+def before_it_is_over(days: Calendar) -> Said:
+    """Before the week is out."""
+    period = Deictic(Which.THIS, days) if isinstance(days, Cycle) else days
+    return Said(Ending(Edge.END, period), Constraint.BEFORE, "before", (), Edge.LAST)
 
 
 @grammar.rule("said", "at like|say ,? <clock>", weight=0.5)

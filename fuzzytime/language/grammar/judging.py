@@ -55,6 +55,11 @@ class Judge:
         said: Said = piece.value
         if self._runs_on(piece) or self._is_excepted(piece) or self._holds_particle(piece):
             return False
+        if self._names_event(piece):
+            return False
+        if self.around.follower(piece) == "than" and self.texts[piece.end - 1] in COMPARING:
+            # "Twenty minutes earlier than usual"
+            return False
         time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
@@ -75,6 +80,17 @@ class Judge:
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         return True
+
+    def _names_event(self, piece: Piece) -> bool:
+        """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
+        said: Said = piece.value
+        counted = isinstance(said.time, Offset)
+        wall = said.time.anchor if isinstance(said.time, Offset) else said.time
+        if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
+            return False
+        marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
+        owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
+        return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)
 
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""

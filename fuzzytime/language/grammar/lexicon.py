@@ -44,7 +44,7 @@ class Lexicon:
         Number words.
     ambiguous
         Words of the calendar that have another meaning too.
-    indicators, connectives, clauses, corrections, addresses, amounts, results
+    indicators, connectives, clauses, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
     wanting, forgetting
         Verbs above the one that is meant: "I want to", "don't forget to".
@@ -92,6 +92,7 @@ class Lexicon:
     clauses: Mapping[tuple[str, ...], str]
     corrections: frozenset[tuple[str, ...]]
     addresses: frozenset[str]
+    courtesies: frozenset[tuple[str, ...]]
     amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
     wanting: frozenset[str]

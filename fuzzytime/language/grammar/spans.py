@@ -49,7 +49,9 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     for place, word in enumerate(words):
         base = word.text.removesuffix("ish")
         owner = word.text.removesuffix("'s")
-        if owner != word.text and any(entry.category == "unit" for entry in lexicon.entries.get(owner, ())):
+        if owner != word.text and any(
+            entry.category in {"unit", "fraction"} for entry in lexicon.entries.get(owner, ())
+        ):
             # "In an hour's time"
             middle = word.end - 2
             found += [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]

@@ -49,15 +49,20 @@ class Clause:
 
 
 def clauses_of(
-    tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+    tree: Tree,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    named: Sequence[Phrase] = (),
 ) -> list[Clause]:
     """Find the clauses of one instruction.
 
-    A marker inside a time ("before noon") begins none.
+    A marker inside a time ("before noon") begins none. ``named`` are times that name events: "before my four
+    o'clock meeting" is before four.
     """
     found: list[Clause] = []
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
-    reader = _Clauses(tree, words, phrases, lexicon, covered)
+    reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
@@ -78,12 +83,14 @@ class _Clauses:
         phrases: Sequence[Phrase],
         lexicon: Lexicon,
         covered: set[int],
+        named: Sequence[Phrase],
     ) -> None:
         self.tree = tree
         self.words = words
         self.phrases = phrases
         self.lexicon = lexicon
         self.covered = covered
+        self.named = named
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
@@ -112,6 +119,10 @@ class _Clauses:
         clause = Clause(
             kind=kind, marker=" ".join(form), span=(start, content[1]), content=content, distance=duration
         )
+        named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
+        if named is not None and time is None and kind in EVENTFUL:
+            event = self._event(clause, nodes)
+            return event if event is None else replace(event, time=named)
         found = self._told(clause, nodes)
         if found is None or time is None or kind not in EVENTFUL or not _dates(time, duration):
             return found

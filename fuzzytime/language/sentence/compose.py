@@ -122,6 +122,11 @@ class _Composer:
             requirements.append(_referred(requirement, reference))
         requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
+        segment = sketch.part.segment
+        if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
+            said = self.draft.text[slice(*segment.connective_span)].rstrip(" ,:")
+            message = f"{said!r} follows an instruction, and none was given so far"
+            self.remarks.append(Remark(RemarkKind.UNRESOLVED, segment.connective_span, message))
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)

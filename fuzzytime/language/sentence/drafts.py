@@ -7,8 +7,9 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Said
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
@@ -18,6 +19,9 @@ from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
 CARRIERS = ("", "please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
+
+NAMING = "name"
+"""The rule of a clock time that names an event."""
 
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
@@ -40,6 +44,17 @@ class Draft:
         words = self.scanned.words
         found = self.scanned.pieces("unfinished")
         return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
+
+    @property
+    def naming(self) -> tuple[Phrase, ...]:
+        """The clock times that name an event behind them, and so are no times: "my four o'clock meeting"."""
+        words = self.scanned.words
+        walls = (p for p in self.scanned.pieces("wall") if p.value.clock is not None and not p.value.bare)
+        owned = (p for p in walls if p.start and words[p.start - 1].text in OWNING)
+        return tuple(
+            Phrase(Said(p.value), p.start, p.end, (words[p.start].start, words[p.end - 1].end), NAMING)
+            for p in sorted(owned, key=lambda piece: -piece.end)
+        )
 
 
 def drafted(

@@ -231,12 +231,17 @@ def _clauses(
     start = places[0] if places else 0
     words = [draft.scanned.words[place] for place in places]
     local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
-    local = [
-        replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
-        for p in phrases
-        if offset <= p.span[0] < end
-    ]
-    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon)]
+    local, named = (
+        [
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
+            for p in found
+            if offset <= p.span[0] < end
+        ]
+        for found in (phrases, draft.naming)
+    )
+    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon, named)]
 
 
 # -- several times --------------------------------------------------------------------------------------

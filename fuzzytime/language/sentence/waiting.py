@@ -134,10 +134,22 @@ class Waiting:
             places = [place for place in places if place >= end]
         return 0
 
+    def _overlooks_order(self, tree: Tree) -> bool:
+        """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
+        first = (
+            next(iter(tree.at(self.behind_time, self.behind_time + 1)), None) if self.behind_time else None
+        )
+        if first is None:
+            return False
+        node = tree.nodes[first]
+        return first != tree.root and node.may_act and node.lower == node.lemma and node.tag in {"VB", "VBP"}
+
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
+        if self._overlooks_order(tree):
+            return True
         words, covered = self.source.scanned.words, self.source.covered
         root = self.main + tree.nodes[tree.root or 0].start
         before = [p for p in self.source.places(self.main, root) if p not in covered]

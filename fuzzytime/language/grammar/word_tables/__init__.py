@@ -61,6 +61,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         clauses=clauses,
         corrections=frozenset(speech.words("corrections")),
         addresses=frozenset(form[0] for form in speech.words("addresses")),
+        courtesies=frozenset(speech.words("courtesies")),
         amounts=amounts,
         results=frozenset(" ".join(form) for form in speech.words("results")),
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
@@ -101,7 +102,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks",
+    "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
