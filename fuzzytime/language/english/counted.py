@@ -45,7 +45,9 @@ def in_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
-@grammar.rule("said", "in like|say ,? <duration>", weight=0.6)
+@grammar.rule(
+    "said", "in like|say ,? <duration>", "in about|around|roughly ,? say|like ,? <duration>", weight=0.6
+)
 def in_like(duration: Duration) -> Said:
     """In like ten minutes."""
     return _length(duration.hedged("about"), Constraint.AT, "in")

@@ -124,10 +124,11 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     return Ending(first, days or Relative(0))
 
 
-@grammar.rule("end", "the? <edge> of? the? day <days>", "the? <edge> of? the? day on|of <days>", weight=0.5)
-def ending_of_day(edge: Edge, days: Calendar) -> Ending | None:
-    """The end of the day tomorrow."""
-    return Ending(edge, days) if days.grain is Unit.DAY else None
+@grammar.rule("end", "<end> <days>", "<end> on|of <days>", weight=0.5)
+def ending_of_day(end: Ending, days: Calendar) -> Ending | None:
+    """The end of the day tomorrow, eod friday."""
+    today = end.days in {Deictic(Which.THIS, Cycle(Unit.DAY)), Relative(0)}
+    return replace(end, days=days) if today and days.grain is Unit.DAY else None
 
 
 @grammar.rule(

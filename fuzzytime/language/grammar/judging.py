@@ -188,6 +188,9 @@ class Judge:
     def _accepts_alone(self, said: Said) -> bool:
         time = said.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
+            if time.clock.shift:
+                # "Twenty to four"
+                return True
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
         return True
 
@@ -198,6 +201,9 @@ class Judge:
         last = duration.until or duration
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
+            return False
+        if said.preposition is None and self.around.before(piece) == "by":
+            # "Push the call back by thirty minutes"
             return False
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
@@ -238,6 +244,9 @@ class Judge:
         if wall.bare:
             return self._accepts_number(piece, said, wall)
         day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
+        if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
+            # "The 18th century table"
+            return False
         if day and not self.around.may_end(piece):
             # "After the first one is done"
             return False
@@ -292,7 +301,15 @@ class Judge:
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
-        return said.preposition in NAMING and owned and not self.around.may_end(piece)
+        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
+            return True
+        # "My day planner"
+        return (
+            said.preposition is None
+            and self.texts[piece.start] in POSSESSIVES
+            and not self.around.may_end(piece)
+        )
 
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous

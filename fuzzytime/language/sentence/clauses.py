@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
-from fuzzytime.language.sentence.conditions import condition_of, happening, state
+from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
 
@@ -124,7 +124,10 @@ class _Clauses:
             event = self._event(clause, nodes)
             return event if event is None else replace(event, time=named)
         found = self._told(clause, nodes)
-        if found is None or time is None or kind not in EVENTFUL or not _dates(time, duration):
+        eventful = kind in EVENTFUL or (
+            kind == "when" and found is not None and found.verb not in {*BE, None}
+        )
+        if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
 

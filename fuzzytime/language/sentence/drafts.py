@@ -42,7 +42,8 @@ class Draft:
     def unfinished(self) -> tuple[Span, ...]:
         """The stretches that begin a time and do not end it: "at half past"."""
         words = self.scanned.words
-        found = self.scanned.pieces("unfinished")
+        covered = {place for phrase in self.phrases for place in range(phrase.first, phrase.end)}
+        found = (p for p in self.scanned.pieces("unfinished") if covered.isdisjoint(range(p.start, p.end)))
         return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
 
     @property

@@ -148,9 +148,11 @@ class Waiting:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
-        if self._overlooks_order(tree):
-            return True
         words, covered = self.source.scanned.words, self.source.covered
+        places = self.source.places(self.main, self.segment.span[1])
+        timed = {words[place].start - self.main for place in places if place in covered}
+        if self._overlooks_order(tree) or (tree.root is not None and tree.nodes[tree.root].start in timed):
+            return True
         root = self.main + tree.nodes[tree.root or 0].start
         before = [p for p in self.source.places(self.main, root) if p not in covered]
         if not before or longest_match(words, before[0], lexicon.clauses) is not None:
