@@ -182,4 +182,7 @@ def longest_match(
 
 def form_of(text: str) -> tuple[str, ...]:
     """Give a way to say something as the words it is matched by."""
+    if text.isascii() and text.replace(" ", "").isalpha():
+        # Most are plain words, and thousands are read at every start.
+        return tuple(text.lower().split())
     return tuple(word.text for word in words_of(text))
