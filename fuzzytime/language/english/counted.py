@@ -88,7 +88,14 @@ def in_numbers(first: Integer, last: Integer) -> Said | None:
     return _length(replace(shorter, until=longer), Constraint.AT, "in")
 
 
-@grammar.rule("said", "after <duration>", "after another <duration>", "<hedge> after <duration>", weight=0.3)
+@grammar.rule(
+    "said",
+    "after <duration>",
+    "after another <duration>",
+    "after the? first|initial <duration>",
+    "<hedge> after <duration>",
+    weight=0.3,
+)
 def after_duration(first: str | Duration, second: Duration | None = None) -> Said | None:
     """After ten minutes."""
     duration = second if isinstance(first, str) else first

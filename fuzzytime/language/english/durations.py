@@ -166,7 +166,12 @@ def one_or_one_and_a_half(
     return replace(first, until=last, indefinite=False)
 
 
-@grammar.rule("duration", "<duration> ,? and|but <hedge> <quantity>|<duration>", weight=0.3)
+@grammar.rule(
+    "duration",
+    "<duration> ,? and|but <hedge> <quantity>|<duration>",
+    "<duration> , <hedge> <quantity>|<duration>",
+    weight=0.3,
+)
 def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Duration) -> Duration | None:
     """At least two hours and no more than four."""
     bounded = "at least" in shorter.hedges and hedge in {"at most", "less than"}

@@ -61,7 +61,9 @@ def mixed(number: Integer, fraction: float) -> Quantity:
     return Quantity(number.value + fraction)
 
 
-@grammar.rule("quantity", "<quantity> more|additional|extra|other|fewer|further|full|whole|short|long|good")
+@grammar.rule(
+    "quantity", "<quantity> more|additional|extra|other|fewer|further|full|whole|short|long|good|last|final"
+)
 def added(quantity: Quantity) -> Quantity:
     """Two more minutes, three additional hours, two full days."""
     return quantity

@@ -37,6 +37,14 @@ def all_part(found: Part) -> Wall | None:
     return None if found.is_point else Wall(part=found)
 
 
+@grammar.rule(
+    "wall", "the? whole|entire|all|entirety of <days>", "the? whole|entirety of <parted>", weight=0.3
+)
+def whole_period(found: Calendar | Part) -> Wall:
+    """The whole of next week."""
+    return Wall(part=found) if isinstance(found, Part) else Wall(found)
+
+
 @grammar.rule("wall", "all|whole day <days>|<date>", "all|whole day on <days>|<date>", weight=0.4)
 def all_day(days: Calendar) -> Wall | None:
     """All day tomorrow, all day on friday."""

@@ -167,7 +167,7 @@ def or_later(goal: Goal) -> Said | None:
     "said",
     "at|on|from|by <goal> or|and later|after|onwards|onward",
     "from <goal> on|onwards|onward",
-    "at|on <goal> at the earliest",
+    "at|on <goal> at the very? earliest",
     weight=0.4,
 )
 def at_or_later(goal: Goal) -> Said:
@@ -178,7 +178,7 @@ def at_or_later(goal: Goal) -> Said:
 @grammar.rule(
     "said",
     "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at? the? latest",
+    "by|at|on|in? <goal> at? the? very? latest",
     "at|on|by <goal> or earlier|before|sooner",
     weight=0.4,
 )
@@ -187,7 +187,9 @@ def or_earlier(goal: Goal) -> Said:
     return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
 
 
-@grammar.rule("said", "<said> ,? at the latest", "at the? latest ,? <said>", "latest <said>", weight=0.5)
+@grammar.rule(
+    "said", "<said> ,? at the very? latest", "at the? very? latest ,? <said>", "latest <said>", weight=0.5
+)
 def latest(said: Said) -> Said | None:
     """In ten minutes at the latest, at the latest on friday."""
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
@@ -196,7 +198,11 @@ def latest(said: Said) -> Said | None:
 
 
 @grammar.rule(
-    "said", "<said> ,? at the earliest", "at the? earliest ,? <said>", "earliest <said>", weight=0.5
+    "said",
+    "<said> ,? at the very? earliest",
+    "at the? very? earliest ,? <said>",
+    "earliest <said>",
+    weight=0.5,
 )
 def earliest(said: Said) -> Said | None:
     """In ten minutes at the earliest, at the earliest on friday."""

@@ -84,6 +84,10 @@ class Judge:
     def _names_event(self, piece: Piece) -> bool:
         """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
         said: Said = piece.value
+        ordinal = self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ordinal(piece.end - 1)
+        if ordinal and piece.end < len(self.texts) and not self.around.may_end(piece):
+            # "After the first one is done", "a day before the second coat"
+            return True
         counted = isinstance(said.time, Offset)
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
@@ -91,6 +95,9 @@ class Judge:
         marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
         owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
         return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)
+
+    def _is_ordinal(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.ordinals
 
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
@@ -243,12 +250,11 @@ class Judge:
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
-        day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
         if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
             # "The 18th century table"
             return False
-        if day and not self.around.may_end(piece):
-            # "After the first one is done"
+        if said.preposition == "of" and self._is_ordinal(piece.end - 1):
+            # "Within a minute of the first"
             return False
         if (
             wall.clock is not None

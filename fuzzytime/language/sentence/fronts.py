@@ -96,5 +96,6 @@ def _is_clause(tree: Tree, kind: str) -> bool:
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:
-        return node.tag.startswith("NN")
+        # "Before the guests get here": a plural has its verb behind it.
+        return node.tag in {"NN", "NNP"}
     return happening(tree, range(len(tree.nodes)), tree.text) is not None
