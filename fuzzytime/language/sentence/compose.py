@@ -185,7 +185,9 @@ class _Composer:
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(replace(clause.condition, text=text), sketch.operation, self.lexicon),
+                condition=_named(
+                    replace(clause.condition, text=text), _thing(clause, anchors, sketch), self.lexicon
+                ),
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
@@ -286,11 +288,25 @@ def _referred(requirement: TimeRequirement, reference: Reference | None) -> Time
     return replace(requirement, reference=reference, reference_said=True)
 
 
-def _named(condition: Condition, operation: Operation | None, lexicon: Lexicon) -> Condition:
+def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
+    """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
+
+    "Warm the milk and, once it is warm, add the yeast": the milk.
+    """
+    operation = sketch.operation
+    if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
+        pronoun = replace(operation, object=clause.condition.subject)
+        earlier = resolved_object(pronoun, anchors.operations[: anchors.position], anchors.lexicon)
+        if earlier is not None and earlier.lower() not in PRONOUNS:
+            return earlier
+    return None if operation is None else operation.object
+
+
+def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
     """Put a name for a pronoun: "stir the sauce until it thickens"."""
-    if condition.subject not in PRONOUNS or operation is None or operation.object is None:
+    if condition.subject not in PRONOUNS or thing is None:
         return condition
     if condition.subject == "it" and condition.word in lexicon.impersonal:
         return condition
-    words = [word for word in operation.object.lower().split() if content_words(word)]
+    words = [word for word in thing.lower().split() if content_words(word)]
     return replace(condition, subject=" ".join(words) or condition.subject)
