@@ -184,6 +184,25 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     return replace(shorter, hedges=(), until=longer)
 
 
+@grammar.rule(
+    "duration",
+    "<duration> ,? give or take <quantity>|<duration>",
+    "<duration> ,? plus|+ or|/? minus|- <quantity>|<duration>",
+    weight=0.4,
+)
+def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | None:
+    """Ten minutes give or take two: between eight and twelve."""
+    if len(middle.terms) != 1 or middle.until is not None or middle.bare_end:
+        return None
+    amount, unit = middle.terms[0]
+    seconds = width.seconds if isinstance(width, Duration) else width.value * UNIT_SECONDS[unit]
+    off = seconds / UNIT_SECONDS[unit]
+    if not 0 < off < amount:
+        return None
+    longer = Duration(((amount + off, unit),), bare_end=isinstance(width, Quantity))
+    return Duration(((amount - off, unit),), middle.hedges, until=longer)
+
+
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)
 def hedged(hedge: str, duration: Duration) -> Duration:
     """Roughly ten minutes, at least an hour."""

@@ -2,17 +2,22 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Calendar, Cycle
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
+
+LATER_YEARS = 2000
+"""From here on, four digits behind a bound are a year."""
 
 
 def _said(
@@ -109,7 +114,7 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    return _said(goal, preposition.name, Constraint.BEFORE, preposition.edge)
+    return _said(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
 
 
 @grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
@@ -117,7 +122,17 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
-    return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
+    return _said(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+
+
+def _as_clock(goal: Goal) -> Goal:
+    """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
+    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None
+    year = days.year if isinstance(days, Fields) and days == Fields(year=days.year) else None
+    if year is None or not 1000 <= year < LATER_YEARS:
+        return goal
+    clock = number(Integer(year, str(year)))
+    return goal if clock is None else replace(goal, time=Wall(clock=clock))
 
 
 @grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)

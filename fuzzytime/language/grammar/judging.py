@@ -218,7 +218,8 @@ class Judge:
         if last.bare_end and self.measures.divided(piece):
             return False
         alone = duration.indefinite and said.preposition is None
-        if last.ordinal_end and alone and self.around.before(piece) in ASKED:
+        asked = {self.around.before(piece), self.texts[piece.start]}
+        if last.ordinal_end and alone and ASKED & asked:
             # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
