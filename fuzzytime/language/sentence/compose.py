@@ -22,6 +22,7 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
@@ -165,6 +166,7 @@ class _Composer:
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
         self.explained.append(clause.span)
+        numbers = comparisons_in(self.draft.scanned, clause.content, self.lexicon)
         target = anchors.target_of(clause)
         if (
             target is None
@@ -172,19 +174,23 @@ class _Composer:
             and clause.kind in {"when", "if", "until", "while"}
         ):
             reference = Reference.FINISH if clause.kind == "until" else Reference.START
+            condition = replace(clause.condition, text=text, comparisons=numbers)
             return TimeRequirement(
                 text=text,
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(replace(clause.condition, text=text), sketch.operation, self.lexicon),
+                condition=_named(condition, sketch.operation, self.lexicon),
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
         if target is None:
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
             self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
-        return _referred(anchors.of_clause(clause, text, what, target), sketch.reference)
+        requirement = anchors.of_clause(clause, text, what, target)
+        if target is None and requirement.anchor is not None:
+            requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
+        return _referred(requirement, sketch.reference)
 
     def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
         """Give the words of all trees with places in the whole text, and the paper's reading of the first."""
