@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from fuzzytime.errors import FuzzytimeError, RefusedError
-from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
+from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Sampled, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
@@ -134,3 +134,19 @@ def test_the_label_program_says_what_it_cannot_do() -> None:
     skills = tuple(FuzzySkill(str(k), Triangle(0, 50, 100), 10) for k in range(3))
     with pytest.raises(RefusedError, match="one agent, got 2"):
         solve(FuzzyTask(skills, agents=2), solver=Labels())
+
+
+HOT = Sampled((100, 320.24, 380.2421, 620), (0, 0.9608, 0.992, 0))
+"""A pan that will hardly be hot enough, at a moment on no grid."""
+
+
+@pytest.mark.parametrize("others", [(), (FuzzySkill("turn the waffles", HOT, 60),)])
+def test_a_wait_for_what_goes_on_by_itself_needs_no_program(others: tuple[FuzzySkill, ...]) -> None:
+    """What is relaxed, the lag, binds nobody here: a finer grid, or each skill alone, proves it."""
+    soup = FuzzySkill("cook the soup", Trapezoid(300, 540, 660, 900), 600, elapsed=1500)
+    serve = FuzzySkill("serve the rice", ALWAYS, 180)
+    flip = FuzzySkill("flip the pancakes", HOT, 60)
+    feed = FuzzySkill("feed the cat", Trapezoid(6000, 7300, 7400, 9000), 180)
+    task = FuzzyTask((soup, serve, flip, feed, *others), precedences=(Precedence(0, 1),))
+    certificate = solve(task).certificate
+    assert (certificate.status, certificate.method) == (Status.OPTIMAL, "held-karp")
