@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 from fuzzytime.errors import FuzzytimeError, RefusedError
-from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Sampled, Trapezoid, Triangle
+from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
+from fuzzytime.scheduling.alone import best_alone
+from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
 from scheduling.random_tasks import faults, random_task
@@ -136,17 +139,16 @@ def test_the_label_program_says_what_it_cannot_do() -> None:
         solve(FuzzyTask(skills, agents=2), solver=Labels())
 
 
-HOT = Sampled((100, 320.24, 380.2421, 620), (0, 0.9608, 0.992, 0))
-"""A pan that will hardly be hot enough, at a moment on no grid."""
-
-
-@pytest.mark.parametrize("others", [(), (FuzzySkill("turn the waffles", HOT, 60),)])
-def test_a_wait_for_what_goes_on_by_itself_needs_no_program(others: tuple[FuzzySkill, ...]) -> None:
-    """What is relaxed, the lag, binds nobody here: a finer grid, or each skill alone, proves it."""
-    soup = FuzzySkill("cook the soup", Trapezoid(300, 540, 660, 900), 600, elapsed=1500)
-    serve = FuzzySkill("serve the rice", ALWAYS, 180)
-    flip = FuzzySkill("flip the pancakes", HOT, 60)
-    feed = FuzzySkill("feed the cat", Trapezoid(6000, 7300, 7400, 9000), 180)
-    task = FuzzyTask((soup, serve, flip, feed, *others), precedences=(Precedence(0, 1),))
-    certificate = solve(task).certificate
-    assert (certificate.status, certificate.method) == (Status.OPTIMAL, "held-karp")
+def test_no_schedule_costs_less_than_each_skill_alone() -> None:
+    for seed in range(200, 240):
+        task = random_task(seed)
+        alone = [best_alone(task, position, 0.0).satisfaction for position in range(len(task.skills))]
+        problem = problem_of(task, THRESHOLD)
+        least = problem.least_cost + math.fsum(job.rejection for job in problem.apart)
+        weights = [skill.priority for skill in task.skills]
+        costs = [
+            -weight * math.log(max(best, THRESHOLD)) for weight, best in zip(weights, alone, strict=True)
+        ]
+        # What must wait for another has its best time later than alone.
+        assert least >= math.fsum(costs) - 1e-6, seed
+        assert least <= solve(task).weighted_cost + 1e-9, seed
