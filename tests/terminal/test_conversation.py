@@ -295,6 +295,15 @@ def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
     assert timedelta(minutes=5) < talk.start("s2") - talk.start("s1") < timedelta(minutes=15)
 
 
+def test_a_reference_is_resolved_when_what_it_refers_to_is_said() -> None:
+    talk = Talk()
+    assert "^" in talk.say("Serve the rice after the soup is done")
+    answer = talk.say("Cook the soup in ten minutes")
+    assert "^" not in answer
+    assert "s1 serve the rice" in answer
+    assert talk.start("s1") > talk.start("s2") + timedelta(minutes=10)
+
+
 def test_a_note_is_said_once_and_listed_when_asked_for() -> None:
     talk = Talk()
     note = "is taken as"

@@ -46,17 +46,29 @@ LONGER = "more than"
 LASTING = frozenset({"until", "through"})
 
 
-def composed(draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> Reading:
-    """Put a reading together; ``given`` are the operations of the instructions before."""
-    return _Composer(draft, lexicon, given).reading()
+def composed(
+    draft: Draft,
+    lexicon: Lexicon,
+    given: Sequence[Operation | None],
+    later: Sequence[Operation | None] = (),
+) -> Reading:
+    """Put a reading together; ``given`` and ``later`` are the operations before the text and after it."""
+    return _Composer(draft, lexicon, given, later).reading()
 
 
 class _Composer:
-    def __init__(self, draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> None:
+    def __init__(
+        self,
+        draft: Draft,
+        lexicon: Lexicon,
+        given: Sequence[Operation | None],
+        later: Sequence[Operation | None],
+    ) -> None:
         self.draft = draft
         self.lexicon = lexicon
         self.moment = Moment(draft.now, lexicon.policy)
         self.given = list(given)
+        self.later = later
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
@@ -108,7 +120,7 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, len(self.given), operations, self.lexicon)
+        anchors = Anchors(position, len(self.given), operations, self.lexicon, self.later)
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
