@@ -295,6 +295,32 @@ def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
     assert timedelta(minutes=5) < talk.start("s2") - talk.start("s1") < timedelta(minutes=15)
 
 
+def test_a_command_can_be_tried_and_changes_nothing() -> None:
+    talk = Talk()
+    talk.say("Flip the pancakes when the pan is hot")
+    talk.say("Boil the eggs in ten minutes")
+    answer = talk.say(":what-if :ctx pan_temp=200")
+    assert "found a place: s1 flip the pancakes" in answer
+    assert "nothing is changed" in answer
+    assert "there is no" not in talk.say(":what-if :drop 2")
+    assert talk.entries == ["Flip the pancakes when the pan is hot", "Boil the eggs in ten minutes"]
+    assert talk.say(":ctx").startswith("no readings yet")
+
+
+@pytest.mark.parametrize(
+    ("words", "answer"),
+    [
+        (":what-if :undo", "what can be tried"),
+        (":what-if :ctx", "would change nothing"),
+        (":what-if :drop 7", "7"),
+    ],
+)
+def test_what_cannot_be_tried_is_said(words: str, answer: str) -> None:
+    talk = Talk()
+    talk.say("Boil the eggs in ten minutes")
+    assert answer in talk.say(words)
+
+
 def test_a_reference_is_resolved_when_what_it_refers_to_is_said() -> None:
     talk = Talk()
     assert "^" in talk.say("Serve the rice after the soup is done")

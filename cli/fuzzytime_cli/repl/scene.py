@@ -29,13 +29,17 @@ class Reply:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width."""
+    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width.
+
+    Where ``tried`` is given, steps are not taken: what they would lead to is put there.
+    """
 
     conversation: Conversation
     plan: Plan
     now: datetime
     width: int
     unicode: bool = True
+    tried: list[State] | None = None
 
 
 def said(text: str) -> Reply:
@@ -100,5 +104,8 @@ def step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:
     FuzzytimeError
         From the step, which then changes nothing.
     """
+    if scene.tried is not None:
+        scene.tried.append(change(scene.conversation.state))
+        return Reply()
     scene.conversation.change(what, change)
     return Reply(changed=True)
