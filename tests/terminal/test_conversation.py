@@ -154,6 +154,28 @@ def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
     assert talk.entries == ["Stir the soup soon"]
 
 
+def test_a_skill_without_readings_is_drawn_without_an_empty_axis() -> None:
+    talk = Talk()
+    talk.say("Flip the pancakes when the pan is hot")
+    drawn = talk.say(":plot 1")
+    assert "pan_temp in" not in drawn
+    assert "no start satisfies: not enough readings of pan_temp" in drawn
+    talk.say(":ctx pan_temp=150")
+    assert "pan_temp in" in talk.say(":plot 1")
+
+
+def test_of_a_file_only_the_lines_that_are_understood_are_kept(tmp_path: Path) -> None:
+    talk = Talk()
+    file = tmp_path / "day.txt"
+    file.write_text("Stir the soup in ten minutes\nthe end of the world\ncall mum at 25:61 pm\n", "utf-8")
+    answer = talk.say(f":load {file}")
+    assert "2 of 3 lines are not understood, and not kept" in answer
+    assert talk.entries == ["Stir the soup in ten minutes"]
+    file.write_text("the end of the world\n", "utf-8")
+    assert "1 of 1 lines" in talk.say(f":load {file}")
+    assert len(talk.entries) == 1
+
+
 def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
     talk = Talk()
     talk.say("Stir the soup in exactly an hour")

@@ -113,7 +113,9 @@ def plot(scene: Scene, text: str) -> Reply:
     if file.strip():
         replace_file(Path(file.strip()), chart_svg(chart, interpreted.skill.name))
         return said(f"written: {file.strip()}")
-    return Reply(tuple(chart_lines(chart, scene.width, unicode=scene.unicode)))
+    reasons = [resolution.reason for resolution in interpreted.resolutions if resolution.reason]
+    why_none = [Text(f"no start satisfies: {plain(reason)}", style="yellow") for reason in reasons]
+    return Reply((*chart_lines(chart, scene.width, unicode=scene.unicode), *why_none))
 
 
 def now(scene: Scene, _: str) -> Reply:
