@@ -217,7 +217,9 @@ def test_what_is_done_no_longer_holds_its_agent() -> None:
 def test_another_terminal_is_noticed(tmp_path: Path) -> None:
     first, second = Talk(tmp_path / "s.sqlite"), Talk(tmp_path / "s.sqlite")
     first.say("Stir the soup soon")
-    assert "stir the soup" in second.wait(seconds=1)
+    news = second.wait(seconds=1)
+    assert news.startswith("Changed in another terminal:")
+    assert "stir the soup" in news
 
 
 def test_typed_control_characters_reach_no_answer_raw() -> None:

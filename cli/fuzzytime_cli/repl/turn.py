@@ -90,7 +90,9 @@ class Turns:
         """Say what has started by now; plan anew where another terminal took a step."""
         lines: list[Line] = []
         if self.plan is None or self.conversation.store.version(self.conversation.name) != self.version:
-            return [*self._redrawn(now)] if self.plan is not None else lines
+            if self.plan is not None:
+                lines = [Text("Changed in another terminal:", style="bold"), *self._redrawn(now)]
+            return lines
         for started in self.conversation.note_started(self.plan, now):
             lines.append(start_line(started))
         return lines
