@@ -3,7 +3,7 @@
 import contextlib
 import io
 import json
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -418,3 +418,11 @@ def test_ctrl_c_in_a_turn_ends_the_turn_of_one_who_types_and_all_of_a_pipe(
     with contextlib.nullcontext() if taken > 1 else pytest.raises(KeyboardInterrupt):
         _piped(talk, typed)
     assert len(seen) == taken
+
+
+def test_a_session_goes_on_with_a_zone_and_without(tmp_path: Path) -> None:
+    talk = Talk(tmp_path / "s.sqlite")
+    talk.say("Stir the soup in ten minutes")
+    talk.now = talk.now.replace(tzinfo=UTC) if talk.now.tzinfo is None else talk.now.replace(tzinfo=None)
+    assert "set the table" in talk.say("Set the table in twenty minutes")
+    assert "s1" in talk.say(":list")
