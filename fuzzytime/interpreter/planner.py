@@ -135,7 +135,7 @@ def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Prob
         reason = interpreted.reason or (
             f"must come after {interpretation.skills[first].skill.name}, which is rejected"
             if first is not None
-            else "no start time that satisfies is left beside the other skills"
+            else "no start time that satisfies is left beside what else is planned"
             if not interpreted.skill.satisfaction.support.empty
             else "no start time satisfies"
         )
