@@ -109,7 +109,7 @@ class _Search(GridSearch):
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
     def follow(self, relaxation: Relaxation) -> None:
-        """Search around the bound's path where the schedule is doubtful: the better it is, the more starts go."""
+        """Search around the bound's path where the schedule is doubtful: a better one deletes starts."""
         if self._is_doubtful() and relaxation.prices is not self._followed:
             self._followed = relaxation.prices
             path = self._timed(relaxation.grid, relaxation.visited())
