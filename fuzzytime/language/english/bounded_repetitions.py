@@ -117,7 +117,8 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     for old in repeat.walls:
         if old.clock and wall.clock:
             return None
-        if old.part and wall.part and not (old.part.start <= wall.part.start < old.part.end):
+        late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
+        if old.part and wall.part and not late and not (old.part.start <= wall.part.start < old.part.end):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
         walls.append(replace(old, clock=clock, part=wall.part or old.part))

@@ -284,6 +284,12 @@ def sometime(preposition: Preposition, said: Said) -> Said | None:
     return said if preposition.name == "sometime" and said.preposition is not None else None
 
 
+@grammar.rule("said", "for <preposition_at> <goal>", weight=0.3)
+def for_sometime(preposition: Preposition, goal: Goal) -> Said | None:
+    """For sometime next week, behind what is made for a time."""
+    return _said(goal, preposition.name) if preposition.name == "sometime" else None
+
+
 @grammar.rule("said", "<hedge> <said>", weight=0.05)
 def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""

@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
@@ -16,6 +17,9 @@ EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
+
+BESIDE = 2
+"""Words of a length of time that is a unit alone: "the day"."""
 
 REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
@@ -179,7 +183,19 @@ class _Clauses:
                 and not self._lasts(phrase.first - 1)
             ):
                 return phrase
-        return None
+        return self._whole_unit(place)
+
+    def _whole_unit(self, place: int) -> Phrase | None:
+        """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
+        words = self.words[max(0, place - 2) : place]
+        if len(words) < BESIDE or words[0].text not in {"the", "a"} or place - 2 in self.covered:
+            return None
+        found = (e for e in self.lexicon.entries.get(words[1].text, ()) if e.category == "unit")
+        unit = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
+        if unit is None or unit.form in {"night", "second"}:
+            return None
+        said = Said(Duration(((unit.count, unit.unit),)), Constraint.FOR)
+        return Phrase(said, place - 2, place, (words[0].start, words[1].end), "unit")
 
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
@@ -263,4 +279,5 @@ def _dates(phrase: Phrase, distance: Duration | None) -> bool:
     time = phrase.said.time
     if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
         return False
-    return distance is None or time.clock is not None
+    days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
+    return distance is None or days or time.clock is not None

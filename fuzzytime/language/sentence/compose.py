@@ -20,7 +20,7 @@ from fuzzytime.language.instruction import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
+from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
@@ -120,13 +120,14 @@ class _Composer:
             )
             requirement = anchors.of_phrase(phrase, grounded.requirement)
             requirements.append(_referred(requirement, reference))
+            if requirement.word in ORDERING:
+                self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
             said = self.draft.text[slice(*segment.connective_span)].rstrip(" ,:")
-            message = f"{said!r} follows an instruction, and none was given so far"
-            self.remarks.append(Remark(RemarkKind.UNRESOLVED, segment.connective_span, message))
+            self.remarks.append(_follows_nothing(said, segment.connective_span))
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
@@ -214,6 +215,12 @@ class _Composer:
                 if strict is None and own and tree is part.tree:
                     strict = reading.moved(base)
         return tuple(tokens), strict or StrictReading()
+
+
+def _follows_nothing(said: str, span: Span) -> Remark:
+    """Point at words that order an instruction beside another, where it is the first."""
+    message = f"{said!r} is about an instruction before it, and none was given so far"
+    return Remark(RemarkKind.UNRESOLVED, span, message)
 
 
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:

@@ -33,13 +33,15 @@ COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
-    ``addressee`` is who was asked by name, before a comma or behind one.
+    ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
+    said before: "the cat at eight and the dog at nine".
     """
 
     span: Span
     connective: str = ""
     connective_span: Span = (0, 0)
     addressee: str | None = None
+    verbless: bool = False
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
@@ -52,10 +54,18 @@ class Segment:
 
 
 def segments_of(
-    text: str, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+    text: str,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    taken_back: Sequence[Span] = (),
 ) -> list[Segment]:
-    """Cut a text at what always ends an instruction: full stops and connectives, outside of times."""
+    """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
+
+    ``taken_back`` are stretches that later words correct: nothing ends there.
+    """
     inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    inside |= {place for place, word in enumerate(words) if any(a <= word.start < b for a, b in taken_back)}
     cuts: list[tuple[int, int, str]] = []
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
@@ -211,6 +221,9 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         ):
             found.append(place)
             continue
+        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place):
+            found.append(place)
+            continue
         if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
             found.append(place)
             continue
@@ -219,14 +232,25 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
             continue
         start = _first_of(tree, place)
-        while start and start - 1 in timed:
-            # "Set the table, and by seven have the soup ready"
-            start -= 1
+        start = _behind_joint(tree, start, timed)
         if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
             continue
         if place > root or _leads(tree, place, root):
             found.append(start)
     return found
+
+
+def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
+    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
+    first = start
+    while first and first - 1 in timed:
+        first -= 1
+    behind = first
+    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
+        behind -= 1
+    # "Boil it, and before that, wash it"
+    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
+    return behind if led else first
 
 
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -240,6 +264,14 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
+
+
+def _stands_alone(tree: Tree, place: int) -> bool:
+    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
+    bare = node.may_act and node.lower == node.lemma
+    return bare and tree.nodes[place - 1].lower in JOINTS and behind in JOINTS | ENDS
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:
