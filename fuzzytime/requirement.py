@@ -59,12 +59,40 @@ class Lasting:
     fuzziness: tuple[str, ...] = ()
 
 
+class Side(StrEnum):
+    """On which side of a number something must be; ``at`` comes from either."""
+
+    ABOVE = "above"
+    AT_LEAST = "at least"
+    AT = "at"
+    AT_MOST = "at most"
+    BELOW = "below"
+    BETWEEN = "between"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Comparison:
+    """A number that a clause measures something by: "above about 150 degrees".
+
+    ``text`` is how it is said, without what is counted or measured in, which is the first of the words
+    ``behind`` it. ``until`` is the second number of "between 150 and 180", None elsewhere.
+    """
+
+    text: str
+    side: Side
+    number: float
+    until: float | None = None
+    fuzziness: tuple[str, ...] = ()
+    behind: str = ""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Condition:
     """A clause such as "when the pan is very hot": what must hold before the skill starts.
 
     ``subject`` is the noun without its determiner ("frying pan"), ``word`` what is said of it ("hot"),
     ``hedges`` the words between ("very"); a clause that does not have this form keeps its text only.
+    ``comparisons`` are the numbers in it, in the order of the words.
     """
 
     text: str
@@ -73,6 +101,7 @@ class Condition:
     hedges: tuple[str, ...] = ()
     negated: bool = False
     lasting: Lasting | None = None
+    comparisons: tuple[Comparison, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +110,8 @@ class Anchor:
 
     ``target`` is the position of that instruction among all given so far, from 0, or None for an event or
     a reference that could not be resolved. ``lag`` is in seconds, negative before the anchor; ``exact`` says
-    that the lag is wished for ("five minutes before"), not only its sign ("before").
+    that the lag is wished for ("five minutes before"), not only its sign ("before"). ``lasting`` and
+    ``comparisons`` are those of a state that is measured from ("after the oven is above 150 degrees").
     """
 
     text: str
@@ -92,6 +122,7 @@ class Anchor:
     lag: float = 0.0
     exact: bool = False
     lasting: Lasting | None = None
+    comparisons: tuple[Comparison, ...] = ()
 
 
 class Recurrence(Protocol):

@@ -1,22 +1,44 @@
 """The command `fuzzytime`: its commands, and the one place where errors become exit codes."""
 
 import os
-import shutil
 import signal
 import sys
 from contextlib import suppress
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+from typer.core import TyperGroup
 
 from fuzzytime_cli import study
 from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
 from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
+from fuzzytime_cli.narrow import help_that_fits
+
+if TYPE_CHECKING:
+    import typer._click as click
+
+PLAINER = (("Value error, ", ""), ("Input should be ", "must be "))
+"""Words of the library that checks options, and what people would say."""
+
+
+class Root(TyperGroup):
+    """The command itself: it says what is wrong with an option in plain words."""
+
+    def invoke(self, ctx: "click.Context") -> Any:  # noqa: ANN401 - whatever a command returns
+        """Run what is asked for."""
+        try:
+            return super().invoke(ctx)
+        except typer.BadParameter as error:
+            for words, plainer in PLAINER:
+                error.message = error.message.replace(words, plainer)
+            raise
+
 
 app = typer.Typer(
     name="fuzzytime",
+    cls=Root,
     help=(
         "Turns what people say about time into the schedule that satisfies them most, and says why.\n\n"
         "Without a command it holds a conversation on a terminal, and plans what a pipe brings."
@@ -85,19 +107,14 @@ def _called(arguments: list[str]) -> int:
             _show_version(wanted=True)
         return Exit.FINE
     try:
-        app(arguments, prog_name="fuzzytime", terminal_width=_width_of_help())
+        with help_that_fits() as width:
+            app(arguments, prog_name="fuzzytime", terminal_width=width)
     except SystemExit as stop:
         # Typer ends with 1 where the reader of a pipe has gone.
         if isinstance(stop.__context__, BrokenPipeError):
             return Exit.CLOSED_PIPE
         return stop.code if isinstance(stop.code, int) else Exit.FAILURE if stop.code else Exit.FINE
     return Exit.FINE
-
-
-def _width_of_help() -> int | None:
-    """Give the columns that help has on a narrow terminal; None leaves it to Typer, which wants 50."""
-    columns = shutil.get_terminal_size().columns
-    return max(20, columns - 2) if columns < 52 else None
 
 
 def main() -> None:

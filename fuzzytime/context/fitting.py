@@ -63,19 +63,33 @@ class Readings:
 
 
 def noise_of(times: Floats, values: Floats, expected: float) -> float:
-    """Estimate the standard deviation of single readings from how each misses the line of its neighbours."""
+    """Estimate the standard deviation of single readings from how each misses the line of its neighbours.
+
+    A course that bends misses it as well, by much where readings lie far apart: as two neighbours bend alike,
+    four readings tell the one from the other.
+    """
     if times.size < 3:
         return expected
-    share = (times[1:-1] - times[:-2]) / (times[2:] - times[:-2])
-    missed = values[1:-1] - ((1 - share) * values[:-2] + share * values[2:])
-    squares = missed**2 / (1 + share**2 + (1 - share) ** 2)
+    before, after = times[1:-1] - times[:-2], times[2:] - times[1:-1]
+    share = before / (before + after)
+    # Of each reading and its two neighbours, by how much every one of the three counts.
+    parts = np.stack([share - 1, np.ones_like(share), -share])
+    missed = (parts * np.stack([values[:-2], values[1:-1], values[2:]])).sum(axis=0)
+    if missed.size > 1:
+        bend = before * after
+        ratio = bend[1:] / bend[:-1]
+        missed = missed[1:] - ratio * missed[:-1]
+        none = np.zeros_like(ratio)
+        first = np.stack([*(ratio * parts[:, :-1]), none])
+        parts = np.stack([none, *parts[:, 1:]]) - first
+    squares = missed**2 / (parts**2).sum(axis=0)
     total = float(squares.sum()) + _NOISE_WEIGHT * expected**2
     return math.sqrt(total / (squares.size + _NOISE_WEIGHT))
 
 
 def freedom_of(number: int) -> float:
     """Give how many independent readings stand behind `noise_of`; neighbouring misses share readings."""
-    return _NOISE_WEIGHT + max(number - 2, 0) / 2
+    return _NOISE_WEIGHT + max(number - 3, 0) / 2
 
 
 @dataclass(frozen=True, slots=True)

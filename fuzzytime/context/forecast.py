@@ -182,8 +182,7 @@ def _stretches(signal: Signal, times: Floats, values: Floats) -> list[tuple[floa
     noise = noise_of(times, values, _expected_noise(signal, values))
     freedom = freedom_of(times.size)
     found: dict[int, tuple[float, Readings]] = {}
-    gaps = np.flatnonzero(np.diff(times) > signal.max_gap)
-    since_gap = times.size - 1 - int(gaps[-1]) if gaps.size else 0
+    since_gap = _since_gap(signal, times)
     if since_gap > 1:
         # Nobody knows what happened in a gap: a change of course within it needs no reason.
         recent = Readings.of(times[-since_gap:], values[-since_gap:], noise, freedom)
@@ -193,6 +192,24 @@ def _stretches(signal: Signal, times: Floats, values: Floats) -> list[tuple[floa
         odds = 0.0 if number == times.size else _CHANGE
         found.setdefault(number, (odds, Readings.of(times[-number:], values[-number:], noise, freedom)))
     return list(found.values())
+
+
+def _since_gap(signal: Signal, times: Floats) -> int:
+    """Count the readings since the last gap in which anything may have happened; 0 where there is none."""
+    gaps = np.flatnonzero(np.diff(times) > signal.max_gap)
+    return times.size - 1 - int(gaps[-1]) if gaps.size else 0
+
+
+def _alone(signal: Signal, times: Floats) -> float | None:
+    """Give the log prior odds that only the last reading counts: it stands behind a gap, or is the only one.
+
+    None where it does not. A few readings before the gap tell no course that it could go on with.
+    """
+    if times.size == 1:
+        return 0.0
+    if _since_gap(signal, times) != 1:
+        return None
+    return 0.0 if times.size <= _FEWEST else _CHANGE + _OTHER_LEVEL
 
 
 def _width(signal: Signal, values: Floats) -> float:
@@ -213,12 +230,13 @@ def _approaches(
     log_tau = _ANY_TAU
     if course.time_constant is not None:
         log_tau = Normal(math.log(course.time_constant), math.log(course.spread))
-    if times.size == 1:
-        if course.set_point is None or course.time_constant is None:
-            return []
-        return [(0.0, _from_one(float(values[-1]), course.set_point, log_tau))]
-    last = float(times[-1])
     fits: list[tuple[float, Fitted]] = []
+    alone = _alone(signal, times)
+    if alone is not None and course.set_point is not None and course.time_constant is not None:
+        fits.append((alone, _from_one(float(values[-1]), course.set_point, log_tau)))
+    if times.size == 1:
+        return fits
+    last = float(times[-1])
     for odds, readings in _stretches(signal, times, values):
         if course.set_point is not None:
             fits.append((odds, fit_approach(readings, last, course.set_point, log_tau)))
@@ -239,14 +257,17 @@ def _from_one(value: float, set_point: float, log_tau: Normal) -> Fitted:
 
 def _lines(course: Linear, signal: Signal, times: Floats, values: Floats) -> list[tuple[float, Fitted]]:
     last = float(times[-1])
-    if times.size == 1:
-        if course.rate is None:
-            return []
+    fits: list[tuple[float, Fitted]] = []
+    alone = _alone(signal, times)
+    if alone is not None and course.rate is not None:
         zero = np.zeros(1)
-        return [(0.0, Fitted(Curves(values[-1:], zero + course.rate, zero, zero + 1.0), 1.0, 1))]
+        fits.append((alone, Fitted(Curves(values[-1:], zero + course.rate, zero, zero + 1.0), 1.0, 1)))
+    if times.size == 1:
+        return fits
     span = max(float(np.ptp(times)), 1e-3)
     steepest = Normal(0.0, 10 * _width(signal, values) / span)
-    return [
+    fits += [
         (odds, fit_line(readings, last, course.rate, steepest))
         for odds, readings in _stretches(signal, times, values)
     ]
+    return fits

@@ -68,6 +68,9 @@ class Signal:
     noise
         The standard deviation of a reading, in the signal's unit, where it is known; readings add what they
         show.
+    softness
+        How far a value may be from a number that a sentence says ("above 150 degrees") and still count for
+        something, in the signal's unit; None for the tables' share of the number.
     words
         How a sentence names an event: "the timer rings".
     """
@@ -81,6 +84,7 @@ class Signal:
     event: bool = False
     course: Course = Hold()
     noise: float | None = None
+    softness: float | None = None
     words: tuple[str, ...] = ()
 
     def admitted(self, value: float | None, unit: str | None) -> float | None:

@@ -63,6 +63,11 @@ UNITS: dict[str, Unit] = {
 }
 """Every known unit by every name that files and flags may use."""
 
+_SIGNS = ("\u00b0C", "\u00b0F", "%")
+"""Units that people write as a sign, whatever they are called in files."""
+
+_EACH_DIMENSION = tuple({unit.dimension: name for name, unit in UNITS.items()}.values())
+
 
 def misspelt(name: str) -> str | None:
     """Give the known unit that was probably meant by one that is not in the table; None for a plain name.
@@ -78,7 +83,83 @@ def misspelt(name: str) -> str | None:
 
 def symbol(unit: str | None) -> str:
     """Give a unit as people write it."""
-    return {"degC": "\u00b0C", "degF": "\u00b0F"}.get(unit or "", unit or "")
+    known = UNITS.get(unit or "")
+    return next((sign for sign in _SIGNS if known is not None and UNITS[sign] == known), unit or "")
+
+
+_DEGREE = frozenset(("degree", "degrees", "deg", "\u00b0", "\u00ba"))
+_SPOKEN: dict[str, str] = {
+    **dict.fromkeys(("c", "celsius", "centigrade"), "degC"),
+    **dict.fromkeys(("f", "fahrenheit"), "degF"),
+    **dict.fromkeys(("k", "kelvin", "kelvins"), "K"),
+    **dict.fromkeys(("per cent", "pct"), "%"),
+    **dict.fromkeys(("kilowatt", "kilowatts"), "kW"),
+    **dict.fromkeys(("amp", "amps", "ampere", "amperes"), "A"),
+    **dict.fromkeys(("kilo", "kilos", "kilogram", "kilograms"), "kg"),
+    **dict.fromkeys(("pound", "pounds"), "lb"),
+    **dict.fromkeys(("ounce", "ounces"), "oz"),
+    **dict.fromkeys(("millimetre", "millimetres", "millimeter", "millimeters"), "mm"),
+    **dict.fromkeys(("centimetre", "centimetres", "centimeter", "centimeters"), "cm"),
+    **dict.fromkeys(("kilometre", "kilometres", "kilometer", "kilometers"), "km"),
+    **dict.fromkeys(("inches", '"'), "inch"),
+    **dict.fromkeys(("foot", "feet"), "ft"),
+    **dict.fromkeys(("bars",), "bar"),
+    **dict.fromkeys(("hertz",), "Hz"),
+    **dict.fromkeys(("newton", "newtons"), "N"),
+    **dict.fromkeys(("revolutions per minute", "turns per minute"), "rpm"),
+    **dict.fromkeys(("kilometres per hour", "kilometers per hour", "kph"), "km/h"),
+    **dict.fromkeys(("miles per hour",), "mph"),
+}
+"""Units as people say them, beside the names that files and flags use."""
+
+_NOT_SPOKEN = frozenset(("1", "in"))
+"""Units that are another word in a sentence: "20 in the queue"."""
+
+_MOST_WORDS = 3
+
+
+def measured_in(behind: str, unit: str | None) -> str | None:
+    """Give the unit that the words behind a number begin with, if what is in ``unit`` can be said in it.
+
+    Degrees of no scale are those of ``unit``, where that is a temperature.
+
+    >>> measured_in("degrees of heat", "degC"), measured_in("\u00b0F", "degC"), measured_in("percent", "degC")
+    ('degC', 'degF', None)
+    >>> measured_in("parts are left", "parts"), measured_in("", "parts")
+    ('parts', None)
+    """
+    words = behind.strip().replace("\u00b0", " \u00b0 ").replace("\u00ba", " \u00b0 ").split()
+    degrees = bool(words) and words[0].lower().rstrip(".,;") in _DEGREE
+    rest = words[1:] if degrees else words
+    said = None
+    for length in range(min(_MOST_WORDS, len(rest)), 0, -1):
+        said = _said_unit(" ".join(rest[:length]).rstrip(".,;:!?"), unit)
+        if said is not None:
+            break
+    scale = UNITS.get(unit or "")
+    if degrees and (said is None or UNITS[said].dimension != "temperature"):
+        return unit if scale is not None and scale.dimension == "temperature" else None
+    if said is None or said == unit:
+        return said
+    alike = scale is not None and said in UNITS and UNITS[said].dimension == scale.dimension
+    return said if alike else None
+
+
+def _said_unit(text: str, unit: str | None) -> str | None:
+    if unit is not None and unit not in UNITS and text.lower() in (unit.lower(), unit.lower().rstrip("s")):
+        return unit
+    return text if text in UNITS and text not in _NOT_SPOKEN else _SPOKEN.get(text.lower())
+
+
+def fits(behind: str, unit: str | None) -> bool:
+    """Tell whether a number with words behind it may be a value in a unit: in it, or a bare number.
+
+    >>> fits("degrees", "degC"), fits("parts are left", "degC"), fits("percent", "degC")
+    (True, True, False)
+    """
+    if measured_in(behind, unit) is not None:
+        return True
+    return not any(measured_in(behind, known) for known in _EACH_DIMENSION)
 
 
 def convert(value: float, source: str, target: str) -> float:

@@ -89,7 +89,7 @@ class Interpreter:
         FuzzytimeError
             If a wish refers to an identifier that there is none of, or the context is not as declared.
         """
-        request.context.admitted(self.rulebook.signals)
+        admitted = request.context.admitted(self.rulebook.signals)
         request = request.named()
         maker = Maker(self.rulebook, request)
         links = Links(frozenset(wish.identifier for wish in request.wishes))
@@ -100,7 +100,7 @@ class Interpreter:
             if isinstance(wish, DirectWish):
                 skills.append(maker.direct(wish))
             elif isinstance(wish, SpokenWish):
-                for instruction, reading in self._readable(next(readings), wish, problems):
+                for instruction, reading in self._readable(next(readings), wish, admitted, problems):
                     made = _made(maker, wish, reading, instruction, problems)
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
                     skills += made
@@ -125,12 +125,12 @@ class Interpreter:
         return [next(readings) if fine else None for fine in good]
 
     def _readable(
-        self, reading: Reading | None, wish: SpokenWish, problems: list[Problem]
+        self, reading: Reading | None, wish: SpokenWish, context: Context, problems: list[Problem]
     ) -> Sequence[tuple[Instruction, Reading]]:
         """Give a reading's instructions after noting its remarks."""
         if reading is None:
             return ()
-        told = self._told_by_readings(reading)
+        told = self._told_by_readings(reading, context)
         remarks = [
             remark
             for remark in remarks_of(reading, wish)
@@ -141,7 +141,7 @@ class Interpreter:
             problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
         return [(instruction, reading) for instruction in reading.instructions]
 
-    def _told_by_readings(self, reading: Reading) -> set[tuple[int, int]]:
+    def _told_by_readings(self, reading: Reading, context: Context) -> set[tuple[int, int]]:
         """Give the words that refer to no instruction but to what readings tell: "after the timer rings"."""
         return {
             requirement.span
@@ -149,7 +149,7 @@ class Interpreter:
             for requirement in instruction.requirements
             if requirement.anchor is not None
             and requirement.anchor.target is None
-            and self.rulebook.tells(requirement.anchor.text)
+            and self.rulebook.tells(requirement.anchor, context)
         }
 
 

@@ -31,6 +31,10 @@ class Plan:
         """Give the wall-clock instant of a time of the plan."""
         return instant_after(self.request.now, time)
 
+    def rejected_before(self, position: int) -> int | None:
+        """Give a rejected skill that another must come after, by their positions; None without one."""
+        return rejected_before(self.schedule, position)
+
 
 def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
     """Give the scheduling task of an interpreted request."""
@@ -113,14 +117,25 @@ def _starts_of(previous: Plan, interpretation: Interpretation, now: datetime) ->
     return [starts.get(interpreted.identifier, math.nan) for interpreted in interpretation.skills]
 
 
+def rejected_before(schedule: Schedule, position: int) -> int | None:
+    """Give a rejected skill that another must come after, by their positions; None where there is none."""
+    firsts = (entry.first for entry in schedule.task.precedences if entry.second == position)
+    return next((first for first in firsts if schedule.rejected[first]), None)
+
+
 def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Problem]:
     """Say why each rejected skill is: its own reason, or that others matter more."""
     problems = []
-    for interpreted, rejected in zip(interpretation.skills, schedule.rejected, strict=True):
+    for position, (interpreted, rejected) in enumerate(
+        zip(interpretation.skills, schedule.rejected, strict=True)
+    ):
         if not rejected:
             continue
+        first = rejected_before(schedule, position)
         reason = interpreted.reason or (
-            "no start time that satisfies is left beside the other skills"
+            f"must come after {interpretation.skills[first].skill.name}, which is rejected"
+            if first is not None
+            else "no start time that satisfies is left beside what else is planned"
             if not interpreted.skill.satisfaction.support.empty
             else "no start time satisfies"
         )

@@ -4,7 +4,7 @@ from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
-from fuzzytime.requirement import Recurrence, TimeRequirement
+from fuzzytime.requirement import Comparison, Recurrence, TimeRequirement
 from fuzzytime.times import instant_after
 
 NEXT = 3
@@ -100,6 +100,8 @@ def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, An
             "hedges": list(condition.hedges),
             "negated": condition.negated,
         }
+        if condition.comparisons:
+            found["condition"]["comparisons"] = [_compared(number) for number in condition.comparisons]
     if requirement.anchor is not None:
         anchor = requirement.anchor
         found["anchor"] = {
@@ -110,6 +112,17 @@ def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, An
             "exact": anchor.exact,
         }
     return found
+
+
+def _compared(comparison: Comparison) -> dict[str, Any]:
+    return {
+        "text": comparison.text,
+        "side": comparison.side.value,
+        "number": _plain(comparison.number),
+        "until": _plain(comparison.until),
+        "fuzziness": list(comparison.fuzziness),
+        "behind": comparison.behind,
+    }
 
 
 def _plain(number: float | None) -> float | int | None:

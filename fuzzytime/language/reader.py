@@ -94,7 +94,7 @@ class Language:
         *,
         given: Sequence[Operation | None] = (),
     ) -> list[Reading]:
-        """Read texts with their moments; each may refer to those before it.
+        """Read texts with their moments; each may refer to those before it, or else to those behind.
 
         Raises
         ------
@@ -102,11 +102,17 @@ class Language:
             If a text is too long.
         """
         operations = list(given)
-        readings = []
-        for draft in self._drafts(list(texts)):
+        readings: list[Reading] = []
+        drafts = self._drafts(list(texts))
+        for draft in drafts:
             reading = composed(draft, self.lexicon, operations)
             operations += [instruction.operation for instruction in reading.instructions]
             readings.append(reading)
+        end = len(given)
+        for place, draft in enumerate(drafts):
+            first, end = end, end + len(readings[place].instructions)
+            if end < len(operations) and _waits(readings[place]):
+                readings[place] = composed(draft, self.lexicon, operations[:first], operations[end:])
         return readings
 
     def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
@@ -146,3 +152,13 @@ class Language:
         if self.cache is not None:
             self.cache.keep(made.values(), package)
         return made
+
+
+def _waits(reading: Reading) -> bool:
+    """Whether a reading speaks of something that no instruction so far is about, but a later one may be."""
+    return any(
+        requirement.condition is not None
+        or (requirement.anchor is not None and requirement.anchor.target is None)
+        for instruction in reading.instructions
+        for requirement in instruction.requirements
+    )

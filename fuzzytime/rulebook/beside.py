@@ -3,7 +3,7 @@
 from dataclasses import replace
 from types import MappingProxyType
 
-from fuzzytime.requirement import Anchor, Condition, Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 from fuzzytime.rulebook.adapt import Wanted, adapt
 from fuzzytime.rulebook.clauses import wait_for
 from fuzzytime.rulebook.extension import added
@@ -11,7 +11,7 @@ from fuzzytime.rulebook.lookup import UNIT_LENGTHS, find
 from fuzzytime.rulebook.phrases import event_at_end, event_named
 from fuzzytime.rulebook.question import Question, Said
 from fuzzytime.rulebook.resolution import Share
-from fuzzytime.rulebook.sentences import understand
+from fuzzytime.rulebook.sentences import condition_of, understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import NEVER, SatisfactionFunction, Trapezoid
 
@@ -44,7 +44,7 @@ def on_one_side(question: Question, anchor: Anchor) -> Question | None:
     requirement = question.requirement
     before = anchor.lag < 0 or requirement.constraint is Constraint.BEFORE
     if event_named(anchor.text, question.tables) is None:
-        condition = _condition(anchor)
+        condition = condition_of(anchor)
         preposition = "before" if before else "after"
         clause = replace(
             requirement,
@@ -93,10 +93,6 @@ def at_a_distance(question: Question, anchor: Anchor) -> Said:
     )
 
 
-def _condition(anchor: Anchor) -> Condition:
-    return Condition(text=anchor.text, lasting=anchor.lasting)
-
-
 def not_happened(anchor: Anchor) -> str:
     """Say that an anchor's event has no time."""
     return f"not yet: {anchor.text!r} has not happened, and no time is announced"
@@ -118,9 +114,9 @@ def _moment(
         if time is None:
             return None, not_happened(anchor), ()
         return Trapezoid(time, time, time, time), None, ()
-    understood = understand(_condition(anchor), question.tables)
+    understood = understand(condition_of(anchor), question.tables, question.context)
     if understood.formula is None:
         return None, understood.reason, understood.notes
-    world = question.world([understood.formula])
+    world = replace(question, tables=understood.tables).world([understood.formula])
     awaited = wait_for(understood.formula, "when", 0.0, 0.0, world, question.horizon)
     return (None if awaited.reason else awaited.satisfaction), awaited.reason, understood.notes

@@ -28,6 +28,7 @@ from fuzzytime.rulebook.sections.widths import (
     read_plateau,
     read_repetition,
     read_roundness,
+    read_thresholds,
     read_width,
 )
 from fuzzytime.rulebook.tables import Tables
@@ -44,6 +45,7 @@ _SECTIONS: Mapping[str, Callable[[Scope, Node, str], Any]] = {
     "clock": read_clock,
     "repetition": read_repetition,
     "roundness": read_roundness,
+    "thresholds": read_thresholds,
     "actors": read_actors,
     "models": read_models,
     "prepositions": read_rows,

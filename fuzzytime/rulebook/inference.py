@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.rulebook.formula import Formula, events, variables
+from fuzzytime.rulebook.formula import Formula, Is, events, variables
 from fuzzytime.rulebook.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.rules import Rule
 from fuzzytime.rulebook.tables import Tables
@@ -118,6 +118,7 @@ def holds_now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree,
             str(part),
             Degree(float(truth.low[zero]), float(truth.high[zero])),
             *_reading(part, world),
+            meaning=_meaning(part, world),
         )
         for part, truth in traced.parts.items()
     )
@@ -141,6 +142,10 @@ def _reading(part: Formula, world: World) -> tuple[float | None, str | None]:
     elif variable.source is Source.RATE_OF:
         unit = f"{unit or ''}/{variable.per:g} s"
     return (None, unit) if math.isnan(value) else (value, unit)
+
+
+def _meaning(part: Formula, world: World) -> str:
+    return world.tables.variables[part.variable].terms[part.term].meaning if isinstance(part, Is) else ""
 
 
 def choose(base: Base, heard: Sequence[Heard]) -> Chosen:

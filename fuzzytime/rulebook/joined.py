@@ -3,79 +3,125 @@
 import re
 from dataclasses import dataclass
 
+from fuzzytime.context import Context
+from fuzzytime.requirement import Condition
 from fuzzytime.rulebook.formula import And, Formula, Happened, Is, Not, Or
 from fuzzytime.rulebook.phrases import denies, event_named, in_numbers, naming, plain, ways_to_name, within
 from fuzzytime.rulebook.tables import Tables
+from fuzzytime.rulebook.thresholds import threshold, without
 
 _JOINTS = re.compile(r" (and|or|nor|but) ")
 _VERBS = re.compile(r"\b(?:is|are|isn't|aren't|has|have|was|were|gets?|becomes?)\b")
+_MARK = "#{}"
+"""Stands for a number and its words; no plain text holds it."""
+
 _OF_JOINTS = re.compile(r"\b(?:both|either|neither|also|then|it|they)\b")
 
 
 @dataclass(frozen=True, slots=True)
 class Joined:
-    """The formula of a clause of several parts, or the part that is not understood."""
+    """The formula of a clause of several parts, or the part that is not understood.
 
+    ``tables`` are those that it speaks the terms of; numbers add some.
+    """
+
+    tables: Tables
     formula: Formula | None
     reason: str | None = None
+    notes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class _Part:
-    """One part: its formula, None where it is not understood; ``alike`` goes on with what was said before."""
+    """One part: its formula, or None and why it is not understood; ``alike`` goes on with what was said."""
 
     text: str
     formula: Formula | None
     subject: str
     denied: bool
     alike: bool
+    reason: str = ""
+    variable: str | None = None
 
 
-def joined(text: str, tables: Tables) -> Joined | None:
+def joined(condition: Condition, tables: Tables, context: Context) -> Joined | None:
     """Read a clause of several parts; None where it is none, or where no part of it is understood.
 
     A part that names nothing speaks of what the part before it named ("hot but not smoking"), one that says
     nothing takes it from the parts behind ("both the pan and the oven are hot").
     """
-    said = plain(text)
+    said = plain(condition.text)
+    for place, comparison in enumerate(condition.comparisons):
+        # "Between 150 and 180" is one part.
+        said = without(comparison, said, _MARK.format(place))
     pieces = _JOINTS.split(said)
     if len(pieces) == 1 or _is_a_name(said, tables):
         return None
-    parts: list[_Part] = []
+    reader = _Parts(condition, tables, context)
     for i in range(0, len(pieces), 2):
-        parts.append(_part(pieces[i::2], pieces[i - 1] if i else "", parts, tables))
+        reader.read(pieces[i::2], pieces[i - 1] if i else "")
+    parts = reader.parts
     if all(part.formula is None for part in parts):
         return None
     unknown = next((part for part in parts if part.formula is None), None)
     if unknown is not None:
-        return Joined(None, f"no signal tells {unknown.text!r}")
+        return Joined(tables, None, unknown.reason)
     formula = _formula(parts, pieces[1::2])
-    return Joined(Not(formula) if said.startswith("unless ") else formula)
+    formula = Not(formula) if said.startswith("unless ") else formula
+    return Joined(reader.tables, formula, notes=tuple(reader.notes))
 
 
-def _part(pieces: list[str], joint: str, before: list[_Part], tables: Tables) -> _Part:
-    """Read the first of the pieces that are left, behind a joint."""
-    piece = pieces[0]
-    event = event_named(piece, tables)
-    denied = denies(piece)
-    if event is not None:
-        return _Part(piece, Not(Happened(event)) if denied else Happened(event), "", denied, alike=False)
-    own = any(
-        within(way, piece)
-        for variable in tables.variables.values()
-        for way in in_numbers(ways_to_name(variable))
-    )
-    alike = not own and bool(before) and not _speaks_of_another(piece)
-    if alike and before[-1].denied and joint in ("or", "nor"):
-        denied = True
-    subject = before[-1].subject if alike else piece if own else ""
-    found = None
-    for text in (piece, *pieces[1:]):
-        found = found or naming(tables.variables.values(), subject, text)
-    if found is None:
-        return _Part(piece, None, subject, denied, alike)
-    atom = Is(found.variable.name, found.term.name, found.hedges(piece, tables))
-    return _Part(piece, Not(atom) if denied else atom, subject, denied, alike)
+class _Parts:
+    """The parts that were read so far, and what their numbers added to the tables."""
+
+    def __init__(self, condition: Condition, tables: Tables, context: Context) -> None:
+        self.marks = {_MARK.format(place): one for place, one in enumerate(condition.comparisons)}
+        self.tables = tables
+        self.context = context
+        self.parts: list[_Part] = []
+        self.notes: list[str] = []
+
+    def read(self, pieces: list[str], joint: str) -> None:
+        """Read the first of the pieces that are left, behind a joint."""
+        piece = pieces[0]
+        event = event_named(piece, self.tables)
+        denied = denies(piece)
+        if event is not None:
+            happened = Not(Happened(event)) if denied else Happened(event)
+            self.parts.append(_Part(piece, happened, "", denied, alike=False))
+            return
+        own = any(
+            within(way, piece)
+            for variable in self.tables.variables.values()
+            for way in in_numbers(ways_to_name(variable))
+        )
+        alike = not own and bool(self.parts) and not _speaks_of_another(piece)
+        if alike and self.parts[-1].denied and joint in ("or", "nor"):
+            denied = True
+        subject = self.parts[-1].subject if alike else piece if own else ""
+        atom, reason = self._atom(pieces, subject, self.parts[-1].variable if alike else None)
+        formula = Not(atom) if atom is not None and denied else atom
+        variable = atom.variable if atom is not None else None
+        self.parts.append(_Part(self._as_said(piece), formula, subject, denied, alike, reason, variable))
+
+    def _atom(self, pieces: list[str], subject: str, before: str | None) -> tuple[Is | None, str]:
+        """Find what a part says, or the next part behind it that says something: a term, or a number."""
+        for text in pieces:
+            mark = next((mark for mark in text.split() if mark in self.marks), None)
+            if mark is not None:
+                named = " ".join(word for word in pieces[0].split() if word not in self.marks)
+                found = threshold(self.marks[mark], named, subject, self.tables, self.context, before)
+                self.tables = found.tables
+                self.notes += [note for note in found.notes if note not in self.notes]
+                return found.atom, found.reason or ""
+            term = naming(self.tables.variables.values(), subject, text)
+            if term is not None:
+                hedges = term.hedges(pieces[0], self.tables)
+                return Is(term.variable.name, term.term.name, hedges), ""
+        return None, f"no signal tells {self._as_said(pieces[0])!r}"
+
+    def _as_said(self, piece: str) -> str:
+        return " ".join(self.marks[word].text if word in self.marks else word for word in piece.split())
 
 
 def _speaks_of_another(piece: str) -> bool:

@@ -98,10 +98,12 @@ def _adapted(question: Question, found: Found, chosen: Chosen, notes: tuple[str,
 
 def _clause(question: Question) -> Said:
     """Resolve "when the pan is hot": the sentence's own condition, or that of a rule for its words."""
-    tables, requirement = question.tables, question.requirement
+    requirement = question.requirement
+    said = requirement.condition or Condition(text=requirement.text)
+    understood = understand(said, question.tables, question.context)
+    condition, tables = understood.condition, understood.tables
+    question = replace(question, tables=tables)
     row = tables.clauses.get(requirement.preposition or "", tables.constraints[Constraint.WHEN])
-    understood = understand(requirement.condition or Condition(text=requirement.text), tables)
-    condition = understood.condition
     rules = [
         rule
         for rule in matching(replace(requirement, condition=condition), question.verb, tables)

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.requirement import Condition, Reference, TimeRequirement
+from fuzzytime.requirement import Anchor, Reference, TimeRequirement
 from fuzzytime.rulebook.beside import measured_from_event
 from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
@@ -18,7 +18,7 @@ from fuzzytime.rulebook.profile import Actor, Profile
 from fuzzytime.rulebook.question import Question
 from fuzzytime.rulebook.resolution import Resolution
 from fuzzytime.rulebook.resolving import answer
-from fuzzytime.rulebook.sentences import understand
+from fuzzytime.rulebook.sentences import condition_of, understand
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
@@ -144,9 +144,9 @@ class Rulebook:
         """Give the signals whose readings may change what a requirement resolves to, read or not."""
         return signals_for(requirement, verb, self.tables)
 
-    def tells(self, words: str) -> bool:
-        """Tell whether readings can tell when something is: the words name an event, or a condition."""
-        return understand(Condition(text=words), self.tables).formula is not None
+    def tells(self, anchor: Anchor, context: Context) -> bool:
+        """Tell whether readings can tell when something is: its words name an event, or a condition."""
+        return understand(condition_of(anchor), self.tables, context).formula is not None
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""

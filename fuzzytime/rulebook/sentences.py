@@ -2,7 +2,8 @@
 
 from dataclasses import dataclass, replace
 
-from fuzzytime.requirement import Condition
+from fuzzytime.context import Context
+from fuzzytime.requirement import Anchor, Condition
 from fuzzytime.rulebook.formula import Direction, Formula, Happened, Is, Not, Operator, Window
 from fuzzytime.rulebook.grammar import SOFTNESS
 from fuzzytime.rulebook.joined import joined
@@ -17,6 +18,7 @@ from fuzzytime.rulebook.phrases import (
     within,
 )
 from fuzzytime.rulebook.tables import Tables
+from fuzzytime.rulebook.thresholds import candidates, threshold, without
 from fuzzytime.rulebook.variables import Term, Variable
 
 
@@ -24,23 +26,37 @@ from fuzzytime.rulebook.variables import Term, Variable
 class Understood:
     """A clause with the subject and word that were found in it; its formula, or why there is none.
 
-    ``composed`` says that it has several parts, or a length: no rule for one of its words can stand for it.
+    ``tables`` are those that the formula speaks the terms of: a number in the clause adds one. ``composed``
+    says that it has several parts, a number or a length: no rule for one of its words can stand for it.
     """
 
     condition: Condition
+    tables: Tables
     formula: Formula | None
     reason: str | None = None
     notes: tuple[str, ...] = ()
     composed: bool = False
 
 
-def understand(condition: Condition, tables: Tables) -> Understood:
-    """Find the variables, terms and events that a clause speaks of."""
-    several = joined(condition.text, tables)
+def condition_of(anchor: Anchor) -> Condition:
+    """Give what an anchor that is no instruction says must be so."""
+    return Condition(
+        text=anchor.text, subject=anchor.object, lasting=anchor.lasting, comparisons=anchor.comparisons
+    )
+
+
+def understand(condition: Condition, tables: Tables, context: Context = Context.empty) -> Understood:
+    """Find the variables, terms and events that a clause speaks of.
+
+    What has been read (``context``) tells what a number is about where the clause does not name it.
+    """
+    several = joined(condition, tables, context)
     if several is None:
-        understood = _single(condition, tables)
+        understood = _single(condition, tables, context)
     else:
-        understood = Understood(condition, several.formula, several.reason, composed=True)
+        understood = Understood(
+            condition, several.tables, several.formula, several.reason, several.notes, composed=True
+        )
     if understood.formula is None or condition.lasting is None:
         return understood
     lasting = condition.lasting
@@ -50,10 +66,21 @@ def understand(condition: Condition, tables: Tables) -> Understood:
     return replace(understood, formula=window, composed=True)
 
 
-def _single(condition: Condition, tables: Tables) -> Understood:
+def may_be_about(condition: Condition, tables: Tables) -> frozenset[str]:
+    """Give the signals that the numbers of a clause may be about: readings will tell which."""
+    found = frozenset[str]()
+    for comparison in condition.comparisons:
+        named = without(comparison, plain(condition.text))
+        found |= candidates(comparison, named, condition.subject, tables)
+    return found
+
+
+def _single(condition: Condition, tables: Tables, context: Context) -> Understood:
     event = event_named(condition.text, tables)
     if event is not None:
-        return Understood(condition, Happened(event))
+        return Understood(condition, tables, Happened(event))
+    if condition.comparisons:
+        return _measured(condition, tables, context)
     if not condition.negated and denies(condition.text):
         condition = replace(condition, negated=True)
     if condition.subject is None or condition.word is None:
@@ -64,6 +91,19 @@ def _single(condition: Condition, tables: Tables) -> Understood:
         if impersonal.formula is not None:
             return impersonal
     return _by_parts(condition, condition.subject, condition.word, tables)
+
+
+def _measured(condition: Condition, tables: Tables, context: Context) -> Understood:
+    """Read a clause with a number: "the oven is above 150 degrees"."""
+    comparison = condition.comparisons[0]
+    named = without(comparison, plain(condition.text))
+    found = threshold(comparison, named, condition.subject, tables, context)
+    formula: Formula | None = found.atom
+    if found.atom is not None and (condition.negated or denies(named)):
+        formula = Not(found.atom)
+    # What is said of the thing is the number: no rule for a word is about it.
+    said = replace(condition, word=None, hedges=())
+    return Understood(said, found.tables, formula, found.reason, found.notes, composed=True)
 
 
 def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> Understood:
@@ -83,7 +123,9 @@ def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> 
         return _atom(replace(condition, hedges=hedges), variable, term, tables)
     if named:
         terms = dict.fromkeys(term for variable in named for term in variable.terms)
-        return Understood(condition, None, f"{subject!r} has no term {word!r} (known: {', '.join(terms)})")
+        return Understood(
+            condition, tables, None, f"{subject!r} has no term {word!r} (known: {', '.join(terms)})"
+        )
     return _by_text(condition, tables)
 
 
@@ -92,7 +134,7 @@ def _by_text(condition: Condition, tables: Tables) -> Understood:
     text = plain(condition.text)
     found = naming(tables.variables.values(), text, text)
     if found is None:
-        return Understood(condition, None, f"no signal tells {condition.text!r}")
+        return Understood(condition, tables, None, f"no signal tells {condition.text!r}")
     said = replace(condition, subject=found.subject, word=found.word, hedges=found.hedges(text, tables))
     return _atom(said, found.variable, found.term, tables)
 
@@ -104,4 +146,4 @@ def _atom(condition: Condition, variable: Variable, term: Term, tables: Tables) 
         f"unknown hedge {hedge!r}: taken as none" for hedge in hedges if hedge not in tables.term_hedges
     )
     atom = Is(variable.name, term.name, known)
-    return Understood(condition, Not(atom) if condition.negated else atom, notes=notes)
+    return Understood(condition, tables, Not(atom) if condition.negated else atom, notes=notes)

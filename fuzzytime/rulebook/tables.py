@@ -17,7 +17,7 @@ from fuzzytime.rulebook.norms import Norm
 from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.rules import Rule
 from fuzzytime.rulebook.variables import Power, Variable
-from fuzzytime.rulebook.width import Points, Roundness
+from fuzzytime.rulebook.width import Points, Roundness, Softness
 
 _K = TypeVar("_K")
 _T = TypeVar("_T")
@@ -129,6 +129,7 @@ class Tables:
     clock: Mapping[Unit, float] = field(default_factory=_none)
     repetition: float | None = None
     roundness: Roundness | None = None
+    thresholds: Softness | None = None
     actors: Mapping[Actor, Points] = field(default_factory=_none)
     models: Mapping[str, Model] = field(default_factory=_none)
     prepositions: Mapping[str, Row] = field(default_factory=_none)

@@ -28,12 +28,13 @@ class Source(StrEnum):
 class Term:
     """μ over the values of a variable: a trapezoid, open on a side that is infinite.
 
-    ``words`` are further ways to say it in a sentence.
+    ``words`` are further ways to say it in a sentence; ``meaning`` explains one that no table declares.
     """
 
     name: str
     corners: tuple[float, float, float, float]
     words: tuple[str, ...] = ()
+    meaning: str = ""
 
     def __call__(self, values: Floats) -> Floats:
         """Give μ at values of any shape; unknown values (NaN) stay unknown."""

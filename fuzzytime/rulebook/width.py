@@ -1,4 +1,4 @@
-"""How leniency grows with the time named: the half-base w(t) of "in" (the paper's question F3)."""
+"""How leniency grows with the time named: the half-base w(t) of "in" (F3 of the paper); numbers beside it."""
 
 from dataclasses import dataclass
 
@@ -46,3 +46,11 @@ class Roundness:
             return 1.0
         multiple = number / step
         return 1.0 if abs(multiple - round(multiple)) < 1e-9 else self.factor
+
+
+@dataclass(frozen=True, slots=True)
+class Softness:
+    """How softly a number in a clause is meant ("above 150 degrees"): as a share of the number."""
+
+    share: float
+    source: str

@@ -32,6 +32,7 @@ class Auto:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
         elif not shares.why_not(problem, watch.limits.memory):
             best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):

@@ -56,6 +56,22 @@ class Job:
         return np.asarray(np.minimum(-self.weight * self.function.log(times) + 0.0, self.worst))
 
     @property
+    def least(self) -> float:
+        """The least cost that it could have if it were the only job.
+
+        Between kinks ψ is a line, or has its one peak at its best: the least is there, or at a window's end.
+        """
+        function = self.function
+        marks = [mark for mark in (*function.kinks, function.best.low, function.best.high) if mark < math.inf]
+        times = [
+            min(max(mark, window.low), window.high)
+            for lane in self.windows
+            for window in lane
+            for mark in (*marks, window.low, window.high)
+        ]
+        return min(self.rejection, float(self.costs(times).min())) if times else self.rejection
+
+    @property
     def earliest(self) -> float:
         """The first moment of any window; infinity where there is none."""
         return min((windows[0].low for windows in self.windows if windows), default=math.inf)
@@ -110,6 +126,11 @@ class Problem:
     def weight(self) -> float:
         """Σ priority: what the gap per skill is measured by."""
         return math.fsum(job.weight for job in self.jobs)
+
+    @property
+    def least_cost(self) -> float:
+        """A bound on the cost of any schedule: every job as if it were the only one."""
+        return math.fsum(job.least for job in self.jobs)
 
     def select(self, members: list[int]) -> "Problem":
         """Give the problem of some of the jobs; lags to others are dropped."""

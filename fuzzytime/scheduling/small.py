@@ -36,6 +36,10 @@ REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
 
+NARROWED = 0.5
+"""The share of the gap that a finer grid may leave, where something is relaxed as well."""
+
+
 @dataclass(frozen=True, slots=True)
 class HeldKarp:
     """Exact for few skills; the grid becomes finer until the gap closes or a limit is met.
@@ -56,7 +60,7 @@ class HeldKarp:
         fault = why_not(problem, watch.limits.memory)
         if fault:
             raise RefusedError(f"Held-Karp {fault}")
-        best, lower = warm or nothing(problem), 0.0
+        best, lower, open_before = warm or nothing(problem), 0.0, np.inf
         step = step_for(problem, FIRST_SLOTS)
         while True:
             grid = grid_of(problem, step)
@@ -71,9 +75,12 @@ class HeldKarp:
             hints = np.where(slots >= 0, grid.times(slots), np.nan)
             draft = settled(problem, hints, agents, 2 * step)
             best = draft if draft.cost <= best.cost + 1e-9 else best
-            closed = best.cost - lower <= OPTIMAL_GAP * problem.weight
-            if closed or not problem.kept_by_order or watch.is_over():
+            still_open = best.cost - lower
+            # A gap that a finer grid does not narrow comes of lags that are relaxed.
+            is_stuck = not problem.kept_by_order and still_open > NARROWED * open_before
+            if still_open <= OPTIMAL_GAP * problem.weight or is_stuck or watch.is_over():
                 break
+            open_before = still_open
             step /= REFINEMENT
         return Draft(best.starts, best.agents, best.cost, min(lower, best.cost))
 

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.context import Approach, Context, Hold, Linear, Signal
+from fuzzytime.context.fitting import noise_of
 from fuzzytime.context.forecast import Forecast, forecast
 from fuzzytime.context.sampling import SAMPLES, normal_points, unit_points
 from fuzzytime.context.series import Series
@@ -185,3 +186,24 @@ def test_a_dead_sensor_is_unknown_from_its_maximum_age_on() -> None:
 def test_beyond_its_horizon_a_forecast_is_unknown() -> None:
     values = series(Hold(horizon=60.0), [(0, 20)]).at(np.array([30.0, 90.0]))[0]
     assert np.isnan(values).tolist() == [False, True]
+
+
+@given(
+    st.lists(st.floats(1, 100), min_size=4, max_size=30),
+    st.floats(-2, 2),
+    st.floats(-50, 50),
+)
+def test_a_course_that_bends_evenly_is_no_noise(steps: list[float], bend: float, slope: float) -> None:
+    times = np.cumsum(steps)
+    values = bend * times**2 / 2 + slope * times
+    found = noise_of(times, values, 1.0)
+    assert found <= 1.0 + 1e-6
+
+
+def test_the_noise_of_readings_is_told_without_bias() -> None:
+    generator = np.random.default_rng(3)
+    found = []
+    for _ in range(400):
+        times = np.sort(generator.uniform(0, 600, 20))
+        found.append(noise_of(times, generator.normal(0, 3, times.size), 3.0) ** 2)
+    assert np.sqrt(np.mean(found)) == pytest.approx(3, rel=0.05)

@@ -57,7 +57,20 @@ ON_TIME = [
     ("Wash the pan once it has cooled down", {"pan_temp": approach(200, 200, 22, 200)}, (3, 9)),
     ("Wipe the stove when the pan is no longer hot", {"pan_temp": approach(200, 230, 22, 200)}, (0, 0)),
     ("Add the pasta when the water boils", {"water_temp": straight(60, 60, 75, 5)}, (1.5, 2.5)),
-    ("Put the cake in when the oven is preheated", {"oven_temp": approach(180, 20, 210, 300)}, (5, 9)),
+    ("Put the cake in when the oven is preheated", {"oven_temp": approach(180, 20, 210, 300)}, (4, 9)),
+    (
+        "Put the pizza in once the oven reaches 220 degrees",
+        {"oven_temp": approach(300, 20, 250, 500)},
+        (9, 15),
+    ),
+    ("Stir the sauce when it is hotter than 300 °F", {"pan_temp": approach(60, 20, 230, 150)}, (0.5, 4)),
+    (
+        "Drain the oil when the pan has cooled to 60 degrees",
+        {"pan_temp": approach(200, 200, 22, 200)},
+        (1, 5),
+    ),
+    ("Charge the robot when the battery is below 20%", {"battery": straight(1800, 40, 30, 300)}, (25, 45)),
+    ("Order screws when fewer than 50 parts are left", {"parts_left": straight(600, 80, 60, 60)}, (4, 12)),
     ("Take the roast out when the roast is done", {"core_temp": straight(1200, 40, 60)}, (9, 16)),
     ("Set the table soon", {"time_to_meal": [(0, 240)]}, (0, 2)),
     # -- household: a machine, a room, rain, a battery

@@ -20,6 +20,8 @@ READY = tree("have VB ROOT have", "the DT det rice", "rice NN nsubj ready", "rea
 LET_US = tree("let VB ROOT let", "us PRP nsubj eat", "eat VB ccomp let")
 LET_ME = tree("let VB ROOT let", "me PRP nsubj know", "know VB ccomp let")
 STATEMENT = tree("the DT det rice", "rice NN nsubj boil", "should MD aux boil", "boil VB ROOT boil")
+CAT = tree("feed VB ROOT feed", "the DT det \U0001f431", "\U0001f431 NN dobj feed")
+FEE = tree("pay VB ROOT pay", "50 CD nummod €", "€ NNS dobj pay", "! . punct pay")
 NO_VERB = tree("the DT det rice", "rice NN ROOT rice")
 GO = tree("have VBP aux go", "the DT det robot", "robot NN nsubj go", "go VB ROOT go")
 
@@ -63,6 +65,8 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
         (WANT, [], "wash it"),
         (READY, [], "have the rice ready"),
         (STATEMENT, [], "boil the rice"),
+        (CAT, [], "feed the \U0001f431"),
+        (FEE, [], "pay 50 €"),
     ],
 )
 def test_an_operation_is_named_without_its_time(

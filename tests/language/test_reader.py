@@ -78,12 +78,32 @@ def test_a_later_text_refers_to_an_earlier_one() -> None:
         "Five minutes before you serve the pasta, warm the plates",
         "After boiling the pasta, serve it",
     ]
-    first, second, third = language().read_all([(text, NOW) for text in texts])
-    assert [r.kind for r in second.remarks] == [RemarkKind.UNRESOLVED]
+    first, _, third = language().read_all([(text, NOW) for text in texts])
     anchor = third.instructions[0].requirements[0].anchor
     assert anchor is not None
     assert (anchor.target, anchor.edge) == (0, Edge.END)
     assert first.remarks == ()
+
+
+def test_a_text_refers_to_a_later_one_where_none_before_is_meant() -> None:
+    texts = [
+        "Serve the rice after the soup is done",
+        "Set the table before the soup is done",
+        "Cook the soup in ten minutes",
+        "Cook the soup again tomorrow",
+    ]
+    alone = language().read_all([(texts[0], NOW)])[0]
+    assert [remark.kind for remark in alone.remarks] == [RemarkKind.UNRESOLVED]
+    readings = language().read_all([(text, NOW) for text in texts])
+    assert [reading.remarks for reading in readings[:2]] == [(), ()]
+    again = language().read_all([(text, NOW) for text in (*texts[2:], texts[0])])
+    targets = [
+        requirement.anchor.target
+        for reading in (*readings[:2], again[2])
+        for requirement in reading.instructions[0].requirements
+        if requirement.anchor is not None
+    ]
+    assert targets == [2, 2, 1]
 
 
 def test_a_text_refers_to_what_was_given_before() -> None:

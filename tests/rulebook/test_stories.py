@@ -70,6 +70,25 @@ def test_a_pan_that_stalls_is_never_hot_and_says_where_it_settles() -> None:
     assert resolution.satisfaction.support.empty
 
 
+@pytest.mark.parametrize("seconds", [60, 180])
+def test_a_few_distant_readings_tell_a_stalled_pan_as_well(seconds: float) -> None:
+    values = [20, 90, 130, 148, 150, 150] if seconds == 60 else [20, 100, 135, 148, 150, 150]
+    times = [-seconds * (len(values) - 1 - place) for place in range(len(values))]
+    stalled = Context.of({"pan_temp": list(zip(times, values, strict=True))})
+    reason = resolved(PAN_IS_HOT, stalled).reason
+    assert reason is not None
+    assert reason.startswith("never: pan_temp settles at 15")
+
+
+@pytest.mark.parametrize("before", [[(-732, 100), (-712, 140)], [(-600, 100)], [(-900, 150), (-600, 150)]])
+def test_one_reading_after_a_silence_is_believed_where_few_tell_otherwise(
+    before: list[tuple[float, float]],
+) -> None:
+    alone = resolved(PAN_IS_HOT, Context.of({"pan_temp": 100}))
+    after = resolved(PAN_IS_HOT, Context.of({"pan_temp": [*before, (0, 100)]}))
+    assert after.parameters["t"] == pytest.approx(alone.parameters["t"], abs=15)
+
+
 def test_a_pan_that_cools_is_cool_later() -> None:
     times = np.arange(-120.0, 1, 2)
     cooling = readings("pan_temp", times, approach(times, 200, 20, 100))

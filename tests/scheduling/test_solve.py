@@ -8,6 +8,9 @@ import pytest
 from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
+from fuzzytime.scheduling.alone import best_alone
+from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
 from scheduling.random_tasks import faults, random_task
@@ -134,3 +137,18 @@ def test_the_label_program_says_what_it_cannot_do() -> None:
     skills = tuple(FuzzySkill(str(k), Triangle(0, 50, 100), 10) for k in range(3))
     with pytest.raises(RefusedError, match="one agent, got 2"):
         solve(FuzzyTask(skills, agents=2), solver=Labels())
+
+
+def test_no_schedule_costs_less_than_each_skill_alone() -> None:
+    for seed in range(200, 240):
+        task = random_task(seed)
+        alone = [best_alone(task, position, 0.0).satisfaction for position in range(len(task.skills))]
+        problem = problem_of(task, THRESHOLD)
+        least = problem.least_cost + math.fsum(job.rejection for job in problem.apart)
+        weights = [skill.priority for skill in task.skills]
+        costs = [
+            -weight * math.log(max(best, THRESHOLD)) for weight, best in zip(weights, alone, strict=True)
+        ]
+        # What must wait for another has its best time later than alone.
+        assert least >= math.fsum(costs) - 1e-6, seed
+        assert least <= solve(task).weighted_cost + 1e-9, seed

@@ -3,7 +3,7 @@
 import contextlib
 import io
 import json
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
@@ -154,6 +154,28 @@ def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
     assert talk.entries == ["Stir the soup soon"]
 
 
+def test_a_skill_without_readings_is_drawn_without_an_empty_axis() -> None:
+    talk = Talk()
+    talk.say("Flip the pancakes when the pan is hot")
+    drawn = talk.say(":plot 1")
+    assert "pan_temp in" not in drawn
+    assert "no start satisfies: not enough readings of pan_temp" in drawn
+    talk.say(":ctx pan_temp=150")
+    assert "pan_temp in" in talk.say(":plot 1")
+
+
+def test_of_a_file_only_the_lines_that_are_understood_are_kept(tmp_path: Path) -> None:
+    talk = Talk()
+    file = tmp_path / "day.txt"
+    file.write_text("Stir the soup in ten minutes\nthe end of the world\ncall mum at 25:61 pm\n", "utf-8")
+    answer = talk.say(f":load {file}")
+    assert "2 of 3 lines are not understood, and not kept" in answer
+    assert talk.entries == ["Stir the soup in ten minutes"]
+    file.write_text("the end of the world\n", "utf-8")
+    assert "1 of 1 lines" in talk.say(f":load {file}")
+    assert len(talk.entries) == 1
+
+
 def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
     talk = Talk()
     talk.say("Stir the soup in exactly an hour")
@@ -195,7 +217,9 @@ def test_what_is_done_no_longer_holds_its_agent() -> None:
 def test_another_terminal_is_noticed(tmp_path: Path) -> None:
     first, second = Talk(tmp_path / "s.sqlite"), Talk(tmp_path / "s.sqlite")
     first.say("Stir the soup soon")
-    assert "stir the soup" in second.wait(seconds=1)
+    news = second.wait(seconds=1)
+    assert news.startswith("Changed in another terminal:")
+    assert "stir the soup" in news
 
 
 def test_typed_control_characters_reach_no_answer_raw() -> None:
@@ -295,6 +319,41 @@ def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
     assert timedelta(minutes=5) < talk.start("s2") - talk.start("s1") < timedelta(minutes=15)
 
 
+def test_a_command_can_be_tried_and_changes_nothing() -> None:
+    talk = Talk()
+    talk.say("Flip the pancakes when the pan is hot")
+    talk.say("Boil the eggs in ten minutes")
+    answer = talk.say(":what-if :ctx pan_temp=200")
+    assert "found a place: s1 flip the pancakes" in answer
+    assert "nothing is changed" in answer
+    assert "there is no" not in talk.say(":what-if :drop 2")
+    assert talk.entries == ["Flip the pancakes when the pan is hot", "Boil the eggs in ten minutes"]
+    assert talk.say(":ctx").startswith("no readings yet")
+
+
+@pytest.mark.parametrize(
+    ("words", "answer"),
+    [
+        (":what-if :undo", "what can be tried"),
+        (":what-if :ctx", "would change nothing"),
+        (":what-if :drop 7", "7"),
+    ],
+)
+def test_what_cannot_be_tried_is_said(words: str, answer: str) -> None:
+    talk = Talk()
+    talk.say("Boil the eggs in ten minutes")
+    assert answer in talk.say(words)
+
+
+def test_a_reference_is_resolved_when_what_it_refers_to_is_said() -> None:
+    talk = Talk()
+    assert "^" in talk.say("Serve the rice after the soup is done")
+    answer = talk.say("Cook the soup in ten minutes")
+    assert "^" not in answer
+    assert "s1 serve the rice" in answer
+    assert talk.start("s1") > talk.start("s2") + timedelta(minutes=10)
+
+
 def test_a_note_is_said_once_and_listed_when_asked_for() -> None:
     talk = Talk()
     note = "is taken as"
@@ -359,3 +418,11 @@ def test_ctrl_c_in_a_turn_ends_the_turn_of_one_who_types_and_all_of_a_pipe(
     with contextlib.nullcontext() if taken > 1 else pytest.raises(KeyboardInterrupt):
         _piped(talk, typed)
     assert len(seen) == taken
+
+
+def test_a_session_goes_on_with_a_zone_and_without(tmp_path: Path) -> None:
+    talk = Talk(tmp_path / "s.sqlite")
+    talk.say("Stir the soup in ten minutes")
+    talk.now = talk.now.replace(tzinfo=UTC) if talk.now.tzinfo is None else talk.now.replace(tzinfo=None)
+    assert "set the table" in talk.say("Set the table in twenty minutes")
+    assert "s1" in talk.say(":list")

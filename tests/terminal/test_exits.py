@@ -108,3 +108,25 @@ def test_marks_stay_under_their_words_where_there_is_little_room(width: int) -> 
 def test_marks_stand_under_wide_words() -> None:
     first, second = underlined("寿司 at half past", (3, 17)).split("\n")
     assert width_of(first) == width_of(second)
+
+
+@pytest.mark.parametrize(
+    "command", [(), ("plan",), ("explain",), ("run",), ("batch",), ("study", "simulate")]
+)
+def test_help_fits_forty_columns_and_stands_in_two_where_there_is_room(
+    command: tuple[str, ...], tmp_path: Path
+) -> None:
+    narrow = ran(*command, "--help", folder=tmp_path, COLUMNS="40").out
+    assert max(map(width_of, narrow.splitlines())) <= 40
+    wide = ran(*command, "--help", folder=tmp_path, COLUMNS="80").out
+    assert len(wide.splitlines()) < len(narrow.splitlines())
+    assert narrow.split()[-3:] == wide.split()[-3:]
+
+
+@pytest.mark.parametrize("given", [("--format", "pdf"), ("--agents", "0"), ("--agents", "two")])
+def test_a_bad_option_is_said_in_plain_words(given: tuple[str, str], tmp_path: Path) -> None:
+    done = ran("plan", "-i", "stir the soup soon", *given, folder=tmp_path)
+    assert done.code == Exit.USAGE
+    assert given[0] in done.err
+    assert "Value error" not in done.err
+    assert "Input should" not in done.err

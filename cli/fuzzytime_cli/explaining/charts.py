@@ -51,7 +51,9 @@ def _trace_panels(trace: Trace, start: float, end: float) -> list[Panel]:
         inside = (signal.forecast_times >= start) & (signal.forecast_times <= end)
         seen = np.concatenate([signal.reading_values, signal.forecast_median[inside]])
         seen = seen[np.isfinite(seen)]
-        low, high = (float(seen.min()), float(seen.max())) if seen.size else (0.0, 1.0)
+        if not seen.size:
+            continue
+        low, high = float(seen.min()), float(seen.max())
         margin = 0.05 * (high - low) or 1.0
         unit = f" in {symbol(signal.unit)}" if signal.unit else ""
         title = f"{signal.name}{unit}" + (f": {signal.outlook}" if signal.outlook else "")

@@ -43,6 +43,8 @@ def _share_lines(share: Share) -> list[str]:
             else f"reading {atom.reading:g} {plain(atom.unit or '')}".rstrip()
         )
         lines.append(f"  {plain(atom.text)}: {_between(atom.degree.low, atom.degree.high)} ({reading})")
+        if atom.meaning:
+            lines.append(f"    {plain(atom.meaning)}")
     return lines
 
 

@@ -46,6 +46,9 @@ def _rejection(why: Why, plan: Plan) -> str:
     own = plan.skills[why.position].reason
     if own:
         return plain(own)
+    first = plan.rejected_before(why.position)
+    if first is not None:
+        return f"must come after {name_of(plan, first)}, which is rejected"
     if why.alone <= plan.schedule.threshold:
         return _limit(why, plan)
     if not why.neighbours:

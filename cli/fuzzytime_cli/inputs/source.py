@@ -85,7 +85,7 @@ def _opened(path: Path) -> BinaryIO:
     try:
         return path.open("rb")
     except (FileNotFoundError, NotADirectoryError) as error:
-        hint = f"; to plan these words, say: fuzzytime plan -i {str(path)!r}" if " " in str(path) else ""
+        hint = f"; if these are the words themselves, say: -i {str(path)!r}" if " " in str(path) else ""
         raise NoInputError(f"{path}: there is no such file{hint}") from error
     except IsADirectoryError as error:
         raise NoInputError(f"{path}: must be a file, and it is a folder (see: fuzzytime batch)") from error

@@ -44,7 +44,9 @@ def _quit(_: Scene, __: str) -> Reply:
 COMMANDS: Mapping[str, Command] = {
     "list": Command("list", "the schedule, and what you asked for", looking.show_list),
     "why": Command("why N", "explain skill N: words, rules, satisfaction, and why then", looking.why),
-    "what-if": Command("what-if TEXT", "what would move if you asked for that too", looking.what_if),
+    "what-if": Command(
+        "what-if TEXT", "what would move if you asked for that, or gave a :command", looking.what_if
+    ),
     "edit": Command("edit N [TEXT]", "say instruction N anew", changing.edit),
     "drop": Command("drop N", "forget instruction N", changing.drop),
     "done": Command("done N", "skill N is done", changing.done),
@@ -68,6 +70,11 @@ COMMANDS: Mapping[str, Command] = {
 }
 """Every command by its name."""
 
+
+TRIED = tuple(
+    COMMANDS[name] for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "solver")
+)
+"""What may be asked about beforehand: commands that change what is asked for, or what is so."""
 
 BARE = {"help": ":help", "?": ":help", "quit": ":quit", "exit": ":quit"}
 """Words that people type to a prompt, and mean as commands, though they lack the colon."""

@@ -3,7 +3,7 @@
 Nothing here reads a clock, or a keyboard, or prints: the moment is passed in, and answers are values.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -88,7 +88,7 @@ class Conversation:
         started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
         return Request(
             now=now,
-            wishes=tuple(wish_of(entry) for entry in sorted(current.entries, key=lambda entry: entry.given)),
+            wishes=tuple(wish_of(entry) for entry in _as_said(current.entries, now)),
             agents=current.agents,
             context=context_of(current.readings, now),
             busy=tuple(
@@ -145,6 +145,11 @@ class Conversation:
             for one in self.store.started(self.name)
             if seconds_between(now, one.done) > 0 and one.identifier.partition(".")[0] in known
         ]
+
+
+def _as_said(entries: Sequence[Entry], now: datetime) -> list[Entry]:
+    """Give entries in the order in which they were said, with a time zone or without (``--now``)."""
+    return sorted(entries, key=lambda entry: seconds_between(now, entry.given))
 
 
 def wish_of(entry: Entry) -> SpokenWish:

@@ -1,5 +1,6 @@
 """Commands of the conversation that look: they show, draw and explain, and change nothing."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from rich.text import Text
@@ -9,6 +10,7 @@ from fuzzytime.interpreter import Plan
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import moves
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
+from fuzzytime_cli.session import State
 
 
 def show_list(scene: Scene, _: str) -> Reply:
@@ -33,19 +35,46 @@ def why(scene: Scene, text: str) -> Reply:
 
 
 def what_if(scene: Scene, text: str) -> Reply:
-    """Show what would move if one asked for something too; nothing is changed."""
+    """Show what would move if one asked for something too, or gave a command; nothing is changed."""
     from fuzzytime_cli.formats.table import PlanView
 
-    if not text.strip():
-        raise FuzzytimeError("an instruction must follow, such as: :what-if call mum at noon")
-    state = scene.conversation.state.with_entry(text.strip(), scene.now)
+    words = text.strip()
+    if not words:
+        raise FuzzytimeError(
+            "an instruction or a command must follow, such as: :what-if call mum at noon; :what-if :drop 2"
+        )
+    if words[0] in ":/":
+        head, state = "If you did that:", _tried(scene, words)
+    else:
+        head, state = "If you asked for that:", scene.conversation.state.with_entry(words, scene.now)
     made = scene.conversation.plan(scene.now, state)
-    lines: list[Text | str] = [Text("If you asked for that:", style="bold")]
+    lines: list[Text | str] = [Text(head, style="bold")]
     lines += PlanView(made, scene.width, unicode=scene.unicode).lines()
     lines += move_lines(scene.plan, made)
     before, after = scene.plan.schedule.geometric_mean, made.schedule.geometric_mean
     lines.append(f"average satisfaction {before:.2f} → {after:.2f}; nothing is changed")
     return Reply(tuple(lines))
+
+
+def _tried(scene: Scene, words: str) -> State:
+    """Give the state that a command would lead to.
+
+    Raises
+    ------
+    FuzzytimeError
+        If there is no such command, it does not work, or it changes nothing that is asked for.
+    """
+    from fuzzytime_cli.repl.commands import TRIED, command_of
+
+    command, rest = command_of(words)
+    if command not in TRIED:
+        known = ", ".join(f":{one.usage.split()[0]}" for one in TRIED)
+        raise FuzzytimeError(f"what can be tried is one of {known}, got {words!r}")
+    tried: list[State] = []
+    command.run(replace(scene, tried=tried), rest)
+    if not tried:
+        raise FuzzytimeError(f"{words!r} would change nothing: say what, such as :what-if :drop 2")
+    return tried[-1]
 
 
 def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None) -> list[str]:
@@ -84,7 +113,9 @@ def plot(scene: Scene, text: str) -> Reply:
     if file.strip():
         replace_file(Path(file.strip()), chart_svg(chart, interpreted.skill.name))
         return said(f"written: {file.strip()}")
-    return Reply(tuple(chart_lines(chart, scene.width, unicode=scene.unicode)))
+    reasons = [resolution.reason for resolution in interpreted.resolutions if resolution.reason]
+    why_none = [Text(f"no start satisfies: {plain(reason)}", style="yellow") for reason in reasons]
+    return Reply((*chart_lines(chart, scene.width, unicode=scene.unicode), *why_none))
 
 
 def now(scene: Scene, _: str) -> Reply:

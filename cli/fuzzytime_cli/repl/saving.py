@@ -9,8 +9,11 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after
 from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.scene import Reply, Scene, said, step
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines, said, step
 from fuzzytime_cli.session import KeptBusy, State
+
+MOST_FAULTS = 3
+"""Lines of a file that are pointed at: the rest is counted."""
 
 
 def save(scene: Scene, text: str) -> Reply:
@@ -68,14 +71,33 @@ def load(scene: Scene, text: str) -> Reply:
     if path.suffix.lower() == ".json":
         loaded = state_of(source.text)
         return step(scene, f":load {path}", lambda state: replace(loaded, ratings=state.ratings))
-    texts = [wish.text for wish in wishes_of(source, scene.now)]
+    return _load_lines(scene, path, [wish.text for wish in wishes_of(source, scene.now)])
 
-    def added(state: State) -> State:
-        for line in texts:
+
+def _load_lines(scene: Scene, path: Path, texts: list[str]) -> Reply:
+    """Add the instructions that are understood; of the others, as many as fit are pointed at."""
+
+    def added(state: State, lines: list[str]) -> State:
+        for line in lines:
             state = state.with_entry(line, scene.now)
         return state
 
-    return step(scene, f":load {path}", added)
+    known = scene.conversation.state
+    trial = added(known, texts)
+    made = scene.conversation.understanding.interpret(scene.conversation.request(scene.now, trial))
+    planned = {interpreted.wish.identifier for interpreted in made.skills}
+    faulty = {problem.text for problem in made.problems if problem.kind in UNREAD}
+    new = trial.entries[len(known.entries) :]
+    unread = [entry for entry in new if f"s{entry.number}" not in planned and entry.text in faulty]
+    kept = [entry.text for entry in new if entry not in unread]
+    faults = [problem for problem in made.problems if problem.text in {entry.text for entry in unread}]
+    lines = [line for problem in faults[:MOST_FAULTS] for line in problem_lines(problem, scene.width)]
+    if unread:
+        lines.append(Text(f"{len(unread)} of {len(new)} lines are not understood, and not kept", style="red"))
+    if not kept:
+        return Reply(tuple(lines))
+    reply = step(scene, f":load {path}", lambda state: added(state, kept))
+    return replace(reply, lines=tuple(lines))
 
 
 def _load_calendar(scene: Scene, path: Path) -> Reply:

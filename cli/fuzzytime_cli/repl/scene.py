@@ -7,10 +7,14 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Plan
+from fuzzytime.interpreter import Plan, Problem, ProblemKind
+from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.session import State
+
+UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
+"""What is wrong with words of which nothing can be planned."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,13 +33,17 @@ class Reply:
 
 @dataclass(frozen=True, slots=True)
 class Scene:
-    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width."""
+    """What a command works with: the conversation, the plan on the screen, the moment, the screen's width.
+
+    Where ``tried`` is given, steps are not taken: what they would lead to is put there.
+    """
 
     conversation: Conversation
     plan: Plan
     now: datetime
     width: int
     unicode: bool = True
+    tried: list[State] | None = None
 
 
 def said(text: str) -> Reply:
@@ -100,5 +108,18 @@ def step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:
     FuzzytimeError
         From the step, which then changes nothing.
     """
+    if scene.tried is not None:
+        scene.tried.append(change(scene.conversation.state))
+        return Reply()
     scene.conversation.change(what, change)
     return Reply(changed=True)
+
+
+def problem_lines(problem: Problem, width: int) -> list[Text | str]:
+    """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
+    if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
+        return []
+    lines: list[Text | str] = [Text(plain(problem.message), style="red")]
+    if problem.span is not None and problem.text:
+        lines += underlined(problem.text, problem.span, width).split("\n")
+    return lines

@@ -6,19 +6,18 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Plan, Problem, ProblemKind
+from fuzzytime.interpreter import Plan, Problem
 from fuzzytime.language import Question
-from fuzzytime_cli.faults import message_of, underlined
+from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
-_UNREAD = {ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO}
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +90,9 @@ class Turns:
         """Say what has started by now; plan anew where another terminal took a step."""
         lines: list[Line] = []
         if self.plan is None or self.conversation.store.version(self.conversation.name) != self.version:
-            return [*self._redrawn(now)] if self.plan is not None else lines
+            if self.plan is not None:
+                lines = [Text("Changed in another terminal:", style="bold"), *self._redrawn(now)]
+            return lines
         for started in self.conversation.note_started(self.plan, now):
             lines.append(start_line(started))
         return lines
@@ -137,7 +138,7 @@ class Turns:
         trial = self.conversation.state.with_entry(words, now)
         made = self.conversation.plan(now, trial)
         number = trial.entries[-1].number
-        faults = [problem for problem in made.problems if problem.text == words and problem.kind in _UNREAD]
+        faults = [problem for problem in made.problems if problem.text == words and problem.kind in UNREAD]
         own = [interpreted for interpreted in made.skills if interpreted.wish.identifier == f"s{number}"]
         if faults and not own:
             return Reply(tuple(line for problem in faults for line in problem_lines(problem, self.width)))
@@ -170,16 +171,6 @@ def question_lines(question: Question) -> list[Line]:
         for number, instant in enumerate(question.choices, 1)
     ]
     return [Text(f"Which time did you mean? Type {', '.join(choices)}.", style="bold")]
-
-
-def problem_lines(problem: Problem, width: int) -> list[Line]:
-    """Give a problem as lines, with the words underlined; what is drawn with the plan is not said again."""
-    if problem.kind in {ProblemKind.NOTE, ProblemKind.REJECTED}:
-        return []
-    lines: list[Line] = [Text(plain(problem.message), style="red")]
-    if problem.span is not None and problem.text:
-        lines += underlined(problem.text, problem.span, width).split("\n")
-    return lines
 
 
 def start_line(started: Started) -> Text:

@@ -221,7 +221,8 @@ def open_store(path: Path | None) -> tuple[SessionStore, str]:
     try:
         return SessionStore(path), ""
     except (OSError, sqlite3.Error) as error:
-        return _copied(path), f"{path}: {error}"
+        reason = error.strerror if isinstance(error, OSError) else None
+        return _copied(path), f"{path}: {reason or error}"
 
 
 def _copied(path: Path | None) -> SessionStore:

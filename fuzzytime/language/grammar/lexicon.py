@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Side
 from fuzzytime.resources import rules_directory
 
 
@@ -44,7 +44,7 @@ class Lexicon:
         Number words.
     ambiguous
         Words of the calendar that have another meaning too.
-    indicators, connectives, clauses, corrections, addresses, courtesies, amounts, results
+    indicators, connectives, clauses, comparisons, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
     wanting, forgetting
         Verbs above the one that is meant: "I want to", "don't forget to".
@@ -90,6 +90,7 @@ class Lexicon:
     indicators: Mapping[str, str]
     connectives: Mapping[tuple[str, ...], str]
     clauses: Mapping[tuple[str, ...], str]
+    comparisons: Mapping[tuple[str, ...], Side]
     corrections: frozenset[tuple[str, ...]]
     addresses: frozenset[str]
     courtesies: frozenset[tuple[str, ...]]

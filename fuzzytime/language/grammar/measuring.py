@@ -17,6 +17,10 @@ BEHIND_VERBS = frozenset(
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
+COPULAS = frozenset({"is", "are", "was", "were", "has", "have"})
+CLOCKS = frozenset({"it", "time", "clock", "hour"})
+"""What a number that it is at may be the hour of: "when it is past six"."""
+
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
@@ -31,6 +35,8 @@ class Measures:
 
     def measured(self, piece: Piece) -> bool:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
+        if self._says_how_much(piece):
+            return True
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
             if self._is_other_order(place) or self.is_amount(place):
                 return False
@@ -39,6 +45,12 @@ class Measures:
             if self._measures(place, piece):
                 return True
         return False
+
+    def _says_how_much(self, piece: Piece) -> bool:
+        """Whether a clause says that something is a number: "when the queue is longer than 4"."""
+        *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
+        clause = any((text,) in self.lexicon.clauses for text in before)
+        return clause and verb in COPULAS and subject not in CLOCKS
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
@@ -68,7 +80,9 @@ class Measures:
 
     def is_number(self, place: int) -> bool:
         """Whether a word is a number."""
-        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
+        return 0 <= place < len(self.words) and (
+            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+        )
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""

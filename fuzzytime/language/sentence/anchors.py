@@ -22,18 +22,25 @@ ORDERING = {"afterwards": Constraint.AFTER, "beforehand": Constraint.BEFORE}
 class Anchors:
     """What one instruction's words may refer to: the operations of all others.
 
-    ``position`` is its own, ``first`` that of the first instruction of its text.
+    ``position`` is its own, ``first`` that of the first instruction of its text. ``later`` are the operations
+    of what was said after its text: they are meant only where nothing said before is.
     """
 
     position: int
     first: int
     operations: Sequence[Operation | None]
     lexicon: Lexicon
+    later: Sequence[Operation | None] = ()
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
         others = [None if place == self.position else o for place, o in enumerate(self.operations)]
-        return target_of(clause, others, self.lexicon)
+        target = target_of(clause, others, self.lexicon)
+        if target is not None:
+            return target
+        # Of equals the nearest: among those before it the last, among those behind the first.
+        coming = target_of(clause, self.later[::-1], self.lexicon)
+        return None if coming is None else len(others) + len(self.later) - 1 - coming
 
     def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
         """Give the requirement of a clause that names another instruction, or an event."""

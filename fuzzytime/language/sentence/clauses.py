@@ -167,11 +167,18 @@ class _Clauses:
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
         text = self.words[place].text
+        if text == "," and self._is_inside_number(place):
+            return False
         if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
         clause = longest_match(self.words, place + 1, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _is_inside_number(self, place: int) -> bool:
+        """Whether a mark joins digits: "below 1,200"."""
+        around = self.words[place - 1 : place + 2]
+        return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits
 
     def _distance(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker: "five minutes before"."""

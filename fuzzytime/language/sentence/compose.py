@@ -22,6 +22,7 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
@@ -48,17 +49,29 @@ DOERS = frozenset({"you", "i", "we"})
 LASTING = frozenset({"until", "through"})
 
 
-def composed(draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> Reading:
-    """Put a reading together; ``given`` are the operations of the instructions before."""
-    return _Composer(draft, lexicon, given).reading()
+def composed(
+    draft: Draft,
+    lexicon: Lexicon,
+    given: Sequence[Operation | None],
+    later: Sequence[Operation | None] = (),
+) -> Reading:
+    """Put a reading together; ``given`` and ``later`` are the operations before the text and after it."""
+    return _Composer(draft, lexicon, given, later).reading()
 
 
 class _Composer:
-    def __init__(self, draft: Draft, lexicon: Lexicon, given: Sequence[Operation | None]) -> None:
+    def __init__(
+        self,
+        draft: Draft,
+        lexicon: Lexicon,
+        given: Sequence[Operation | None],
+        later: Sequence[Operation | None],
+    ) -> None:
         self.draft = draft
         self.lexicon = lexicon
         self.moment = Moment(draft.now, lexicon.policy)
         self.given = list(given)
+        self.later = later
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
@@ -110,7 +123,7 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, len(self.given), operations, self.lexicon)
+        anchors = Anchors(position, len(self.given), operations, self.lexicon, self.later)
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -174,6 +187,7 @@ class _Composer:
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
         self.explained.append(clause.span)
+        numbers = comparisons_in(self.draft.scanned, clause.content, self.lexicon)
         target = anchors.target_of(clause)
         if (
             target is None
@@ -181,14 +195,13 @@ class _Composer:
             and clause.kind in {"when", "if", "until", "while"}
         ):
             reference = Reference.FINISH if clause.kind == "until" else Reference.START
+            condition = replace(clause.condition, text=text, comparisons=numbers)
             return TimeRequirement(
                 text=text,
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(
-                    replace(clause.condition, text=text), _thing(clause, anchors, sketch), self.lexicon
-                ),
+                condition=_named(condition, _thing(clause, anchors, sketch), self.lexicon),
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
@@ -198,7 +211,10 @@ class _Composer:
             if clause.is_event or (subject is not None and subject not in DOERS):
                 message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
             self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
-        return _referred(anchors.of_clause(clause, text, what, target), sketch.reference)
+        requirement = anchors.of_clause(clause, text, what, target)
+        if target is None and requirement.anchor is not None:
+            requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
+        return _referred(requirement, sketch.reference)
 
     def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
         """Give the words of all trees with places in the whole text, and the paper's reading of the first."""

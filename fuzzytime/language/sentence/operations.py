@@ -1,5 +1,6 @@
 """What is to be done, by the words below a verb: its object, its place, its particle."""
 
+import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import takewhile
@@ -220,9 +221,9 @@ class Reader:
     def _said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
         kept = list(words)
-        while kept and not self.tree.nodes[kept[-1]].text[-1].isalnum():
+        while kept and not _names(self.tree.nodes[kept[-1]].text[-1]):
             kept.pop()
-        while kept and not self.tree.nodes[kept[0]].text[0].isalnum():
+        while kept and not _names(self.tree.nodes[kept[0]].text[0]):
             kept.pop(0)
         text = ""
         last = None
@@ -231,3 +232,8 @@ class Reader:
             text += ("" if last is None or last == node.start else " ") + node.text
             last = node.end
         return text.strip() or None
+
+
+def _names(character: str) -> bool:
+    """Whether a character is no mark: a picture says as much as a word, "€" what is paid."""
+    return character.isalnum() or unicodedata.category(character) in {"So", "Sk", "Sc", "Mn", "Me", "Cf"}

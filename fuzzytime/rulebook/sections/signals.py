@@ -19,7 +19,7 @@ _COURSES: Mapping[str, tuple[str, ...]] = {
 }
 """The models of forecasts, and the keys of each beside its horizon."""
 
-_FOR_VALUES = ("unit", "range", "noise", "max_age", "max_gap", "forecast")
+_FOR_VALUES = ("unit", "range", "noise", "softness", "max_age", "max_gap", "forecast")
 """What only signals with values have."""
 
 _KEYS = (*_FOR_VALUES, "event", "words")
@@ -50,6 +50,9 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
         noise: float | None = None
         if "noise" in found:
             noise = scope.reader.number(found["noise"], f"{path}.noise", 1e-9, LARGEST) or 1.0
+        softness: float | None = None
+        if "softness" in found:
+            softness = scope.reader.number(found["softness"], f"{path}.softness", 0.0, LARGEST)
         words = scope.reader.strings(found["words"], f"{path}.words") if "words" in found else ()
         read[name] = Signal(
             name=name,
@@ -59,6 +62,7 @@ def read_signals(scope: Scope, node: Node, key: str) -> Mapping[str, Signal]:
             event=event,
             course=course,
             noise=noise,
+            softness=softness,
             words=tuple(text.lower() for text in words),
             **limits,
         )

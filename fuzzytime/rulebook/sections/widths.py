@@ -9,7 +9,7 @@ from typing import TypeVar
 from fuzzytime.requirement import Unit
 from fuzzytime.rulebook.profile import Actor
 from fuzzytime.rulebook.sections.scope import Scope
-from fuzzytime.rulebook.width import Points, Roundness
+from fuzzytime.rulebook.width import Points, Roundness, Softness
 from fuzzytime.times import DAY, HOUR, parse_duration
 from fuzzytime.yaml_nodes import Node
 
@@ -95,6 +95,13 @@ def read_repetition(scope: Scope, node: Node, key: str) -> float:
     """Read the share of a series' interval that the half-base of an occurrence may have at most."""
     found = scope.row(node, key, ("share",), ("share",))
     return scope.reader.number(found["share"], f"{key}.share", 1e-3, 1.0) if "share" in found else 1.0
+
+
+def read_thresholds(scope: Scope, node: Node, key: str) -> Softness:
+    """Read the share of a number that its softness is."""
+    found = scope.row(node, key, ("share",), ("share",))
+    share = scope.reader.number(found["share"], f"{key}.share", 0.0, 1.0) if "share" in found else 0.0
+    return Softness(share, scope.reader.place(node))
 
 
 def read_roundness(scope: Scope, node: Node, key: str) -> Roundness:

@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.word_tables.feasts import read_feasts
 from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
+    read_comparisons,
     read_hedges,
     read_prepositions,
     read_words,
@@ -38,6 +39,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     read_clocks(days)
     amounts = dict(read_amounts(speech))
     clauses = by_form(speech, "clauses")
+    comparisons = read_comparisons(speech)
     connectives = by_form(speech, "connectives")
     indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
     policy = read_policy(days)
@@ -59,6 +61,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         indicators=indicators,
         connectives=connectives,
         clauses=clauses,
+        comparisons=comparisons,
         corrections=frozenset(speech.words("corrections")),
         addresses=frozenset(form[0] for form in speech.words("addresses")),
         courtesies=frozenset(speech.words("courtesies")),
@@ -101,7 +104,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
-    "clauses", "corrections", "particles", "places", "appointing", "persons", "impersonal",
+    "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
 )  # fmt: skip
 _CALENDAR = (

@@ -1,4 +1,4 @@
-"""Reading ``lexicon.yaml``: prepositions, hedges, time words, amounts."""
+"""Reading ``lexicon.yaml``: prepositions, hedges, time words, comparisons, amounts."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
 from fuzzytime.language.grammar.word_tables.tables import Form, Tables
 from fuzzytime.language.meaning.expressions import Edge, Quantity, TimeWord
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Side
 from fuzzytime.yaml_nodes import Node
 
 
@@ -65,6 +65,20 @@ def read_words(tables: Tables) -> None:
     tables.table("words", {"constraint": True}, make)
     for form in tables.words("corrections"):
         tables.entries.append(Entry(form, "correction", " ".join(form)))
+
+
+def read_comparisons(tables: Tables) -> dict[Form, Side]:
+    """Give the side of a number by the words that put it into a clause."""
+    found: dict[Form, Side] = {}
+    for name, node in tables.rows("comparisons"):
+        key = f"comparisons.{name.text}"
+        side = tables.reader.choice(name, key, tuple(Side))
+        for form in tables.forms(node, key):
+            if form in found:
+                message = f"words must have one meaning in a table, got {' '.join(form)!r} twice"
+                tables.reader.mistake(node, key, message)
+            found[form] = Side(side or Side.AT)
+    return found
 
 
 def read_amounts(

@@ -1,0 +1,131 @@
+"""Numbers in clauses: "the oven is above 150 degrees", "it has cooled down to about forty"."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Quantity
+from fuzzytime.requirement import Comparison, Side
+
+MOST_BEHIND = 6
+"""Words behind a number that may say what it counts."""
+
+MOST_OF = 5
+"""Words up to "of" that may say what the number is: "an internal temperature of"."""
+
+_ARTICLES = frozenset({"a", "an", "the", "its"})
+_THOUSANDS = re.compile(r"\d{1,3}(?:,\d{3})+(?:\.\d+)?")
+_TO = ("and", "to", "-")
+_MINUS = frozenset({"-", "minus"})
+
+
+@dataclass(frozen=True, slots=True)
+class _Number:
+    """A number with its hedges, and the place behind it."""
+
+    value: float
+    end: int
+    hedges: tuple[str, ...] = ()
+
+
+def comparisons_in(scanned: Scanned, span: Span, lexicon: Lexicon) -> tuple[Comparison, ...]:
+    """Give the numbers that a stretch of a text measures something by."""
+    inside = [p for p, word in enumerate(scanned.words) if span[0] <= word.start and word.end <= span[1]]
+    return tuple(_found(scanned, inside, lexicon)) if inside else ()
+
+
+def _found(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Iterator[Comparison]:
+    words, last = scanned.words, inside[-1] + 1
+    place = inside[0]
+    while place < last:
+        form = longest_match(words, place, lexicon.comparisons)
+        end = _number_place(words, place, form) if form is not None else place
+        number = _number(scanned, end, last, lexicon) if form is not None else None
+        if form is None or number is None:
+            place += 1
+            continue
+        side, until = lexicon.comparisons[form], None
+        if number.end < last and words[number.end].text in _TO:
+            until = _number(scanned, number.end + 1, last, lexicon)
+        ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value
+        if ranges and until is not None:
+            side, stop = Side.BETWEEN, until.end
+        else:
+            until, stop = None, number.end
+        if side is not Side.BETWEEN or ranges:
+            behind = words[stop : min(stop + MOST_BEHIND, last)]
+            yield Comparison(
+                text=scanned.text[words[place].start : words[stop - 1].end],
+                side=side,
+                number=number.value,
+                until=until.value if until is not None else None,
+                fuzziness=tuple(dict.fromkeys((*number.hedges, *(until.hedges if until else ())))),
+                behind=scanned.text[behind[0].start : behind[-1].end] if behind else "",
+            )
+        place = stop
+
+
+def _number_place(words: tuple[Word, ...], place: int, form: tuple[str, ...]) -> int:
+    """Give the place behind a form and what the number is of: "reaches", "reaches a temperature of"."""
+    for text in form:
+        while words[place].text != text:
+            # A hyphen that joins the form's words.
+            place += 1
+        place += 1
+    if words[place : place + 1] and words[place].text in _ARTICLES:
+        noun = next(
+            (p for p in range(place, min(place + MOST_OF, len(words))) if words[p].text == "of"), None
+        )
+        return place if noun is None else noun + 1
+    return place
+
+
+def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Number | None:
+    """Read the longest number at a place, where it is one by itself: neither "a mess" nor "8:30"."""
+    words = scanned.words
+    if place >= last or longest_match(words, place, lexicon.comparisons):
+        # "Is above 150": the words behind "is" say on which side.
+        return None
+    if words[place].text in _MINUS:
+        positive = _number(scanned, place + 1, last, lexicon)
+        return positive and _Number(-positive.value, positive.end, positive.hedges)
+    run, end = _run(words, place, last)
+    if _THOUSANDS.fullmatch(run):
+        return _Number(float(run.replace(",", "")), end)
+    pieces = [piece for piece in scanned.cells[place].get("quantity", {}).values() if piece.end <= last]
+    if not pieces:
+        return None
+    piece = max(pieces, key=lambda piece: piece.end)
+    said: Quantity = piece.value
+    if said.indefinite or (words[piece.end - 1].is_digits and _goes_on(words, piece.end, last)):
+        return None
+    return _Number(float(said.value), piece.end, said.hedges)
+
+
+def _run(words: tuple[Word, ...], place: int, last: int) -> tuple[str, int]:
+    """Give what is typed without a space from a digit on, as far as it is digits and their marks."""
+    end = place
+    while (
+        end < last
+        and (end == place or words[end].glued)
+        and (words[end].is_digits or words[end].text in ",.")
+    ):
+        end += 1
+    while end > place + 1 and not words[end - 1].is_digits:
+        end -= 1
+    return "".join(word.text for word in words[place:end]), end
+
+
+def _goes_on(words: tuple[Word, ...], place: int, last: int) -> bool:
+    """Whether a number is typed on in another shape: "8:30", "3.1.2", "2026/03"."""
+    return (
+        place + 1 < last
+        and words[place].glued
+        and words[place].text in ":/.,"
+        and words[place + 1].glued
+        and words[place + 1].is_digits
+    )
