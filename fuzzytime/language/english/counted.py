@@ -152,6 +152,12 @@ def for_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.FOR, "for")
 
 
+@grammar.rule("said", "for another <integer>", weight=0.2)
+def for_another(number: Integer) -> Said:
+    """For another five: minutes."""
+    return _length(minutes_of(Quantity(number.value)), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
 def over_the_next(duration: Duration) -> Said:
     """Over the next two hours: any time in them."""
@@ -205,6 +211,12 @@ def duration_alone(duration: Duration) -> Said:
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
+
+
+@grammar.rule("said", "<duration> in", weight=0.2)
+def so_far_in(duration: Duration) -> Said:
+    """Ten minutes in: counted from what was begun."""
+    return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
 
 
 @grammar.rule("said", "<duration> <back>", weight=0.3)

@@ -117,6 +117,12 @@ def typed_with_unit(numbers: Typed, unit: UnitWord | None = None) -> Duration | 
     return Duration(((numbers[0], large), (numbers[1], SMALLER[large])))
 
 
+@grammar.rule("duration", "<integer> ms|msec|millisecond|milliseconds")
+def milliseconds(number: Integer) -> Duration:
+    """500 ms."""
+    return Duration(((number.value / 1000, Unit.SECOND),))
+
+
 @grammar.rule("duration", "<integer> '")
 def minutes_mark(number: Integer) -> Duration | None:
     """2'."""

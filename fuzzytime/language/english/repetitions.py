@@ -55,7 +55,7 @@ def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
     return of_unit(unit, 1 + fraction)
 
 
-@grammar.rule("repeat", "every|each other|second <unit>", weight=0.1)
+@grammar.rule("repeat", "every|each other|second <unit>", "on|in? alternate <unit>", weight=0.1)
 def every_other(unit: UnitWord) -> Repeat:
     """Every other day."""
     return of_unit(unit, 2)
@@ -121,6 +121,12 @@ def weekends() -> Repeat:
 def every_part(part: Part) -> Repeat:
     """Every morning, in the evenings."""
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
+
+
+@grammar.rule("repeat", "every|each <part> and|& <part>", weight=0.3)
+def every_two_parts(first: Part, second: Part) -> Repeat:
+    """Every morning and evening."""
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), first), Wall(Cycle(Unit.DAY), second)))
 
 
 @grammar.rule("repeat", "weekday <part>|<parts>", "every|each weekday <part>", weight=0.2)

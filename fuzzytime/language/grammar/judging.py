@@ -9,7 +9,16 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -28,9 +37,15 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
+UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
+"""Words before a length of time that make it another thing than how long: "by ten minutes"."""
+
 SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
+
+DEGREES_DIGITS = 3
+"""Digits of an oven's temperature, and of few clock times."""
 
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
@@ -62,14 +77,21 @@ class Judge:
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
             return self._accepts_wall(piece, said, time)
+        return self._accepts_other(piece, said)
+
+    def _accepts_other(self, piece: Piece, said: Said) -> bool:
+        time = said.time
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
+            # "Ten minutes in, add the garlic"
+            return self.around.follower(piece) in {"", ",", "."}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
-        if isinstance(time, Repeat) and self._is_rate(piece):
-            return False
-        if isinstance(time, Repeat) and self.around.before(piece) in {"most", "some", "many", "few"}:
-            # "Most evenings": which, is not said.
+        if isinstance(time, Coming) and time.direction < 0:
+            # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
+            return said.preposition not in {None, "at", "for"}
+        if isinstance(time, Repeat) and not self._accepts_repeat(piece):
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
@@ -81,10 +103,19 @@ class Judge:
     def _is_ahead(self, place: int) -> bool:
         """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
         following = self.texts[place : place + 2]
-        return following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]
+        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
+            return True
+        return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])
+
+    def _accepts_repeat(self, piece: Piece) -> bool:
+        # "Most evenings": which, is not said.
+        return not self._is_rate(piece) and self.around.before(piece) not in {"most", "some", "many", "few"}
 
     def _is_rate(self, piece: Piece) -> bool:
         """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""
+        if self.measures.is_number(piece.start - 1):
+            # "Within two working days"
+            return True
         if "to" in {self.around.before(piece), self.texts[piece.start]}:
             return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)
         return self.texts[piece.start] == "per" and self.measures.is_number(piece.start - 2)
@@ -150,7 +181,7 @@ class Judge:
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
             return False
-        if said.preposition is None and self.around.before(piece) in {"by", "the"}:
+        if said.preposition is None and self.around.before(piece) in UNCOUNTED:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
         if self._is_ahead(piece.end):
@@ -188,6 +219,15 @@ class Judge:
             # "Move my three o'clock to five"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocked = isinstance(time.last, Wall) and time.last.clock is not None
+        if (
+            isinstance(time.first, Wall)
+            and time.first.bare
+            and not clocked
+            and self.texts[piece.start] not in BINDING
+        ):
+            # "Keep it above 15 until the end of april"
+            return False
         if ends and all(end.bare or end.weak for end in ends):
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
@@ -222,12 +262,9 @@ class Judge:
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
             return bound and self.around.may_end(piece)
-        if (
-            wall.days is None
-            and wall.clock is None
-            and said.preposition is None
-            and not self.around.may_end(piece)
-        ):
+        part = wall.days is None and wall.clock is None
+        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
+            # "Switch to night mode"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
@@ -280,6 +317,9 @@ class Judge:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self.around.may_end(piece) or self.around.is_unit(piece.end):
             return False
+        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+            # "At three to one"
+            return False
         before = piece.start - 1
         counted = self.measures.is_number(before)
         if piece.start > 1 and joins(self.words, before):
@@ -295,6 +335,10 @@ class Judge:
         hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
         sure = said.preposition == "at" and hour and not self.measures.named(piece)
         if not sure and self.measures.measured(piece):
+            return False
+        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
+        if degrees and self.lexicon.measure_verbs & set(self.texts):
+            # "Bake it at 180 for an hour, then half an hour at 200"
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)

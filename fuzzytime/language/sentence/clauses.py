@@ -240,7 +240,11 @@ class _Clauses:
 
     def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        if clause.kind not in {"after", "before", "until", "into"} or not self.tree.nodes[nodes[-1]].tag:
+        together = clause.marker == "at the same time as"
+        if (
+            not (together or clause.kind in {"after", "before", "until", "into"})
+            or not self.tree.nodes[nodes[-1]].tag
+        ):
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):

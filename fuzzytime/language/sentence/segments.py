@@ -80,7 +80,7 @@ def segments_of(
         found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
         end = 0 if found is None else _end_of(words, place, len(found))
         # "Do it when you're done": nothing follows.
-        if found is not None and end < len(words) and words[end].text not in ENDS:
+        if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
@@ -219,6 +219,13 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
             and _governs(tree, place, lexicon)
             and (alone or place + 1 not in timed)
         ):
+            found.append(place)
+            continue
+        lasts = (
+            place + 1 in timed and tree.nodes[place + 1].lower == "for" and tree.nodes[place - 1].text == ","
+        )
+        if place > 1 and place != root and lasts and node.may_act and node.lower == node.lemma:
+            # "Go to the gate, wait for ten seconds": the tree may have it for a thing.
             found.append(place)
             continue
         if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place):
