@@ -170,6 +170,12 @@ def for_the_first(duration: Duration) -> Said:
     return replace(in_the_first(duration), preposition="for")
 
 
+@grammar.rule("said", "for the? first <unit>", weight=0.5)
+def for_the_first_one(unit: UnitWord) -> Said | None:
+    """For the first hour."""
+    return for_the_first(Duration(((unit.count, unit.unit),))) if len(unit.form) > 1 else None
+
+
 @grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
 def in_the_first(duration: Duration) -> Said:
     """During the first twenty minutes."""
@@ -211,6 +217,17 @@ def duration_alone(duration: Duration) -> Said:
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
+
+
+@grammar.rule(
+    "said",
+    "when|once|after it's|its|it been <duration>",
+    "when|once|after it has been <duration>",
+    weight=0.5,
+)
+def when_it_has_been(duration: Duration) -> Said:
+    """When it's been ten minutes: since what was begun."""
+    return so_far_in(duration)
 
 
 @grammar.rule("said", "<duration> in", weight=0.2)

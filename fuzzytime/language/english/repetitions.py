@@ -49,6 +49,12 @@ def every_so_long(duration: Duration) -> Repeat | None:
     return Repeat(duration) if duration.seconds > 0 and duration.until is None else None
 
 
+@grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
+def at_intervals(duration: Duration) -> Repeat | None:
+    """At twenty minute intervals."""
+    return every_so_long(duration)
+
+
 @grammar.rule("repeat", "every|each <unit> and <fraction>", weight=0.1)
 def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
     """Every hour and a half."""

@@ -174,7 +174,9 @@ class Judge:
         return True
 
     def _binds(self, piece: Piece) -> bool:
-        return bool(BINDING & set(self.texts[piece.start : piece.start + 2]))
+        # "No earlier than eight and no later than nine"
+        first = self.texts[piece.start : piece.start + 3]
+        return bool(BINDING & set(first[:2])) or "than" in first
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration

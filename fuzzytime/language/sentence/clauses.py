@@ -15,6 +15,9 @@ from fuzzytime.requirement import Condition, Constraint
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
+DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
+"""Subjects that come and go."""
+
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
@@ -128,9 +131,7 @@ class _Clauses:
             event = self._event(clause, nodes)
             return event if event is None else replace(event, time=named)
         found = self._told(clause, nodes)
-        eventful = kind in EVENTFUL or (
-            kind == "when" and found is not None and found.verb not in {*BE, None}
-        )
+        eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
@@ -277,6 +278,12 @@ class _Clauses:
                 break
             last = place
         return last
+
+
+def _happens(clause: Clause) -> bool:
+    """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
+    subject = None if clause.condition is None else clause.condition.subject
+    return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
 
 
 def _is_apart(phrase: Phrase) -> bool:

@@ -228,7 +228,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
             # "Go to the gate, wait for ten seconds": the tree may have it for a thing.
             found.append(place)
             continue
-        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place):
+        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
             found.append(place)
             continue
         if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
@@ -263,7 +263,7 @@ def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
-    if node.tag == "NN" and before in {"and", "&"} and node.lower in lexicon.alone:
+    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
         return True
     if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
@@ -273,11 +273,11 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
 
-def _stands_alone(tree: Tree, place: int) -> bool:
+def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    bare = node.may_act and node.lower == node.lemma
+    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
     return bare and tree.nodes[place - 1].lower in JOINTS and behind in JOINTS | ENDS
 
 
