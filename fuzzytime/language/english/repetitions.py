@@ -46,7 +46,11 @@ def every_so_long(duration: Duration) -> Repeat | None:
         amount, unit = duration.terms[0]
         if amount == int(amount) and amount >= 1:
             return of_unit(UnitWord(unit, 1, unit.value), amount)
-    return Repeat(duration) if duration.seconds > 0 and duration.until is None else None
+    if duration.until is not None:
+        # "Every three to four hours": the middle.
+        middle = (duration.seconds + duration.until.seconds) / 2
+        return Repeat(Duration(((middle, Unit.SECOND),), duration.hedges)) if middle > 0 else None
+    return Repeat(duration) if duration.seconds > 0 else None
 
 
 @grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)

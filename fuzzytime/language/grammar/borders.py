@@ -89,6 +89,9 @@ class Borders:
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
+        if rest[-1:] == ["on"] and self.around.follower(piece) in OWNING:
+            # "The notes from monday on my desk"
+            return True
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"])

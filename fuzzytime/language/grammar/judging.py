@@ -319,6 +319,9 @@ class Judge:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self.around.may_end(piece) or self.around.is_unit(piece.end):
             return False
+        if said.preposition == "for" and self.around.follower(piece) == "at":
+            # "Make dinner for eight at seven"
+            return False
         if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
             # "At three to one"
             return False

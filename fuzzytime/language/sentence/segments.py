@@ -221,11 +221,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         ):
             found.append(place)
             continue
-        lasts = (
-            place + 1 in timed and tree.nodes[place + 1].lower == "for" and tree.nodes[place - 1].text == ","
-        )
-        if place > 1 and place != root and lasts and node.may_act and node.lower == node.lemma:
-            # "Go to the gate, wait for ten seconds": the tree may have it for a thing.
+        if place > 1 and place != root and _is_order_before_time(tree, place, timed):
             found.append(place)
             continue
         if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
@@ -273,12 +269,24 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
 
+def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
+
+    The tree may have it for a thing.
+    """
+    node = tree.nodes[place]
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+        return False
+    return node.lower == node.lemma and (tree.nodes[place + 1].lower == "for" or node.tag in IMPERATIVE)
+
+
 def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
     bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
-    return bare and tree.nodes[place - 1].lower in JOINTS and behind in JOINTS | ENDS
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:

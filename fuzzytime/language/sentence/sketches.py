@@ -122,8 +122,16 @@ def _repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketc
         ):
             # "Ring the bell at six, then again at seven"
             repeated.append(replace(sketch, operation=before))
-        elif sketch.operation is not None or before is None or not sketch.phrases:
+        elif sketch.operation is not None or before is None:
             repeated.append(sketch)
+        elif not sketch.phrases:
+            # "Dust the hall, then the stairs"
+            thing = part.segment.connective == "then" and first and first[0].lower in ARTICLES
+            repeated.append(
+                replace(sketch, operation=replace(before, object=rest, place=None))
+                if thing and before.object is not None
+                else sketch
+            )
         elif part.segment.connective == "then" and lasts:
             repeated.append(replace(sketch, operation=replace(before, place=rest or before.place)))
         elif (
