@@ -69,6 +69,7 @@ class _Search(GridSearch):
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         super().__init__(problem, watch, best)
         self._followed: Floats | None = None
+        self._is_solved = False
         self._starts = 0
 
     def tightened(self, problem: Problem, step: float) -> Problem:
@@ -82,7 +83,8 @@ class _Search(GridSearch):
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
-        budget, width = cells // 16, BEAM
+        # A grid that follows a solved one has few starts, on more slots.
+        budget, width = cells // (4 if self._is_solved else 16), BEAM
         if self._is_doubtful():
             self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
@@ -93,6 +95,7 @@ class _Search(GridSearch):
                 return True
             if found.exact and self.best.cost <= threshold:
                 relaxation.keep([used_below(program, self.best.cost)])
+                self._is_solved = True
                 return True
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
@@ -101,6 +104,8 @@ class _Search(GridSearch):
                 self._search_near(relaxation, width)
                 if self._is_doubtful():
                     self._search_far(relaxation)
+                if self.is_closed():
+                    return True
             else:
                 return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
@@ -109,7 +114,7 @@ class _Search(GridSearch):
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
     def follow(self, relaxation: Relaxation) -> None:
-        """Search around the bound's path where the schedule is doubtful: the better it is, the more starts go."""
+        """Search around the bound's path where the schedule is doubtful: a better one deletes starts."""
         if self._is_doubtful() and relaxation.prices is not self._followed:
             self._followed = relaxation.prices
             path = self._timed(relaxation.grid, relaxation.visited())
@@ -133,7 +138,7 @@ class _Search(GridSearch):
 
     def _learn(self, relaxation: Relaxation, known: float) -> None:
         """Use a better schedule to prove more."""
-        if self.best.cost < known:
+        if self.best.cost < known and not self.is_closed():
             relaxation.fix(self.best.cost)
             relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)
             self.lower = max(self.lower, relaxation.lower)

@@ -108,7 +108,7 @@ class GridSearch(ABC):
         """
         return problem
 
-    def follow(self, relaxation: Relaxation) -> None:
+    def follow(self, relaxation: Relaxation) -> None:  # noqa: B027 - not every search can
         """Look for a better schedule near a bound's path: here nothing."""
 
     @abstractmethod
