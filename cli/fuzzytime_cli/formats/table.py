@@ -17,6 +17,7 @@ from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
+_MOST_NOTES = 5
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -240,10 +241,13 @@ class PlanView:
             yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
     def _notes(self) -> Iterator[Text]:
-        for problem in self.plan.problems:
-            if problem.kind is ProblemKind.NOTE:
-                where = f"{plain(problem.identifier)}: " if problem.identifier else ""
-                yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+        notes = [problem for problem in self.plan.problems if problem.kind is ProblemKind.NOTE]
+        shown = notes if len(notes) <= _MOST_NOTES + 1 else notes[:_MOST_NOTES]
+        for problem in shown:
+            where = f"{plain(problem.identifier)}: " if problem.identifier else ""
+            yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+        if len(shown) < len(notes):
+            yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
         assumed = [
             f"{self.labels[position]} {format_duration(interpreted.skill.duration)}"
             for position, interpreted in enumerate(self.plan.skills)
