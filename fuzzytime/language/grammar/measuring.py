@@ -80,7 +80,9 @@ class Measures:
 
     def is_number(self, place: int) -> bool:
         """Whether a word is a number."""
-        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
+        return 0 <= place < len(self.words) and (
+            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+        )
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""
