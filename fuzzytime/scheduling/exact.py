@@ -14,6 +14,8 @@ import numpy as np
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.backward import used_below
+from fuzzytime.scheduling.dominance import ordered
+from fuzzytime.scheduling.dynasearch import only_order_counts
 from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
@@ -69,6 +71,13 @@ class _Search(GridSearch):
         self._repaired: Floats | None = None
         self._starts = 0
 
+    def tightened(self, problem: Problem, step: float) -> Problem:
+        """Add the orders that some best schedule keeps, where waiting never helps and all is done."""
+        rejection = min(job.rejection for job in self.problem.jobs)
+        if self.best.cost < rejection and only_order_counts(self.problem):
+            return ordered(problem, self.problem.jobs[0].earliest, step)
+        return problem
+
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         cells = self.watch.limits.memory // 16
@@ -88,7 +97,7 @@ class _Search(GridSearch):
             elif budget < cells:
                 budget, width = 4 * budget, 6 * width
                 self._repair(relaxation)
-                self._labels(relaxation, min(self.best.cost, self.lower + 4 * delta), cells, width)
+                self._labels(relaxation, self.best.cost, cells, width)
             else:
                 return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
@@ -121,7 +130,7 @@ class _Search(GridSearch):
         (arcs,) = relaxation.arcs_below(threshold)
         base = relaxation.base - float(prices.sum())
         # Jobs shorter than a slot are no part of the program, and so cannot be waited for.
-        before = [[first for first in firsts if grid.durations[first]] for firsts in self.problem.before()]
+        before = [[first for first in firsts if grid.durations[first]] for firsts in self.left.before()]
         program = LabelProgram(arcs, grid.durations, grid.slots, prices, base, before)
         found = program.run(threshold, self.watch, cells, width)
         if found.starts is not None:

@@ -17,6 +17,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from fuzzytime.scheduling.dynasearch import Dynasearch, only_order_counts
 from fuzzytime.scheduling.grid import ROUNDING, Curve, Grid, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.orders import Order
@@ -61,7 +62,9 @@ class LocalSearch:
     kicks: int = 0
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
-        """Improve until no job is better elsewhere."""
+        """Improve until no job is better elsewhere; where only the order counts, by dynasearch."""
+        if only_order_counts(problem):
+            return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
         grid = grid_of(problem, step_for(problem, self.slots))
         plan = Rough(problem, grid, begin)

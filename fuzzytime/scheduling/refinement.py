@@ -11,7 +11,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from fuzzytime.satisfaction import cell_chord_errors
+from fuzzytime.satisfaction import Floats, cell_chord_errors
 from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem
@@ -92,8 +92,21 @@ class GridSearch(ABC):
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         self.problem, self.watch = problem, watch
+        self.left = problem  # Where schedules that are better than the best may be.
         self.best, self.lower = best, 0.0
         self.goal = OPTIMAL_GAP * problem.weight
+
+    def tightened(self, problem: Problem, step: float) -> Problem:  # noqa: ARG002 - others need the step
+        """Give a problem with what else is known of schedules better than the best: here nothing.
+
+        Parameters
+        ----------
+        problem
+            Its windows may be narrowed already.
+        step
+            Of the grid, in seconds.
+        """
+        return problem
 
     @abstractmethod
     def close(self, relaxation: Relaxation) -> bool:
@@ -115,21 +128,44 @@ class GridSearch(ABC):
         step, enough = step_for(problem, self.first_slots, FINER), self.left_over
         if bytes_for(problem, step) > watch.limits.memory:
             return
-        left, grid = problem, grid_of(problem, step)
-        relaxation = Relaxation(problem, grid, self.best.cost, prices_from(problem, grid, self.best))
-        relaxation.improve(self.best.cost, STEPS, enough, watch)
-        self.lower = relaxation.lower
+        grid = grid_of(problem, step)
+        prices = prices_from(problem, grid, self.best)
+        relaxation = self._relaxation(problem, grid, prices)
         while not self.is_closed() and not watch.is_over():
             solved = self.close(relaxation)
             if self.is_closed():
                 break
-            left = relaxation.narrowed(left)
+            left = self.left = relaxation.narrowed(self.left)
             finest = fine_enough(problem, self.best, step / REFINEMENT, self.goal / 2)
             step = max(finest, step / FASTEST_REFINEMENT)
             if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
                 break
             relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
             relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
+
+    def _relaxation(self, problem: Problem, grid: Grid, prices: Floats) -> Relaxation:
+        """Bound the problem on the first grid, in turn with what else is known."""
+        best, watch, enough = self.best.cost, self.watch, self.left_over
+        self.left = self.tightened(problem, grid.step)
+        if self.left is problem:
+            relaxation = Relaxation(problem, grid, best, prices)
+            relaxation.improve(best, STEPS, enough, watch)
+            self.lower = relaxation.lower
+            return relaxation
+        begun = -math.inf
+        while True:
+            relaxation = Relaxation(self.left, grid_of(self.left, grid.step), best, prices)
+            known = -math.inf
+            while enough < best - relaxation.lower < 0.9 * (best - known) and not watch.is_over():
+                known = relaxation.lower
+                relaxation.improve(best, STEPS, enough, watch, rounds=1)
+                self.left = self.tightened(relaxation.narrowed(self.left), grid.step)
+                relaxation.restrict(self.left)
+            self.lower, prices = max(self.lower, relaxation.lower), relaxation.prices
+            # What the search for prices remembers is about arcs that are gone: it is worth another beginning.
+            if not enough < best - self.lower < 0.9 * (best - begun) or watch.is_over():
+                return relaxation
+            begun = self.lower
 
     @property
     def left_over(self) -> float:

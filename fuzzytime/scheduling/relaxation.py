@@ -76,7 +76,9 @@ class Relaxation:
         """Give what the best bound's path costs on each lane."""
         return [float(paths.run(self.prices).cost[-1]) for paths in self._paths]
 
-    def improve(self, upper: float, steps: int, enough: float, watch: Stopwatch) -> None:
+    def improve(
+        self, upper: float, steps: int, enough: float, watch: Stopwatch, rounds: float = math.inf
+    ) -> None:
         """Search better prices, and delete the arcs that no schedule below a known cost uses.
 
         Parameters
@@ -89,9 +91,12 @@ class Relaxation:
             The gap at which to end.
         watch
             Asked before each evaluation.
+        rounds
+            Deletions at most.
         """
         left = np.inf
-        while enough < upper - self.lower < 0.9 * left and not watch.is_over():
+        while enough < upper - self.lower < 0.9 * left and rounds > 0 and not watch.is_over():
+            rounds -= 1
             left = upper - self.lower
             self._multipliers.improve(upper, steps, watch)
             self.fix(upper)
@@ -135,6 +140,20 @@ class Relaxation:
         """Go on with these arcs only, for each lane."""
         self.arcs = arcs
         self._paths = [Paths(arcs, self.grid.durations, self.grid.slots) for arcs in self.arcs]
+
+    def restrict(self, problem: Problem) -> None:
+        """Delete the arcs that are not next to a problem's windows."""
+        kept = []
+        for lane, arcs in enumerate(self.arcs):
+            times = self.grid.times(arcs.start)
+            near = np.zeros(times.size, bool)
+            first = np.searchsorted(arcs.job, np.arange(len(problem.jobs) + 1)).tolist()
+            for job, mine in zip(problem.jobs, map(slice, first[:-1], first[1:]), strict=True):
+                for window in job.windows[lane]:
+                    low, high = window.low - self.grid.step, window.high + self.grid.step
+                    near[mine] |= (low < times[mine]) & (times[mine] < high)
+            kept.append(arcs.select(near))
+        self.keep(kept)
 
     def narrowed(self, problem: Problem) -> Problem:
         """Give the problem with windows cut to the cells next to arcs that are left.

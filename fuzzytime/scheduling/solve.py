@@ -74,6 +74,8 @@ def solve(
             clash = clash_of(task, partial(_is_impossible, task, watch.share(0.5)), watch.share(0.5))
             if clash:
                 return replace(quick, clash=clash, certificate=_infeasible(quick.certificate))
+        else:
+            hints = hints or quick.start_times
     return _scheduled(task, solver or Auto(), threshold, watch, objectives, hints)
 
 

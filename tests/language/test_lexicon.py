@@ -115,7 +115,7 @@ def test_mistakes_of_both_files_are_told_in_one_run(tmp_path: Path) -> None:
 
 
 def test_words_with_two_meanings_in_one_table_are_a_mistake(tmp_path: Path) -> None:
-    found = mistakes(tmp_path, LEXICON.replace("also: [bout, abt]", "also: [bout, nearly]", 1))
+    found = mistakes(tmp_path, LEXICON.replace("also: [bout, abt,", "also: [bout, nearly,", 1))
     assert len(found) == 1
     assert "words must have one meaning in a table, got 'nearly' twice" in found[0]
 

@@ -150,16 +150,16 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
     ("text", "words"),
     [
         ("paint the fence for months", "months"),
-        ("paint the fence every day except sundays", "sundays"),
+        ("paint the fence every other day except sundays", "sundays"),
         ("paint the fence on the 31st of april", "on the 31st of april"),
         ("boil a ten minute egg", "ten minute"),
         ("put the bins out the night before", "the night before"),
-        ("turn the lights off at sunset and on at sunrise", "at sunrise"),
+        ("open the lid at noon, better still at sunrise", "at sunrise"),
         ("stir in the cream at the very end", "at the very end"),
         ("by then, peel the eggs", "by then"),
         ("start the salad around quarter to", "around quarter to"),
         ("pack the bags the evening before the trip", "evening"),
-        ("switch the pump off at 6 and back on at 8", "at 8"),
+        ("switch the pump off at 6 pm near the pool at 8 pm", "at 8 pm"),
         ("boil it for 1 minute less than the packet says", "1 minute"),
         ("wipe the bar at closing time", "closing time"),
         ("turn the roast halfway through", "halfway through"),
@@ -237,3 +237,16 @@ def test_a_text_without_words_gives_no_time(text: str) -> None:
 def test_full_width_digits_and_typographic_marks_are_read() -> None:
     reading = language().read("Feed the cat at ８：３０ pm – please", now=NOW)
     assert reading.instructions[0].requirements[0].t_spec == 11.5 * 3600
+
+
+def test_an_order_that_follows_nothing_is_said() -> None:
+    reading = language().read("Meanwhile, feed the cat at noon", now=NOW)
+    (remark,) = reading.remarks
+    assert remark.kind is RemarkKind.UNRESOLVED
+    assert reading.text[slice(*remark.span)].startswith("Meanwhile")
+
+
+@pytest.mark.parametrize("text", ["Flip the pancakes after the pan is hot", "Ring the bell after the parade"])
+def test_what_readings_may_tell_is_not_said_to_be_wrong(text: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert "readings or an instruction" in remark.message

@@ -8,7 +8,14 @@ from fuzzytime.scheduling import THRESHOLD, Labels, Limits, Milp, Schedule, Shar
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.skills import FuzzyTask
 from scheduling.oracle import best_cost, best_shared_cost, best_whole_cost
-from scheduling.random_tasks import LAST, faults, random_bound_task, random_shared_task, random_task
+from scheduling.random_tasks import (
+    LAST,
+    faults,
+    random_bound_task,
+    random_ready_task,
+    random_shared_task,
+    random_task,
+)
 
 
 @dataclass(frozen=True)
@@ -36,6 +43,7 @@ def _shared(task: FuzzyTask) -> float:
 FAMILIES = {
     "one agent": Family(random_task, _alone, None),
     "one agent, labels": Family(random_task, _alone, Labels(), proves=False),
+    "one agent, all ready": Family(random_ready_task, _alone, Labels(), proves=False),
     "several agents": Family(random_shared_task, _shared, None),
     "several agents, shares": Family(random_shared_task, _shared, Shares(), proves=False),
     "several agents, program": Family(random_shared_task, _shared, Milp(), proves=False),

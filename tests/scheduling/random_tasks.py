@@ -87,6 +87,31 @@ def random_task(seed: int, most: int = 5) -> FuzzyTask:
     return FuzzyTask(skills, precedences=precedences, busy=busy)
 
 
+def random_ready_task(seed: int, most: int = 6) -> FuzzyTask:
+    """Draw a task for one agent that may begin with anything: being late is all that can be wrong."""
+    generator = np.random.default_rng(seed)
+    count = int(generator.integers(2, most + 1))
+    durations = generator.uniform(1, 60, count)
+    if generator.random() < 0.8:
+        durations = np.ceil(durations / 5) if generator.random() < 0.5 else np.round(durations)
+    work = float(durations.sum())
+    skills = []
+    for index, duration in enumerate(durations):
+        late, vanishing = np.sort(generator.uniform(0, work, 2)).tolist()
+        match generator.choice(["trapezoid", "bell", "always", "soon"]):
+            case "trapezoid":
+                function: SatisfactionFunction = Trapezoid(-np.inf, -np.inf, late, vanishing + work / 2)
+            case "soon":
+                function = Trapezoid(0.0, 0.0, 0.0, round(vanishing + work))
+            case "bell":
+                function = Bell(0.0, vanishing + 1, float(generator.uniform(0.6, 4)))
+            case _:
+                function = ALWAYS
+        priority = float(generator.choice([1, 1, 2, 0.5]))
+        skills.append(FuzzySkill(f"skill {index}", function, float(duration), priority=priority))
+    return FuzzyTask(tuple(skills))
+
+
 def _inside(start: float, end: float, low: float, high: float) -> bool:
     if start == end:
         return low + 1e-9 < start < high - 1e-9

@@ -18,6 +18,7 @@ from scheduling.random_tasks import faults
     ("name", "seed"),
     [
         *(("one agent, labels", seed) for seed in range(16)),
+        *(("one agent, all ready", seed) for seed in range(16)),
         *(("several agents", seed) for seed in range(16)),
         *(("several agents, shares", seed) for seed in range(16)),
         *(("several agents, program", seed) for seed in range(3)),

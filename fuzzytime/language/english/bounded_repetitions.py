@@ -27,7 +27,13 @@ grammar = Grammar()
 PLAUSIBLE = Policy().plausible_from
 
 
-@grammar.rule("repeat", "<repeat> at|on|in|around|,? the? <wall>", "<repeat> at <wall>", weight=0.2)
+@grammar.rule(
+    "repeat",
+    "<repeat> at|on|in|around|,? the? <wall>",
+    "<repeat> , on|at the? <wall>",
+    "<repeat> at <wall>",
+    weight=0.2,
+)
 def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
     """Every day at nine, on mondays at 4pm, every day this week."""
     return narrowed_repeat(repeat, wall)
@@ -90,6 +96,8 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
         return None
     period = repeat.walls[0].days
     if period == Cycle(Unit.YEAR) and days.month is not None:
+        return days
+    if period == Cycle(Unit.MONTH) and days == Fields(day=days.day) and days.day is not None:
         return days
     return days if period == Cycle(Unit.WEEK) and days.weekly else None
 

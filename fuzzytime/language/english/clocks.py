@@ -120,6 +120,9 @@ def pair(hour: Integer, minute: Integer) -> Clock | None:
     """Ten thirty, 3 15."""
     if hour.value > 24 or len(hour.digits) > 2 or bool(hour.digits) != bool(minute.digits):
         return None
+    if hour.value == 20 and minute.value < 10:
+        # "Twenty-five"
+        return None
     if not 10 <= minute.value < 60 and not (not minute.digits and minute.value == 5):
         return None
     return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=hour.value > 12, pair=True)
@@ -221,7 +224,7 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "closing|opening|boarding|quitting|departure|arrival time",
     "half way through",
     "the <part> before|after",
-    "at <minutes of clock>|<bare minutes of clock> past|to",
+    "at|before|after|until|till|by <minutes of clock>|<bare minutes of clock> past|to",
 )
 def of_no_hour(minutes: float | Part | None = None) -> bool:
     """At half past, at ten to, for a while, the night before: of what, or how long, is not said."""

@@ -45,7 +45,9 @@ def in_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.AT, "in")
 
 
-@grammar.rule("said", "in like|say ,? <duration>", weight=0.6)
+@grammar.rule(
+    "said", "in like|say ,? <duration>", "in about|around|roughly ,? say|like ,? <duration>", weight=0.6
+)
 def in_like(duration: Duration) -> Said:
     """In like ten minutes."""
     return _length(duration.hedged("about"), Constraint.AT, "in")
@@ -86,7 +88,14 @@ def in_numbers(first: Integer, last: Integer) -> Said | None:
     return _length(replace(shorter, until=longer), Constraint.AT, "in")
 
 
-@grammar.rule("said", "after <duration>", "after another <duration>", "<hedge> after <duration>", weight=0.3)
+@grammar.rule(
+    "said",
+    "after <duration>",
+    "after another <duration>",
+    "after the? first|initial <duration>",
+    "<hedge> after <duration>",
+    weight=0.3,
+)
 def after_duration(first: str | Duration, second: Duration | None = None) -> Said | None:
     """After ten minutes."""
     duration = second if isinstance(first, str) else first
@@ -132,6 +141,8 @@ def within(preposition: Preposition, duration: Duration) -> Said:
     "said",
     "for <duration>",
     "for another <duration>",
+    "for a? total of <duration>",
+    "for <duration> in? total|all|altogether",
     "lasting|taking|of? <duration> long",
     "lasting|taking <duration>",
     weight=0.35,

@@ -164,6 +164,13 @@ def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
     return from_anchor(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
 
 
+@grammar.rule("days", "<duration> <day>", weight=0.6)
+def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
+    """A week tomorrow, a fortnight today."""
+    whole = duration.unit is Unit.WEEK and day.days >= 0 and not duration.hedges
+    return from_anchor(duration, day, 1) if whole else None
+
+
 @grammar.rule("days", "<weekday> fortnight", weight=0.2)
 def weekday_fortnight(number: int) -> Calendar:
     """Friday fortnight."""

@@ -47,6 +47,13 @@ def and_a_half(quantity: Quantity, unit: UnitWord, fraction: float) -> Duration 
     return _length(Quantity(quantity.value + fraction, quantity.hedges), unit)
 
 
+@grammar.rule("duration", "<quantity> <unit> and a bit|little")
+def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
+    """An hour and a bit."""
+    length = _length(quantity, unit)
+    return None if length is None else length.hedged("about")
+
+
 @grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months."""
@@ -159,7 +166,12 @@ def one_or_one_and_a_half(
     return replace(first, until=last, indefinite=False)
 
 
-@grammar.rule("duration", "<duration> ,? and|but <hedge> <quantity>|<duration>", weight=0.3)
+@grammar.rule(
+    "duration",
+    "<duration> ,? and|but <hedge> <quantity>|<duration>",
+    "<duration> , <hedge> <quantity>|<duration>",
+    weight=0.3,
+)
 def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Duration) -> Duration | None:
     """At least two hours and no more than four."""
     bounded = "at least" in shorter.hedges and hedge in {"at most", "less than"}
@@ -170,6 +182,25 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     if longer.hedges or longer.until is not None or shorter.seconds >= longer.seconds:
         return None
     return replace(shorter, hedges=(), until=longer)
+
+
+@grammar.rule(
+    "duration",
+    "<duration> ,? give or take <quantity>|<duration>",
+    "<duration> ,? plus|+ or|/? minus|- <quantity>|<duration>",
+    weight=0.4,
+)
+def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | None:
+    """Ten minutes give or take two: between eight and twelve."""
+    if len(middle.terms) != 1 or middle.until is not None or middle.bare_end:
+        return None
+    amount, unit = middle.terms[0]
+    seconds = width.seconds if isinstance(width, Duration) else width.value * UNIT_SECONDS[unit]
+    off = seconds / UNIT_SECONDS[unit]
+    if not 0 < off < amount:
+        return None
+    longer = Duration(((amount + off, unit),), bare_end=isinstance(width, Quantity))
+    return Duration(((amount - off, unit),), middle.hedges, until=longer)
 
 
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)

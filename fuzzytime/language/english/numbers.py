@@ -61,10 +61,18 @@ def mixed(number: Integer, fraction: float) -> Quantity:
     return Quantity(number.value + fraction)
 
 
-@grammar.rule("quantity", "<quantity> more|additional|extra|other|fewer|further|full|whole|short|long|good")
+@grammar.rule(
+    "quantity", "<quantity> more|additional|extra|other|fewer|further|full|whole|short|long|good|last|final"
+)
 def added(quantity: Quantity) -> Quantity:
     """Two more minutes, three additional hours, two full days."""
     return quantity
+
+
+@grammar.rule("quantity", "<integer> and a bit|little", weight=0.1)
+def and_a_bit(number: Integer) -> Quantity:
+    """Three and a bit (hours)."""
+    return Quantity(number.value, ("about",))
 
 
 @grammar.rule("quantity", "a|an good|solid <integer>", weight=0.1)

@@ -37,6 +37,14 @@ def all_part(found: Part) -> Wall | None:
     return None if found.is_point else Wall(part=found)
 
 
+@grammar.rule(
+    "wall", "the? whole|entire|all|entirety of <days>", "the? whole|entirety of <parted>", weight=0.3
+)
+def whole_period(found: Calendar | Part) -> Wall:
+    """The whole of next week."""
+    return Wall(part=found) if isinstance(found, Part) else Wall(found)
+
+
 @grammar.rule("wall", "all|whole day <days>|<date>", "all|whole day on <days>|<date>", weight=0.4)
 def all_day(days: Calendar) -> Wall | None:
     """All day tomorrow, all day on friday."""
@@ -122,6 +130,13 @@ def ending(first: Edge | Ending, days: Calendar | None = None) -> Ending:
     if isinstance(days, Cycle):
         return Ending(first, Deictic(Which.THIS, days))
     return Ending(first, days or Relative(0))
+
+
+@grammar.rule("end", "<end> <days>", "<end> on|of <days>", weight=0.5)
+def ending_of_day(end: Ending, days: Calendar) -> Ending | None:
+    """The end of the day tomorrow, eod friday."""
+    today = end.days in {Deictic(Which.THIS, Cycle(Unit.DAY)), Relative(0)}
+    return replace(end, days=days) if today and days.grain is Unit.DAY else None
 
 
 @grammar.rule(

@@ -2,15 +2,22 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
+
+LATER_YEARS = 2000
+"""From here on, four digits behind a bound are a year."""
 
 
 def _said(
@@ -45,6 +52,31 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
 def when_it_is(wall: Wall) -> Said | None:
     """When it is three p.m., once it's noon."""
     return Said(wall, None, "at") if wall.clock is not None else None
+
+
+@grammar.rule(
+    "word",
+    "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "as soon as you get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
+    weight=0.2,
+)
+def when_you_have_time(_leisure: str) -> TimeWord:
+    """When you get a sec, once you find the time."""
+    return TimeWord("when you can", Constraint.VAGUE)
+
+
+@grammar.rule("leisure", "moment|minute|second|sec|mo|tick|chance|time|opportunity|while|hand")
+def leisure() -> str:
+    """A moment for something."""
+    return "time"
+
+
+@grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
+def before_it_is_over(days: Calendar) -> Said:
+    """Before the week is out."""
+    period = Deictic(Which.THIS, days) if isinstance(days, Cycle) else days
+    return Said(Ending(Edge.END, period), Constraint.BEFORE, "before", (), Edge.LAST)
 
 
 @grammar.rule("said", "at like|say ,? <clock>", weight=0.5)
@@ -82,7 +114,7 @@ def deadline(preposition: Preposition, goal: Goal) -> Said | None:
         return None
     if isinstance(goal.time, Coming):
         return replace(coming_deadline(goal), preposition=preposition.name)
-    return _said(goal, preposition.name, Constraint.BEFORE, preposition.edge)
+    return _said(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
 
 
 @grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
@@ -90,7 +122,17 @@ def release(preposition: Preposition, goal: Goal) -> Said | None:
     """After 5 pm, from monday, not before noon."""
     if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
         return None
-    return _said(goal, preposition.name, Constraint.AFTER, preposition.edge)
+    return _said(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+
+
+def _as_clock(goal: Goal) -> Goal:
+    """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
+    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None
+    year = days.year if isinstance(days, Fields) and days == Fields(year=days.year) else None
+    if year is None or not 1000 <= year < LATER_YEARS:
+        return goal
+    clock = number(Integer(year, str(year)))
+    return goal if clock is None else replace(goal, time=Wall(clock=clock))
 
 
 @grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
@@ -140,7 +182,7 @@ def or_later(goal: Goal) -> Said | None:
     "said",
     "at|on|from|by <goal> or|and later|after|onwards|onward",
     "from <goal> on|onwards|onward",
-    "at|on <goal> at the earliest",
+    "at|on <goal> at the very? earliest",
     weight=0.4,
 )
 def at_or_later(goal: Goal) -> Said:
@@ -151,7 +193,7 @@ def at_or_later(goal: Goal) -> Said:
 @grammar.rule(
     "said",
     "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at? the? latest",
+    "by|at|on|in? <goal> at? the? very? latest",
     "at|on|by <goal> or earlier|before|sooner",
     weight=0.4,
 )
@@ -160,7 +202,9 @@ def or_earlier(goal: Goal) -> Said:
     return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
 
 
-@grammar.rule("said", "<said> ,? at the latest", "at the? latest ,? <said>", "latest <said>", weight=0.5)
+@grammar.rule(
+    "said", "<said> ,? at the very? latest", "at the? very? latest ,? <said>", "latest <said>", weight=0.5
+)
 def latest(said: Said) -> Said | None:
     """In ten minutes at the latest, at the latest on friday."""
     if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
@@ -169,7 +213,11 @@ def latest(said: Said) -> Said | None:
 
 
 @grammar.rule(
-    "said", "<said> ,? at the earliest", "at the? earliest ,? <said>", "earliest <said>", weight=0.5
+    "said",
+    "<said> ,? at the very? earliest",
+    "at the? very? earliest ,? <said>",
+    "earliest <said>",
+    weight=0.5,
 )
 def earliest(said: Said) -> Said | None:
     """In ten minutes at the earliest, at the earliest on friday."""

@@ -135,7 +135,9 @@ def one_weekday(number: int) -> tuple[int, ...]:
     return (number,)
 
 
-@grammar.rule("weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>")
+@grammar.rule(
+    "weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>", weight=0.1
+)
 def another_weekday(numbers: tuple[int, ...], number: int) -> tuple[int, ...]:
     """Monday, wednesday and friday."""
     return (*numbers, number)
@@ -179,6 +181,43 @@ def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
     if not days or not monthly or not plain or not 1 <= number <= LONGEST_MONTH:
         return None
     return replace(repeat, walls=(Wall(Fields(day=number)), *repeat.walls))
+
+
+@grammar.rule(
+    "repeat", "every|each <ordinal> ,|and|& the? <ordinal>", "every|each <ordinal> of the? month", weight=0.3
+)
+def days_of_month(first: int, second: int | None = None) -> Repeat | None:
+    """Every 1st and 15th, every third of the month."""
+    days = [day for day in (first, second) if day is not None]
+    if not all(1 <= day <= LONGEST_MONTH for day in days):
+        return None
+    return Repeat(walls=tuple(Wall(Fields(day=day)) for day in days))
+
+
+@grammar.rule(
+    "repeat",
+    "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",
+    "<repeat> ,? and? not on|at? <weekday list>|<weekdays>|<off>",
+    weight=0.6,
+)
+def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
+    """Every day except sundays, on weekdays but friday."""
+    left_out = days if isinstance(days, tuple) else (days,)
+    fields = [wall.days for wall in repeat.walls]
+    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1 and repeat.starting is None and repeat.until is None:
+        walls = tuple(replace(repeat.walls[0], days=Fields(weekday=day)) for day in range(7))
+    else:
+        walls = repeat.walls
+    kept = tuple(
+        wall for wall in walls if isinstance(wall.days, Fields) and wall.days.weekday not in {None, *left_out}
+    )
+    return replace(repeat, every=None, walls=kept) if kept and len(kept) < len(walls) else None
+
+
+@grammar.rule("off", "weekends", "the? weekend")
+def off() -> tuple[int, ...]:
+    """Weekends, as what is left out of a repetition."""
+    return (5, 6)
 
 
 @grammar.rule(

@@ -86,7 +86,9 @@ def wall_at_clock(wall: Wall, clock: Clock) -> Wall | None:
     return joined(wall, Wall(clock=clock))
 
 
-@grammar.rule("wall", "in <duration> ,? at|on? <wall>", weight=0.3)
+@grammar.rule(
+    "wall", "in <duration> time? ,? at|on? <wall>", "in <duration> '|'s time ,? at|on? <wall>", weight=0.3
+)
 def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
     """In seven days at 5pm, in three days on friday."""
     away = from_anchor(duration, Relative(0), 1)

@@ -68,15 +68,40 @@ def literal(word: str) -> str:
     return f"'{word}"
 
 
+@dataclass(frozen=True, slots=True)
+class _Index:
+    """Rules by their first symbol: those of one symbol, and by their second symbol those of more."""
+
+    literals: frozenset[str]
+    single: Mapping[str, list[Rule]]
+    longer: Mapping[str, Mapping[str, list[Rule]]]
+
+    @classmethod
+    def of(cls, rules: Iterable[Rule]) -> "_Index":
+        literals: set[str] = set()
+        single: dict[str, list[Rule]] = {}
+        longer: dict[str, dict[str, list[Rule]]] = {}
+        for rule in rules:
+            literals.update([symbol[1:] for symbol in rule.symbols if symbol[0] == "'"])
+            first = rule.symbols[0]
+            if len(rule.symbols) == 1:
+                single.setdefault(first, []).append(rule)
+            else:
+                longer.setdefault(first, {}).setdefault(rule.symbols[1], []).append(rule)
+        return cls(frozenset(literals), single, longer)
+
+
 class Grammar:
     """The rules of a language."""
 
     def __init__(self) -> None:
         self.rules: list[Rule] = []
-        self.literals: set[str] = set()
-        # By first symbol: the rules of one symbol, and by their second symbol those of more.
-        self._single: dict[str, list[Rule]] = {}
-        self._longer: dict[str, dict[str, list[Rule]]] = {}
+        self._index: _Index | None = None
+
+    @property
+    def literals(self) -> frozenset[str]:
+        """The words that stand for themselves in a rule."""
+        return self._indexed().literals
 
     def rule(self, category: str, *patterns: str, weight: float = 0.0) -> Callable[[_Action], _Action]:
         """Give a decorator that adds a rule; the weight decides between readings of the same words."""
@@ -92,18 +117,19 @@ class Grammar:
 
     def include(self, other: "Grammar") -> None:
         """Add the rules of another grammar."""
-        for rule in other.rules:
-            self.add(rule)
+        self.rules += other.rules
+        self._index = None
 
     def add(self, rule: Rule) -> None:
         """Add a rule."""
         self.rules.append(rule)
-        self.literals.update(symbol[1:] for symbol in rule.symbols if symbol[0] == "'")
-        first = rule.symbols[0]
-        if len(rule.symbols) == 1:
-            self._single.setdefault(first, []).append(rule)
-        else:
-            self._longer.setdefault(first, {}).setdefault(rule.symbols[1], []).append(rule)
+        self._index = None
+
+    def _indexed(self) -> "_Index":
+        """Give the rules by their first symbols: only a grammar that parses needs them so."""
+        if self._index is None:
+            self._index = _Index.of(self.rules)
+        return self._index
 
     def parse(self, words: Sequence[Word], lexical: Mapping[int, Iterable[Piece]]) -> list[Cell]:
         """Fill the chart.
@@ -115,34 +141,36 @@ class Grammar:
         lexical
             By the word where they start, the pieces that word tables and shapes of numbers give.
         """
+        index = self._indexed()
         chart = Chart(words)
         for start in range(len(words) - 1, -1, -1):
             agenda = list(lexical.get(start, ()))
             word = words[start].text
-            if word in self.literals:
+            if word in index.literals:
                 agenda.append(Piece(literal(word), start, start + 1, word, 0.0, "word"))
             if agenda:
-                self._close(chart, start, agenda)
+                _close(index, chart, start, agenda)
         return chart.cells
 
-    def _close(self, chart: "Chart", start: int, agenda: list[Piece]) -> None:
-        """Add pieces that start at one word, and all that they begin."""
-        cell = chart.cells[start]
-        while agenda:
-            piece = agenda.pop()
-            known = cell.setdefault(piece.category, {})
-            held = known.get(piece.end)
-            if held is not None and held.weight >= piece.weight:
-                continue
-            known[piece.end] = piece
-            for rule in self._single.get(piece.category, ()):
-                _make(rule, (piece,), agenda)
-            longer = self._longer.get(piece.category)
-            if longer is not None:
-                for second in chart.following(piece.end):
-                    for symbol, choices in second.items():
-                        for rule in longer.get(symbol, ()):
-                            _extend(chart, rule, (piece,), choices, agenda)
+
+def _close(index: _Index, chart: "Chart", start: int, agenda: list[Piece]) -> None:
+    """Add pieces that start at one word, and all that they begin."""
+    cell = chart.cells[start]
+    while agenda:
+        piece = agenda.pop()
+        known = cell.setdefault(piece.category, {})
+        held = known.get(piece.end)
+        if held is not None and held.weight >= piece.weight:
+            continue
+        known[piece.end] = piece
+        for rule in index.single.get(piece.category, ()):
+            _make(rule, (piece,), agenda)
+        longer = index.longer.get(piece.category)
+        if longer is not None:
+            for second in chart.following(piece.end):
+                for symbol, choices in second.items():
+                    for rule in longer.get(symbol, ()):
+                        _extend(chart, rule, (piece,), choices, agenda)
 
 
 class Chart:

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
@@ -55,6 +55,11 @@ class Judge:
         said: Said = piece.value
         if self._runs_on(piece) or self._is_excepted(piece) or self._holds_particle(piece):
             return False
+        if self._names_event(piece):
+            return False
+        if self.around.follower(piece) == "than" and self.texts[piece.end - 1] in COMPARING:
+            # "Twenty minutes earlier than usual"
+            return False
         time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
@@ -67,24 +72,39 @@ class Judge:
             return self._accepts_wall(piece, said, time)
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, Range):
+            return self._accepts_range(piece, said, time)
         if isinstance(time, Repeat) and self.around.before(piece) in {"most", "some", "many", "few"}:
             # "Most evenings": which, is not said.
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
-        if isinstance(time, Range):
-            if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
-                # "The Monday to Friday timetable"
-                return False
-            ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
-            if ends and all(end.bare or end.weak for end in ends):
-                between = said.preposition == "between" and self._binds(piece)
-                return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+    def _names_event(self, piece: Piece) -> bool:
+        """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
+        said: Said = piece.value
+        ordinal = self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ordinal(piece.end - 1)
+        if ordinal and piece.end < len(self.texts) and not self.around.may_end(piece):
+            # "After the first one is done", "a day before the second coat"
+            return True
+        counted = isinstance(said.time, Offset)
+        wall = said.time.anchor if isinstance(said.time, Offset) else said.time
+        if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
+            return False
+        marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
+        owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
+        return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)
+
+    def _is_ordinal(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.ordinals
 
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
+        if first == "over":
+            # "Turn the steaks over every two minutes"
+            return rest[:1] in (["every"], ["each"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _is_excepted(self, piece: Piece) -> bool:
@@ -175,6 +195,9 @@ class Judge:
     def _accepts_alone(self, said: Said) -> bool:
         time = said.time
         if isinstance(time, Wall) and time.clock is not None and time.clock.pair and said.preposition is None:
+            if time.clock.shift:
+                # "Twenty to four"
+                return True
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
         return True
 
@@ -186,13 +209,17 @@ class Judge:
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
             return False
+        if said.preposition is None and self.around.before(piece) == "by":
+            # "Push the call back by thirty minutes"
+            return False
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
             return False
         if last.bare_end and self.measures.divided(piece):
             return False
         alone = duration.indefinite and said.preposition is None
-        if last.ordinal_end and alone and self.around.before(piece) in ASKED:
+        asked = {self.around.before(piece), self.texts[piece.start]}
+        if last.ordinal_end and alone and ASKED & asked:
             # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
@@ -206,14 +233,29 @@ class Judge:
             return follower in self.lexicon.lasting or self.around.may_end(piece)
         return True
 
+    def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
+        if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+            # "The Monday to Friday timetable"
+            return False
+        if self.around.before(piece) in POSSESSIVES:
+            # "Move my three o'clock to five"
+            return False
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        if ends and all(end.bare or end.weak for end in ends):
+            between = said.preposition == "between" and self._binds(piece)
+            return between and not self.measures.measured(piece) and self.around.may_end(piece)
+        return True
+
     def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
         if self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
-        day = self.texts[piece.end - 2] == "the" and self.texts[piece.end - 1] in self.lexicon.ordinals
-        if day and not self.around.may_end(piece):
-            # "After the first one is done"
+        if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
+            # "The 18th century table"
+            return False
+        if said.preposition == "of" and self._is_ordinal(piece.end - 1):
+            # "Within a minute of the first"
             return False
         if (
             wall.clock is not None
@@ -255,6 +297,9 @@ class Judge:
         before = self.around.before(piece)
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
             return True
+        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
+            # "Cancel my three o'clock"
+            return True
         followed = self.around.follower(piece) in {"before", "after"}
         if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
             # "The evening before the trip": which evening, is not said.
@@ -263,7 +308,15 @@ class Judge:
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
         owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
-        return said.preposition in NAMING and owned and not self.around.may_end(piece)
+        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
+            return True
+        # "My day planner"
+        return (
+            said.preposition is None
+            and self.texts[piece.start] in POSSESSIVES
+            and not self.around.may_end(piece)
+        )
 
     def _is_ambiguous(self, piece: Piece) -> bool:
         return self.texts[piece.end - 1] in self.lexicon.ambiguous

@@ -44,7 +44,7 @@ class Lexicon:
         Number words.
     ambiguous
         Words of the calendar that have another meaning too.
-    indicators, connectives, clauses, comparisons, corrections, addresses, amounts, results
+    indicators, connectives, clauses, comparisons, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
     wanting, forgetting
         Verbs above the one that is meant: "I want to", "don't forget to".
@@ -64,6 +64,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
+    landmarks
+        Things on a way: "after the bridge" says where.
     impersonal
         What "it" does or is when it stands for nothing: "rains", "dark".
     measure_verbs, measure_nouns
@@ -91,6 +93,7 @@ class Lexicon:
     comparisons: Mapping[tuple[str, ...], Side]
     corrections: frozenset[tuple[str, ...]]
     addresses: frozenset[str]
+    courtesies: frozenset[tuple[str, ...]]
     amounts: Mapping[tuple[str, ...], tuple[str, tuple[float, float, float, float] | None]]
     results: frozenset[str]
     wanting: frozenset[str]
@@ -105,6 +108,7 @@ class Lexicon:
     lasting: frozenset[str]
     persons: frozenset[str]
     addressing: frozenset[str]
+    landmarks: frozenset[str]
     impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]
@@ -179,4 +183,7 @@ def longest_match(
 
 def form_of(text: str) -> tuple[str, ...]:
     """Give a way to say something as the words it is matched by."""
+    if text.isascii() and text.replace(" ", "").isalpha():
+        # Most are plain words, and thousands are read at every start.
+        return tuple(text.lower().split())
     return tuple(word.text for word in words_of(text))

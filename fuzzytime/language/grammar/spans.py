@@ -13,10 +13,16 @@ from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.times_of_day import Half
 
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
+
+LISTING = frozenset({",", "and", "&", "or"})
+"""Words between the times of a list."""
+
+NOON = 12 * 3600
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +55,7 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     for place, word in enumerate(words):
         base = word.text.removesuffix("ish")
         owner = word.text.removesuffix("'s")
-        if owner != word.text and any(entry.category == "unit" for entry in lexicon.entries.get(owner, ())):
+        if owner != word.text and _is_owner(owner, lexicon) and not _continues(words, place, lexicon):
             # "In an hour's time"
             middle = word.end - 2
             found += [replace(word, text=owner, end=middle), Word("'s", middle, word.end, glued=True)]
@@ -69,6 +75,17 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     return tuple(found)
 
 
+def _is_owner(text: str, lexicon: Lexicon) -> bool:
+    """Whether a word can be what has a time: an hour, or a half."""
+    return any(entry.category in {"unit", "fraction"} for entry in lexicon.entries.get(text, ()))
+
+
+def _continues(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a word is the second of a form: "new year's eve"."""
+    before = lexicon.entries.get(words[place - 1].text, ()) if place else ()
+    return any(entry.words[1:2] == (words[place].text,) for entry in before)
+
+
 def _numeral(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     text = words[place].text if place >= 0 else ""
     return text in lexicon.numbers or text in lexicon.ordinals or text in lexicon.magnitudes
@@ -80,7 +97,26 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
     chosen = _best(kept, len(scanned.words))
     chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
-    return tuple(_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start))
+    found = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
+    for place in range(len(found) - 2, -1, -1):
+        found[place] = _in_half(found[place], found[place + 1], scanned.words)
+    return tuple(found)
+
+
+def _in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
+    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am"."""
+    joints = {word.text for word in words[phrase.end : following.first]}
+    first, second = phrase.said.time, following.said.time
+    if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
+        return phrase
+    if first.clock is None or second.clock is None or first.days is not None or first.part is not None:
+        return phrase
+    half = second.clock.half
+    open_half = first.clock.is_open and first.clock.half is None and half in {Half.AM, Half.PM}
+    if not open_half or first.clock.seconds % NOON >= second.clock.seconds % NOON:
+        return phrase
+    clock = replace(first.clock, half=half, bare=False)
+    return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:

@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.relations import Deictic
 SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
 OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
 """Words that open a noun: "the Sunday suit"."""
+POSSESSIVES = frozenset({"my", "our", "your", "his", "her", "their"})
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
     | {"part", "day", "weekday", "month", "day_part", "unit"}

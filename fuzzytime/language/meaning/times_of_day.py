@@ -94,7 +94,9 @@ class Part:
 
     def is_near(self, seconds: int) -> bool:
         """Whether a time of day, in seconds since midnight, is in it, or in the hours around it."""
-        around = range(self.start - NEAR, self.end + NEAR + 1)
+        # "01:30 in the morning": the hours from midnight on are a morning's too.
+        begin = 0 if self.half is Half.AM else self.start - NEAR
+        around = range(begin, self.end + NEAR + 1)
         return any(moment in around for moment in (seconds, seconds + DAY_SECONDS, seconds - DAY_SECONDS))
 
     def share(self, low: float, high: float) -> "Part":

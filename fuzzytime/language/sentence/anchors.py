@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.references import content_words, target_of
 from fuzzytime.language.sentence.segments import Segment
@@ -13,6 +13,9 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 FIRST = frozenset({"before", "until", "by the time"})
 """Clauses whose instruction comes first."""
+
+AFTERWARDS = "afterwards"
+"""The time word that is after the instruction before it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,8 +97,14 @@ class Anchors:
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
-        """Read "ten minutes later" as a distance from the instruction before, in the same text."""
+        """Read "ten minutes later" as a distance from the instruction before, in the same text.
+
+        "Afterwards" is after it, at whatever distance.
+        """
         time = phrase.said.time
+        if isinstance(time, TimeWord) and time.word == AFTERWARDS and self.position > self.first:
+            anchor = Anchor(text=requirement.text, target=self.position - 1, edge=Edge.END)
+            return _only(replace(requirement, word=None), anchor, Constraint.AFTER)
         later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
         if not later or self.position == self.first:
             return None

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
-from fuzzytime.language.sentence.conditions import condition_of, happening, state
+from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
 
@@ -49,15 +49,20 @@ class Clause:
 
 
 def clauses_of(
-    tree: Tree, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+    tree: Tree,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    named: Sequence[Phrase] = (),
 ) -> list[Clause]:
     """Find the clauses of one instruction.
 
-    A marker inside a time ("before noon") begins none.
+    A marker inside a time ("before noon") begins none. ``named`` are times that name events: "before my four
+    o'clock meeting" is before four.
     """
     found: list[Clause] = []
     covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
-    reader = _Clauses(tree, words, phrases, lexicon, covered)
+    reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
@@ -78,18 +83,20 @@ class _Clauses:
         phrases: Sequence[Phrase],
         lexicon: Lexicon,
         covered: set[int],
+        named: Sequence[Phrase],
     ) -> None:
         self.tree = tree
         self.words = words
         self.phrases = phrases
         self.lexicon = lexicon
         self.covered = covered
+        self.named = named
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses[form]
         first = place + len(form)
-        end = self._end(place, first)
+        end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase)), None)
         said_end = end if time is None else time.first
@@ -112,8 +119,15 @@ class _Clauses:
         clause = Clause(
             kind=kind, marker=" ".join(form), span=(start, content[1]), content=content, distance=duration
         )
+        named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
+        if named is not None and time is None and kind in EVENTFUL:
+            event = self._event(clause, nodes)
+            return event if event is None else replace(event, time=named)
         found = self._told(clause, nodes)
-        if found is None or time is None or kind not in EVENTFUL or not _dates(time, duration):
+        eventful = kind in EVENTFUL or (
+            kind == "when" and found is not None and found.verb not in {*BE, None}
+        )
+        if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
 
@@ -142,24 +156,9 @@ class _Clauses:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
 
-    def _end(self, place: int, first: int) -> int:
-        """Give where the clause ends: at a comma, at "and" and a time, or at the main verb behind it."""
-        comma = next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
-        root = self.tree.root
-        if root is None or place >= len(self.words):
-            return comma
-        main = self.tree.nodes[root]
-        if place == 0 and comma == len(self.words):
-            # A clause in front without a comma: up to where the tree says that it ends.
-            inner = (
-                next(iter(self.tree.at(self.words[first].start, self.words[first].end)), None)
-                if first < len(self.words)
-                else None
-            )
-            if inner is not None and main.start > self.words[place].start:
-                before = [p for p, word in enumerate(self.words) if word.start >= main.start]
-                return before[0] if before else comma
-        return comma
+    def _end(self, first: int) -> int:
+        """Give where the clause ends: at a comma, or at "and" and a time."""
+        return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
 
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
@@ -184,9 +183,14 @@ class _Clauses:
                 phrase.end == place
                 and phrase.said.preposition is None
                 and isinstance(phrase.said.time, Duration)
+                and not self._lasts(phrase.first - 1)
             ):
                 return phrase
         return None
+
+    def _lasts(self, place: int) -> bool:
+        """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
+        return place >= 0 and self.words[place].text in self.lexicon.lasting
 
     def _verb(self, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""
@@ -226,6 +230,9 @@ class _Clauses:
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
             return None
         noun = self._noun_end(nodes)
+        if self.tree.nodes[noun].lower in self.lexicon.landmarks:
+            # "Turn left after the second crossing"
+            return None
         end = self.tree.nodes[noun].end
         return replace(
             clause,

@@ -43,6 +43,9 @@ SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
 
+DOERS = frozenset({"you", "i", "we"})
+"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -132,6 +135,11 @@ class _Composer:
             requirements.append(_referred(requirement, reference))
         requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
+        segment = sketch.part.segment
+        if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
+            said = self.draft.text[slice(*segment.connective_span)].rstrip(" ,:")
+            message = f"{said!r} follows an instruction, and none was given so far"
+            self.remarks.append(Remark(RemarkKind.UNRESOLVED, segment.connective_span, message))
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
@@ -192,12 +200,15 @@ class _Composer:
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(condition, sketch.operation, self.lexicon),
+                condition=_named(condition, _thing(clause, anchors, sketch), self.lexicon),
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
         if target is None:
+            subject = None if clause.condition is None else clause.condition.subject
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+            if clause.is_event or (subject is not None and subject not in DOERS):
+                message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
             self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
         requirement = anchors.of_clause(clause, text, what, target)
         if target is None and requirement.anchor is not None:
@@ -293,11 +304,25 @@ def _referred(requirement: TimeRequirement, reference: Reference | None) -> Time
     return replace(requirement, reference=reference, reference_said=True)
 
 
-def _named(condition: Condition, operation: Operation | None, lexicon: Lexicon) -> Condition:
+def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
+    """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
+
+    "Warm the milk and, once it is warm, add the yeast": the milk.
+    """
+    operation = sketch.operation
+    if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
+        pronoun = replace(operation, object=clause.condition.subject)
+        earlier = resolved_object(pronoun, anchors.operations[: anchors.position], anchors.lexicon)
+        if earlier is not None and earlier.lower() not in PRONOUNS:
+            return earlier
+    return None if operation is None else operation.object
+
+
+def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
     """Put a name for a pronoun: "stir the sauce until it thickens"."""
-    if condition.subject not in PRONOUNS or operation is None or operation.object is None:
+    if condition.subject not in PRONOUNS or thing is None:
         return condition
     if condition.subject == "it" and condition.word in lexicon.impersonal:
         return condition
-    words = [word for word in operation.object.lower().split() if content_words(word)]
+    words = [word for word in thing.lower().split() if content_words(word)]
     return replace(condition, subject=" ".join(words) or condition.subject)

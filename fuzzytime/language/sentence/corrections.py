@@ -41,7 +41,15 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
     for old, new in pairwise(phrases):
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
-        if before == "not" and between in (["but"], [",", "but"], [","], ["-"]):
+        if between in ([",", "not"], ["and", "not"], ["not"], [",", "and", "not"]) and old in kept:
+            # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
+            kept.remove(new)
+            span = (old.span[1], new.span[1])
+            message = (
+                f"{scanned.text[slice(*new.span)]!r} is taken back beside {scanned.text[slice(*old.span)]!r}"
+            )
+            remarks.append(Remark(RemarkKind.CORRECTED, span, message))
+        elif before == "not" and between in (["but"], [",", "but"], [","], ["-"]):
             kept.remove(old)
             span = (scanned.words[old.first - 1].start, new.span[0])
             said = scanned.text[slice(*new.span)]

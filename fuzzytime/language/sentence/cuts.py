@@ -1,22 +1,23 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
-from fuzzytime.language.sentence.waiting import Part, Waiting
-
-JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
-"""What stands between two instructions."""
+from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
 
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
+
+AGAIN = frozenset({"back", "again", "then"})
+"""Words beside the other particle of a verb that is left out."""
 
 SHORTEST_GAP = 3
 """Words at least between two times of which the second is another thing's: "and the dog"."""
@@ -61,7 +62,7 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if chain:
             yield from chain
             return
-    starts += _gaps(one, part)
+    starts += _gaps(one, part, lexicon)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
@@ -70,13 +71,23 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             return
 
 
-def _gaps(one: Waiting, part: Part) -> list[int]:
+def _turns(between: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
+    texts = [word.text for word in between]
+    said = [text for text in texts[1:] if text not in AGAIN]
+    return texts[:1] in (["and"], [","], ["&"]) and len(said) == 1 and said[0] in lexicon.particles
+
+
+def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
     words, phrases = one.source.scanned.words, one.source.phrases
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
     found = []
     for old, new in pairwise(own):
         between = words[old.end : new.first]
+        if _turns(between, lexicon):
+            found.append(between[1].start)
+            continue
         if len(between) < SHORTEST_GAP or between[0].text not in {"and", ","}:
             continue
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)

@@ -1,27 +1,30 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Said
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
+from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
 CARRIERS = ("", "please ", "you should ")
 """Words that make a parser see the verb behind them, tried in this order."""
 
+NAMING = "name"
+"""The rule of a clock time that names an event."""
+
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
-
-Trees = Callable[[Sequence[str]], list[Tree]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +42,20 @@ class Draft:
     def unfinished(self) -> tuple[Span, ...]:
         """The stretches that begin a time and do not end it: "at half past"."""
         words = self.scanned.words
-        found = self.scanned.pieces("unfinished")
+        covered = {place for phrase in self.phrases for place in range(phrase.first, phrase.end)}
+        found = (p for p in self.scanned.pieces("unfinished") if covered.isdisjoint(range(p.start, p.end)))
         return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
+
+    @property
+    def naming(self) -> tuple[Phrase, ...]:
+        """The clock times that name an event behind them, and so are no times: "my four o'clock meeting"."""
+        words = self.scanned.words
+        walls = (p for p in self.scanned.pieces("wall") if p.value.clock is not None and not p.value.bare)
+        owned = (p for p in walls if p.start and words[p.start - 1].text in OWNING)
+        return tuple(
+            Phrase(Said(p.value), p.start, p.end, (words[p.start].start, words[p.end - 1].end), NAMING)
+            for p in sorted(owned, key=lambda piece: -piece.end)
+        )
 
 
 def drafted(
@@ -71,8 +86,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
         if not waiting:
             break
         found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
+        led = {} if last_round else fronts_of(waiting, found, trees, lexicon)
         following: list[Waiting] = []
-        for one, tree, front in zip(waiting, found, fronts, strict=True):
+        for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
+            if place in led:
+                following += one.cut_at(led[place].start, led[place].main, lexicon)
+                continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else addressed(one, part, lexicon) or list(pieces_of(one, part, lexicon))
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]

@@ -103,7 +103,7 @@ class Reader:
 
     def _moved_object(self, verb: int, particle: int | None) -> list[int]:
         """Give the words below a particle that was taken for a preposition: "put on the kettle"."""
-        if particle is None or self.tree.nodes[particle].relation == "prt" or particle != verb + 1:
+        if particle is None or particle != verb + 1:
             return []
         return self._words(self.tree.children(particle, "pobj"), particle)
 

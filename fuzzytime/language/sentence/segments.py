@@ -135,7 +135,9 @@ def _between(
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
         begin = _behind_opening(words, start, first, lexicon)
-        segment = _segment(text, words, begin, first, connective, said)
+        segment = _segment(
+            text, words, begin, _before_courtesies(words, begin, first, lexicon), connective, said
+        )
         if segment is not None:
             yield segment
             connective, said = "", (0, 0)
@@ -156,6 +158,22 @@ def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexico
         else:
             break
     return begin
+
+
+def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
+    """Give where an order ends: "thanks" and "pls" behind it are no part of it."""
+    while end > start + 1:
+        said = next((f for f in lexicon.courtesies if _ends_with(words, start, end, f)), None)
+        if said is None and words[end - 1].text != ",":
+            break
+        end -= 1 if said is None else len(said)
+    return end
+
+
+def _ends_with(words: Sequence[Word], start: int, end: int, form: tuple[str, ...]) -> bool:
+    """Whether a stretch of words ends with a form, and holds more."""
+    first = end - len(form)
+    return first > start and tuple(word.text for word in words[first:end]) == form
 
 
 def _segment(

@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clauses import Clause, clauses_of
+from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.segments import ARTICLES
@@ -32,12 +33,13 @@ if TYPE_CHECKING:
 ADDED = frozenset({"and", "&", ",", "again", "once", "more", "also"})
 OFFERED = frozenset({"or"})
 BOUNDS = {
+    "when": (None, "at"),
     "before": (Constraint.BEFORE, "before"),
     "by the time": (Constraint.BEFORE, "by"),
     "until": (Constraint.BEFORE, "until"),
     "after": (Constraint.AFTER, "after"),
 }
-"""How the time of an event binds what is said to be before or after it."""
+"""How the time of an event binds what is said to be at, before or after it."""
 
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
@@ -70,7 +72,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches = _repeated(_led([_sketch(draft, part, lexicon) for part in draft.parts]), draft.text)
+    sketches = _repeated(_led([_sketch(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
     for whole in _shared(sketches, draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
@@ -102,7 +104,7 @@ def _led(sketches: list[Sketch]) -> list[Sketch]:
     return led
 
 
-def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
+def _repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
     """Let a length of time alone behind "then" be of what was done before: "then five minutes on high"."""
     repeated: list[Sketch] = []
     for sketch in sketches:
@@ -112,7 +114,10 @@ def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
         spans = ((node.start + part.offset, node.end + part.offset) for node in part.tree.nodes)
         said = [span for span in spans if not any(_overlap(span, p.span) for p in sketch.phrases)]
         rest = text[said[0][0] : said[-1][1]] if said else None
-        if sketch.operation is not None or before is None or not sketch.phrases:
+        turned = before is not None and sketch.phrases and _particle_alone(rest, lexicon)
+        if before is not None and turned:
+            repeated.append(replace(sketch, operation=replace(before, particle=turned)))
+        elif sketch.operation is not None or before is None or not sketch.phrases:
             repeated.append(sketch)
         elif part.segment.connective == "then" and lasts:
             repeated.append(replace(sketch, operation=replace(before, place=rest or before.place)))
@@ -122,6 +127,13 @@ def _repeated(sketches: list[Sketch], text: str) -> list[Sketch]:
         else:
             repeated.append(sketch)
     return repeated
+
+
+def _particle_alone(text: str | None, lexicon: Lexicon) -> str | None:
+    """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
+    words = [] if text is None else text.lower().split()
+    said = [word for word in words if word not in AGAIN]
+    return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 
 def _shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
@@ -150,6 +162,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
+    clauses = [clause for clause in clauses if not any(_overlap(clause.content, u) for u in draft.unfinished)]
     kept = [phrase for phrase in phrases if not any(_overlap(phrase.span, c.span) for c in clauses)]
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
@@ -231,12 +244,17 @@ def _clauses(
     start = places[0] if places else 0
     words = [draft.scanned.words[place] for place in places]
     local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
-    local = [
-        replace(p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset))
-        for p in phrases
-        if offset <= p.span[0] < end
-    ]
-    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon)]
+    local, named = (
+        [
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
+            for p in found
+            if offset <= p.span[0] < end
+        ]
+        for found in (phrases, draft.naming)
+    )
+    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon, named)]
 
 
 # -- several times --------------------------------------------------------------------------------------

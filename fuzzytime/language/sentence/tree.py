@@ -1,6 +1,6 @@
 """A dependency tree as a value: words with tags, relations and heads, from whatever parser made it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 NOMINAL = frozenset({"NN", "NNS", "NNP", "NNPS", "PRP", "CD", "DT", "JJ"})
@@ -119,3 +119,7 @@ class Tree:
     def moved(self, characters: int) -> tuple[Node, ...]:
         """Give the words with their places that many characters further on."""
         return tuple(replace(n, start=n.start + characters, end=n.end + characters) for n in self.nodes)
+
+
+Trees = Callable[[Sequence[str]], list[Tree]]
+"""Whatever parses: the trees of some texts, in order."""

@@ -1,6 +1,8 @@
 """Segments that wait for their trees, and the parts that they become."""
 
-from dataclasses import dataclass
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -10,6 +12,21 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import is_doubtful
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
+
+JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
+"""What stands between two instructions."""
+
+JOINING = (["and"], ["&"], ["then"], ["but"])
+"""Words behind which a clause in front leads a further instruction."""
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """What begins a clause: its kind, the character where the clause begins, the place behind the marker."""
+
+    kind: str
+    start: int
+    end: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +99,28 @@ class Waiting:
         """The clause in front, nothing where there is none."""
         return self.source.sound[self.segment.span[0] : self.main]
 
+    def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
+        """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
+        words = self.source.scanned.words
+        for position, place in enumerate(self.source.places(*self.segment.span)):
+            before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
+            leads = self.main == self.segment.span[0] if position == 0 else before[-1:] in JOINING
+            marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
+            if marker is not None:
+                yield marker
+
+    def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+        """Give what stands before a clause in front, and what it leads from ``main`` on."""
+        first, end = self.segment.span
+        before = self.source.scanned.text[first:start]
+        kept = first + len(JOINT.sub("", before))
+        if kept > first:
+            yield Waiting.of(self.position, self.source, replace(self.segment, span=(first, kept)), lexicon)
+            led = Segment((start, end), addressee=self.segment.addressee)
+        else:
+            led = self.segment
+        yield Waiting(self.position, self.source, led, main)
+
     @property
     def behind_time(self) -> int:
         """Where the main words begin behind a time in front of them, from ``main``."""
@@ -95,11 +134,25 @@ class Waiting:
             places = [place for place in places if place >= end]
         return 0
 
+    def _overlooks_order(self, tree: Tree) -> bool:
+        """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
+        first = (
+            next(iter(tree.at(self.behind_time, self.behind_time + 1)), None) if self.behind_time else None
+        )
+        if first is None:
+            return False
+        node = tree.nodes[first]
+        return first != tree.root and node.may_act and node.lower == node.lemma and node.tag in {"VB", "VBP"}
+
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
         words, covered = self.source.scanned.words, self.source.covered
+        places = self.source.places(self.main, self.segment.span[1])
+        timed = {words[place].start - self.main for place in places if place in covered}
+        if self._overlooks_order(tree) or (tree.root is not None and tree.nodes[tree.root].start in timed):
+            return True
         root = self.main + tree.nodes[tree.root or 0].start
         before = [p for p in self.source.places(self.main, root) if p not in covered]
         if not before or longest_match(words, before[0], lexicon.clauses) is not None:
@@ -107,18 +160,26 @@ class Waiting:
         return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
 
 
+def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
+    """Give the marker of a clause at a place; a length of time may stand before it."""
+    words = source.scanned.words
+    first = next((phrase.end for phrase in source.phrases if phrase.first == place), place)
+    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
+    if first >= len(words) or words[first].start >= end or inside:
+        return None
+    form = longest_match(words, first, lexicon.clauses)
+    return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
+
+
 def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     """Give where the words behind a clause in front begin; the segment's start where there is none.
 
-    A clause in front begins with a marker, or with a length of time and a marker, and ends at a comma.
+    The clause ends at a comma.
     """
     words = source.scanned.words
     places = source.places(*segment.span)
-    first = next(
-        (p.end for p in source.phrases if places and p.first == places[0]), places[0] if places else -1
-    )
-    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
-    if first not in places or inside or longest_match(words, first, lexicon.clauses) is None:
+    marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
+    if marker is None:
         return segment.span[0]
-    comma = next((place for place in places if place > first and words[place].text == ","), None)
+    comma = next((place for place in places if place >= marker.end and words[place].text == ","), None)
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

@@ -64,6 +64,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         comparisons=comparisons,
         corrections=frozenset(speech.words("corrections")),
         addresses=frozenset(form[0] for form in speech.words("addresses")),
+        courtesies=frozenset(speech.words("courtesies")),
         amounts=amounts,
         results=frozenset(" ".join(form) for form in speech.words("results")),
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
@@ -84,6 +85,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
+        landmarks=frozenset(form[0] for form in speech.words("landmarks")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
@@ -103,7 +105,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
-    "amounts", "measures", "function_words", "questions", "foreign", "lasting",
+    "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

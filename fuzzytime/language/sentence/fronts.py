@@ -1,0 +1,101 @@
+"""Clauses in front without a comma: "once the glue is dry sand the edges".
+
+One tree of the whole mostly goes wrong, and no word says where the clause ends. So it is tried: wherever a
+word may be an order, the words before it are parsed as a clause, and those from it on as what is to be done.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
+from fuzzytime.language.sentence.conditions import BE, happening
+from fuzzytime.language.sentence.tree import Tree, Trees
+from fuzzytime.language.sentence.waiting import Waiting
+
+CARRIER = "please "
+"""Words behind which a parser sees an order."""
+
+BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
+"""Tags of words that do not end a clause, and that no order follows."""
+
+COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
+EVENTFUL = frozenset({"after", "before", "until", "into"})
+"""Clauses that may be a noun: "after the meeting"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Front:
+    """Where a clause in front begins, and where what is to be done does."""
+
+    start: int
+    main: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which what is to be done may begin, with the clause before it."""
+
+    one: int
+    kind: str
+    front: Front
+    clause: str
+    order: str
+
+
+def fronts_of(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> dict[int, Front]:
+    """Give the clauses in front of those that wait, by their places; ``found`` are their trees."""
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    clauses = trees([attempt.clause for attempt in tries])
+    orders = trees([CARRIER + attempt.order for attempt in tries])
+    fronts: dict[int, Front] = {}
+    for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
+        order = carried.without_carrier(CARRIER, attempt.order, 0)
+        if attempt.one not in fronts and _is_clause(clause, attempt.kind) and _is_order(order):
+            fronts[attempt.one] = attempt.front
+    return fronts
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    """Give the places behind the first marker at which a bare verb may stand."""
+    words, source = one.source.scanned.words, one.source
+    marker = next((marker for marker in one.markers(lexicon) if marker.end < len(words)), None)
+    if marker is None:
+        return
+    first, end = words[marker.end].start, one.segment.span[1]
+    for here, node in enumerate(tree.nodes):
+        start = node.start + one.main
+        if start <= first or here == 0 or not node.may_act or node.lower != node.lemma:
+            continue
+        timed = any(a <= start < b for a, b in (phrase.span for phrase in source.phrases))
+        if timed or tree.nodes[here - 1].tag in BINDING:
+            continue
+        clause = source.sound[first:start].strip(" ,")
+        yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+
+
+def _is_order(tree: Tree) -> bool:
+    """Whether words begin with what is to be done."""
+    return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
+
+
+def _is_clause(tree: Tree, kind: str) -> bool:
+    """Whether words say all that a clause says: that something is so, or done, or an event."""
+    root = tree.root
+    if root is None or tree.nodes[-1].tag in BINDING:
+        return False
+    node = tree.nodes[root]
+    if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
+        return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))
+    if node.tag in {"VBG", "VBN", "JJ"}:
+        return True
+    if kind in EVENTFUL:
+        # "Before the guests get here": a plural has its verb behind it.
+        return node.tag in {"NN", "NNP"}
+    return happening(tree, range(len(tree.nodes)), tree.text) is not None
