@@ -103,7 +103,9 @@ def _meant(comparison: Comparison, named: str, guess: str | None, tables: Tables
             signal = tables.signals[variable.signal]
             if fits(comparison.behind, signal.unit):
                 unit = measured_in(comparison.behind, signal.unit)
-                ranked.setdefault((unit is not None, length), []).append(_Meant(variable, signal, unit))
+                # A bare number is the very thing for a signal without a unit.
+                exact = unit is not None or signal.unit is None
+                ranked.setdefault((exact, length), []).append(_Meant(variable, signal, unit))
         if ranked:
             return ranked[max(ranked)]
     return []

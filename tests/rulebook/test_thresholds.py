@@ -173,6 +173,11 @@ def test_the_unit_chooses_among_things_of_one_name() -> None:
     assert RULEBOOK.signals_for(clause(number(Side.ABOVE, 21), **house)) == {"room_temp"}
 
 
+def test_a_bare_number_is_of_what_has_no_unit() -> None:
+    few = clause(number(Side.BELOW, 5, "people are at home"), subject="people", before="there are")
+    assert RULEBOOK.signals_for(few) == {"people_home"}
+
+
 def test_it_depends_on_all_that_it_may_be() -> None:
     hotter = clause(number(Side.ABOVE, 150, "\u00b0C"), subject="it", before="it is")
     assert {"pan_temp", "oven_temp", "weld_temp"} <= RULEBOOK.signals_for(hotter)
