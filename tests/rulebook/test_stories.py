@@ -321,6 +321,12 @@ def test_a_busy_robot_is_given_more_room_and_the_explanation_says_why() -> None:
     assert share.atoms[1].reading == 8
 
 
+def test_a_robot_that_is_busy_by_its_only_reading_is_given_some_of_that_room() -> None:
+    plain = resolved(ahead("in", 10), Context.empty)
+    busy = resolved(ahead("in", 10), Context.of({"queue": 8}))
+    assert busy.parameters["w"] == pytest.approx(1.2 * plain.parameters["w"])
+
+
 def test_soon_waits_behind_a_full_queue() -> None:
     idle, full = (resolved(word("soon"), Context.of({"queue": count})) for count in (0.0, 10.0))
     assert idle.satisfaction.support.high < full.satisfaction.support.high
