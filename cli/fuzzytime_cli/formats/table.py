@@ -1,7 +1,8 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from rich.text import Text
 
@@ -17,6 +18,8 @@ from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
+MOST_LENGTHS = 12
+"""Durations that are told one by one at most."""
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -245,9 +248,21 @@ class PlanView:
                 where = f"{plain(problem.identifier)}: " if problem.identifier else ""
                 yield Text(f"note: {where}{plain(problem.message)}", style="dim")
         assumed = [
-            f"{self.labels[position]} {format_duration(interpreted.skill.duration)}"
+            (position, format_duration(interpreted.skill.duration))
             for position, interpreted in enumerate(self.plan.skills)
             if interpreted.duration.assumed
         ]
         if assumed:
-            yield Text("durations assumed: " + ", ".join(assumed), style="dim")
+            yield Text("durations assumed: " + ", ".join(self._lengths(assumed)), style="dim")
+
+    def _lengths(self, assumed: Sequence[tuple[int, str]]) -> Iterator[str]:
+        """Tell how long skills take: each, or of many those in a row that take the same: "s1 to s9 2 min"."""
+
+        def row(entry: tuple[int, tuple[int, str]]) -> tuple[int, str]:
+            index, (position, length) = entry
+            return (position - index if len(assumed) > MOST_LENGTHS else position), length
+
+        for (_, length), entries in groupby(enumerate(assumed), key=row):
+            labels = [self.labels[position] for _, (position, _) in entries]
+            joined = f"{labels[0]} to {labels[-1]}" if len(labels) > 2 else " and ".join(labels)
+            yield f"{joined} {length}"
