@@ -19,6 +19,9 @@ TOLERANCE = 1e-4
 
 MAX_POINTS = 20_000
 
+LANDMARKS = (0.02, 0.5, 0.98)
+"""Satisfactions between whose times points of a product are sought."""
+
 ALWAYS = Trapezoid(0.0, 0.0, np.inf, np.inf)
 """Satisfied at any time from now on: an instruction without time words."""
 
@@ -96,9 +99,16 @@ def product(
         If the two are above 0 together on an infinite interval.
     """
     within = first.support.intersection(second.support)
-    return points_of(
-        lambda times: first(times) * second(times), (*first.kinks, *second.kinks), within, tolerance
-    )
+    # A narrow peak must not fall between the places where cells are tried.
+    marks = [mark for one in (first, second) for mark in _landmarks(one)]
+    return points_of(lambda times: first(times) * second(times), marks, within, tolerance)
+
+
+def _landmarks(function: SatisfactionFunction) -> list[float]:
+    """Give the times between which a function goes one way, and not far at once."""
+    crossings = [time for level in LANDMARKS for time in function.crossings(level)]
+    marks = [*function.kinks, *crossings, function.best.low, function.best.high]
+    return [mark for mark in marks if np.isfinite(mark)]
 
 
 def averaged(

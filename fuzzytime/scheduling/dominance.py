@@ -38,9 +38,11 @@ def ordered(problem: Problem, ready: float, step: float) -> Problem:
     ready
         When all jobs are ready, in seconds.
     step
-        Seconds between the moments at which costs are compared. Where it does not divide all durations the
-        problem is given back as it is.
+        Seconds between the moments at which costs are compared. Where it does not divide all durations, or
+        nothing is left of a window, the problem is given back as it is.
     """
+    if not all(any(job.windows) for job in problem.jobs):
+        return problem
     durations = np.array([job.duration for job in problem.jobs]) / step
     slots = np.rint(durations).astype(np.int64)
     if not slots.all() or (np.abs(durations - slots) > ROUNDING * np.maximum(1.0, durations)).any():

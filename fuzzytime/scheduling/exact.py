@@ -68,7 +68,8 @@ class _Search(GridSearch):
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         super().__init__(problem, watch, best)
-        self._repaired: Floats | None = None
+        self._followed: Floats | None = None
+        self._is_solved = False
         self._starts = 0
 
     def tightened(self, problem: Problem, step: float) -> Problem:
@@ -82,8 +83,11 @@ class _Search(GridSearch):
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
+        # A grid that follows a solved one has few starts, on more slots.
+        budget, width = cells // (4 if self._is_solved else 16), BEAM
+        if self._is_doubtful():
+            self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
-        budget, width = cells // 16, BEAM
         while not self.is_over():
             threshold = min(self.best.cost, self.lower + delta)
             program, found = self._labels(relaxation, threshold, budget, None)
@@ -91,33 +95,50 @@ class _Search(GridSearch):
                 return True
             if found.exact and self.best.cost <= threshold:
                 relaxation.keep([used_below(program, self.best.cost)])
+                self._is_solved = True
                 return True
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
             elif budget < cells:
                 budget, width = 4 * budget, 6 * width
-                self._repair(relaxation)
-                self._labels(relaxation, self.best.cost, cells, width)
+                self._search_near(relaxation, width)
+                if self._is_doubtful():
+                    self._search_far(relaxation)
+                if self.is_closed():
+                    return True
             else:
                 return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
-    def _repair(self, relaxation: Relaxation) -> None:
-        """Search around the relaxation's path, and farther where the best schedule is doubtful."""
-        if relaxation.prices is self._repaired:
-            return
-        self._repaired = relaxation.prices
-        known, watch = self.best.cost, self.watch.share(0.4)
-        path = self._timed(relaxation.grid, relaxation.visited())
-        self.take(LocalSearch().search(self.problem, watch, path))
-        if self.best.cost - self.lower > DOUBTFUL * self.problem.weight:
-            for _ in range(STARTS if len(self.problem.jobs) <= MOST_ANEW else 0):
-                self._starts += 1
-                self._starts += 1
-            self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch.share(0.5)))
+    def _is_doubtful(self) -> bool:
+        return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
+
+    def follow(self, relaxation: Relaxation) -> None:
+        """Search around the bound's path where the schedule is doubtful: a better one deletes starts."""
+        if self._is_doubtful() and relaxation.prices is not self._followed:
+            self._followed = relaxation.prices
+            path = self._timed(relaxation.grid, relaxation.visited())
+            self.take(LocalSearch().search(self.problem, self.watch.share(0.4), path))
+
+    def _search_near(self, relaxation: Relaxation, width: int) -> None:
+        """Search around the bound's path, and by labels in a beam."""
+        known = self.best.cost
+        self.follow(relaxation)
+        self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
+        self._learn(relaxation, known)
+
+    def _search_far(self, relaxation: Relaxation) -> None:
+        """Search anew with other draws, and by kicks."""
+        known = self.best.cost
+        for begin in (*[None] * (STARTS if len(self.problem.jobs) <= MOST_ANEW else 0), self.best):
             self._starts += 1
-            self.take(LocalSearch(self._starts, kicks=KICKS).search(self.problem, watch, self.best))
-        if self.best.cost < known:
+            searched = LocalSearch(self._starts, kicks=KICKS)
+            self.take(searched.search(self.problem, self.watch.share(0.2), begin))
+        self._learn(relaxation, known)
+
+    def _learn(self, relaxation: Relaxation, known: float) -> None:
+        """Use a better schedule to prove more."""
+        if self.best.cost < known and not self.is_closed():
             relaxation.fix(self.best.cost)
             relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)
             self.lower = max(self.lower, relaxation.lower)

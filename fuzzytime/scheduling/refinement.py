@@ -108,6 +108,9 @@ class GridSearch(ABC):
         """
         return problem
 
+    def follow(self, relaxation: Relaxation) -> None:  # noqa: B027 - not every search can
+        """Look for a better schedule near a bound's path: here nothing."""
+
     @abstractmethod
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
@@ -149,8 +152,12 @@ class GridSearch(ABC):
         self.left = self.tightened(problem, grid.step)
         if self.left is problem:
             relaxation = Relaxation(problem, grid, best, prices)
-            relaxation.improve(best, STEPS, enough, watch)
+            relaxation.improve(best, STEPS, enough, watch, rounds=1)
             self.lower = relaxation.lower
+            self.follow(relaxation)
+            relaxation.fix(self.best.cost)
+            relaxation.improve(self.best.cost, STEPS, enough, watch)
+            self.lower = max(self.lower, relaxation.lower)
             return relaxation
         begun = -math.inf
         while True:
