@@ -45,7 +45,10 @@ class Operation:
         inner = (self.particle, self.object)
         if self.object is not None and self.object.lower() in PRONOUNS:
             inner = (self.object, self.particle)
-        return " ".join(part for part in (self.verb, *inner, self.complement, self.place) if part)
+        # "Dinner is at seven": what is, is its name.
+        stated = self.lemma == "be" and self.verb != "be" and self.object is not None
+        verb = None if stated else self.verb
+        return " ".join(part for part in (verb, *inner, self.complement, self.place) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -79,12 +79,21 @@ class Said:
     named: float | None = None
 
 
+_OPEN = 0.5
+"""Bounds of a truth that lie further apart say nothing."""
+
+
 def notes_on(row: str, heard: Sequence[Heard]) -> tuple[str, ...]:
     """Say which rules miss readings, and that the table's row stands where no rule speaks."""
     notes = [
         f"the rule {part.rule.name!r} misses readings of {' and '.join(part.missing)}"
         for part in heard
         if part.missing
+    ]
+    notes += [
+        f"the rule {part.rule.name!r} cannot tell: the readings do not cover the time that it looks at"
+        for part in heard
+        if not part.missing and part.degree.high - part.degree.low > _OPEN
     ]
     if heard and all(part.weight == 0 for part in heard):
         notes.append(f"no rule over context speaks: the table's row {row!r} stands")

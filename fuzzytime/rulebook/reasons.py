@@ -16,7 +16,7 @@ from fuzzytime.rulebook.world import World
 from fuzzytime.times import format_duration
 
 _LITTLE = 0.02
-"""The share of its way that may be left where a signal counts as settled."""
+"""The share of its way, or of where it leads, that may be left where a signal counts as settled."""
 
 
 def why_never(formula: Formula, world: World, traced: Traced, horizon: float, never_below: float) -> str:
@@ -91,7 +91,7 @@ def outlook(signal: Signal, forecast: Forecast, until: float = math.inf) -> str:
         return f"stays at {shown}"
     if isinstance(signal.course, Approach):
         level = forecast.level
-        if abs(end - level) <= _LITTLE * abs(start - level):
+        if abs(end - level) <= _LITTLE * max(abs(start - level), abs(level)):
             return f"settles at {with_unit(level, signal.unit)}"
     return f"is at {shown} after {format_duration(last)}, as far as it is forecast"
 

@@ -24,6 +24,9 @@ from fuzzytime.rulebook.variables import Source, Term, Variable
 _ALL_THE_WAY = 0.5
 """The share of the way to a number that a signal must fall, as expected, for it to be coming down to it."""
 
+MOST_SHOWN = 4
+"""Signals that a reason names at most."""
+
 _OPEN = math.inf
 _NAMELESS = frozenset(("", "it", "they", "there", "temperature"))
 
@@ -103,7 +106,9 @@ def _meant(comparison: Comparison, named: str, guess: str | None, tables: Tables
             signal = tables.signals[variable.signal]
             if fits(comparison.behind, signal.unit):
                 unit = measured_in(comparison.behind, signal.unit)
-                ranked.setdefault((unit is not None, length), []).append(_Meant(variable, signal, unit))
+                # A bare number is the very thing for a signal without a unit.
+                exact = unit is not None or signal.unit is None
+                ranked.setdefault((exact, length), []).append(_Meant(variable, signal, unit))
         if ranked:
             return ranked[max(ranked)]
     return []
@@ -179,8 +184,14 @@ def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: 
         for variable, _ in _named(text, tables):
             unit = tables.signals[variable.signal].unit
             return f"{variable.signal} is measured in {symbol(unit) or 'a bare number'}, got {said!r}"
-    of = "" if _is_nameless(guess, named) else f" of {guess!r}"
-    return f"no signal{of} tells {said!r}"
+    if not _is_nameless(guess, named):
+        return f"no signal of {guess!r} tells {said!r}"
+    possible = [one for one in _of_unit(comparison, tables) if _can_be(comparison, one)]
+    signals = dict.fromkeys(one.signal.name for one in possible)
+    if not signals:
+        return f"no signal tells {said!r}"
+    shown = ", ".join(list(signals)[:MOST_SHOWN]) + (", …" if len(signals) > MOST_SHOWN else "")
+    return f"not enough readings: {said!r} may be about {shown}"
 
 
 def _made(

@@ -30,6 +30,7 @@ def compared(text: str) -> tuple[Comparison, ...]:
         ("there are 20 parts left", Side.AT, 20, "parts left"),
         ("the roast reaches an internal temperature of 70 degrees", Side.AT, 70, "degrees"),
         ("the soup has cooled down to 60", Side.AT_MOST, 60, ""),
+        ("we're down to 50 parts", Side.AT_MOST, 50, "parts"),
         ("only 20% is left", Side.AT_MOST, 20, "% is left"),
         ("it drops below -5 degrees outside", Side.BELOW, -5, "degrees outside"),
         ("fewer than twenty parts are left", Side.BELOW, 20, "parts are left"),

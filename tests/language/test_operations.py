@@ -22,6 +22,8 @@ LET_ME = tree("let VB ROOT let", "me PRP nsubj know", "know VB ccomp let")
 STATEMENT = tree("the DT det rice", "rice NN nsubj boil", "should MD aux boil", "boil VB ROOT boil")
 CAT = tree("feed VB ROOT feed", "the DT det \U0001f431", "\U0001f431 NN dobj feed")
 FEE = tree("pay VB ROOT pay", "50 CD nummod €", "€ NNS dobj pay", "! . punct pay")
+DINNER = tree("dinner NN nsubj is", "is/be VBZ ROOT is")
+QUIET = tree("be VB ROOT be", "quiet JJ acomp be")
 NO_VERB = tree("the DT det rice", "rice NN ROOT rice")
 GO = tree("have VBP aux go", "the DT det robot", "robot NN nsubj go", "go VB ROOT go")
 
@@ -65,6 +67,8 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
         (WANT, [], "wash it"),
         (READY, [], "have the rice ready"),
         (STATEMENT, [], "boil the rice"),
+        (DINNER, [], "dinner"),
+        (QUIET, [], "be quiet"),
         (CAT, [], "feed the \U0001f431"),
         (FEE, [], "pay 50 €"),
     ],

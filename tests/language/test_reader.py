@@ -85,6 +85,22 @@ def test_a_later_text_refers_to_an_earlier_one() -> None:
     assert first.remarks == ()
 
 
+def test_a_distance_from_a_meal_counts_from_the_instruction_that_makes_it() -> None:
+    texts = [
+        "Cook dinner at seven pm",
+        "Open the wine half an hour before dinner",
+        "Wash up an hour after dinner",
+    ]
+    _, *after = language().read_all([(text, NOW) for text in texts])
+    anchors = [reading.instructions[0].requirements[0].anchor for reading in after]
+    assert [(a.target, a.edge, a.lag, a.exact) for a in anchors if a is not None] == [
+        (0, Edge.START, -1800.0, True),
+        (0, Edge.END, 3600.0, True),
+    ]
+    alone = language().read(texts[1], now=NOW).instructions[0].requirements[0]
+    assert alone.anchor is None
+
+
 def test_a_text_refers_to_a_later_one_where_none_before_is_meant() -> None:
     texts = [
         "Serve the rice after the soup is done",

@@ -80,6 +80,19 @@ def test_a_few_distant_readings_tell_a_stalled_pan_as_well(seconds: float) -> No
     assert reason.startswith("never: pan_temp settles at 15")
 
 
+def test_a_pan_that_has_long_stalled_settles_where_it_is() -> None:
+    values = [20, 60, 95, 120, 138, 150, 158, 161, 162, 163, 162, 162]
+    stalled = Context.of({"pan_temp": [(30.0 * (place - 11), value) for place, value in enumerate(values)]})
+    assert resolved(PAN_IS_HOT, stalled).reason == "never: pan_temp settles at 164 \u00b0C"
+
+
+def test_a_rule_that_looks_further_back_than_the_readings_says_so() -> None:
+    resolution = resolved(ahead("in", 10), Context.of({"queue": 9}))
+    assert any(note.startswith("the rule 'busy-more-lenient' cannot tell") for note in resolution.notes)
+    steady = Context.of({"queue": [(-60.0 * place, 9) for place in range(15)]})
+    assert not any("cannot tell" in note for note in resolved(ahead("in", 10), steady).notes)
+
+
 @pytest.mark.parametrize("before", [[(-732, 100), (-712, 140)], [(-600, 100)], [(-900, 150), (-600, 150)]])
 def test_one_reading_after_a_silence_is_believed_where_few_tell_otherwise(
     before: list[tuple[float, float]],
@@ -306,6 +319,12 @@ def test_a_busy_robot_is_given_more_room_and_the_explanation_says_why() -> None:
         "workload is very busy",
     ]
     assert share.atoms[1].reading == 8
+
+
+def test_a_robot_that_is_busy_by_its_only_reading_is_given_some_of_that_room() -> None:
+    plain = resolved(ahead("in", 10), Context.empty)
+    busy = resolved(ahead("in", 10), Context.of({"queue": 8}))
+    assert busy.parameters["w"] == pytest.approx(1.2 * plain.parameters["w"])
 
 
 def test_soon_waits_behind_a_full_queue() -> None:

@@ -155,6 +155,15 @@ def test_it_is_the_only_thing_that_was_read_in_the_unit() -> None:
     assert resolution.notes == ("'above 150' is taken as about pan_temp: nothing else of its kind was read",)
 
 
+def test_without_a_reading_it_may_be_all_that_can_be_so() -> None:
+    hotter = clause(number(Side.ABOVE, 1000), subject="it", before="it is")
+    reason = holding(hotter, Context.of({"pan_temp": 200})).reason
+    assert reason == "never: pan_temp lies between -10 and 400 \u00b0C, so it is not above 1000 \u00b0C"
+    assert holding(hotter, Context.empty).reason == (
+        "not enough readings: 'above 1000 degrees' may be about weld_temp"
+    )
+
+
 def test_it_is_asked_back_where_several_things_were_read() -> None:
     hotter = clause(number(Side.ABOVE, 150), subject="it", before="it is")
     context = Context.of({"pan_temp": 200, "oven_temp": 100, "outside_temp": 20})
@@ -171,6 +180,11 @@ def test_the_unit_chooses_among_things_of_one_name() -> None:
     loud = clause(number(Side.ABOVE, 60, "dB"), **house)
     assert RULEBOOK.signals_for(loud) == {"noise"}
     assert RULEBOOK.signals_for(clause(number(Side.ABOVE, 21), **house)) == {"room_temp"}
+
+
+def test_a_bare_number_is_of_what_has_no_unit() -> None:
+    few = clause(number(Side.BELOW, 5, "people are at home"), subject="people", before="there are")
+    assert RULEBOOK.signals_for(few) == {"people_home"}
 
 
 def test_it_depends_on_all_that_it_may_be() -> None:

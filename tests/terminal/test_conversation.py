@@ -426,3 +426,28 @@ def test_a_session_goes_on_with_a_zone_and_without(tmp_path: Path) -> None:
     talk.now = talk.now.replace(tzinfo=UTC) if talk.now.tzinfo is None else talk.now.replace(tzinfo=None)
     assert "set the table" in talk.say("Set the table in twenty minutes")
     assert "s1" in talk.say(":list")
+
+
+def test_many_assumed_durations_are_told_together(tmp_path: Path) -> None:
+    file = tmp_path / "day.txt"
+    lines = [f"Boil pot {number} in {number} minutes" for number in range(1, 20)]
+    file.write_text("\n".join([*lines, "Call mum soon"]), "utf-8")
+    talk = Talk()
+    answer = " ".join(talk.say(f":load {file}").split())
+    assert "durations assumed: s1 to s19 2 min, s20 10 min" in answer
+
+
+def test_of_a_running_skill_it_is_said_that_it_runs() -> None:
+    talk = Talk()
+    talk.say("Paint the wall now")
+    talk.wait(seconds=2)
+    talk.say("Set the table soon")
+    assert "s1 is running until" in talk.say(":why 1")
+
+
+def test_a_planned_instant_is_rounded_and_does_not_waver() -> None:
+    talk = Talk()
+    for part in (1, 250_000, 600_000, 999_999):
+        talk.now = talk.now.replace(microsecond=part)
+        talk.say("Ring the bell at 10 am")
+        assert "09:59:59" not in talk.say(":list")

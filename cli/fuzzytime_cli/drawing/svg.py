@@ -83,7 +83,7 @@ def _title(panel: Panel) -> tuple[str, str]:
 def _curve(curve: Curve, panel: Panel, chart: Chart, bottom: float, colour: str) -> list[str]:
     def up(values: NDArray[np.float64]) -> NDArray[np.float64]:
         share = (values - panel.low) / ((panel.high - panel.low) or 1.0)
-        return np.asarray(bottom - np.clip(share, -0.05, 1.05) * PANEL)
+        return np.asarray(bottom - np.clip(share, 0.0, 1.0) * PANEL)
 
     curve = _inside(curve, chart)
     x, y = _across(chart, curve.times), up(np.asarray(curve.values))

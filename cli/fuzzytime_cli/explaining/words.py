@@ -1,7 +1,7 @@
 """What is understood of words: the tree, the paper's reading, time requirements, and what was left."""
 
 from fuzzytime.language import Reading, Token
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Comparison, TimeRequirement
 from fuzzytime.times import format_duration
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
@@ -87,7 +87,16 @@ def requirement_lines(requirement: TimeRequirement, clock: Clock) -> list[str]:
         facts.append(f"from {ends[0]} to {ends[1]}")
     if requirement.condition is not None:
         facts.append(f"condition {plain(requirement.condition.text)!r}")
+        facts += [_compared(comparison) for comparison in requirement.condition.comparisons]
     return [f"{plain(requirement.text)!r}: {', '.join(facts)}"]
+
+
+def _compared(comparison: Comparison) -> str:
+    """Give the number of a clause, and its side: "above about 150"."""
+    until = f" and {comparison.until:g}" if comparison.until is not None else ""
+    return " ".join(
+        (comparison.side.value, *map(plain, comparison.fuzziness), f"{comparison.number:g}{until}")
+    )
 
 
 def left_lines(reading: Reading) -> list[str]:

@@ -17,13 +17,18 @@ class Clock:
     @classmethod
     def for_times(cls, now: datetime, times: Iterable[float]) -> "Clock":
         """Choose the least precision that tells all these times from full minutes."""
-        return cls(now, any(round(time + now.second) % 60 for time in times))
+        return cls(now, any(round(time + now.second + _part(now)) % 60 for time in times))
 
     def of(self, time: float) -> str:
         """Print a time, in seconds from now, as ``09:02:30`` or ``Thu 09:02``."""
-        instant = instant_after(self.now, round(time) - self.now.microsecond / 1e6)
+        instant = instant_after(self.now, round(time + _part(self.now)) - _part(self.now))
         clock = instant.strftime("%H:%M:%S" if self.with_seconds else "%H:%M")
         days = (instant.date() - self.now.date()).days
         if days == 0:
             return clock
         return f"{instant:%a} {clock}" if 0 < days < 7 else f"{instant:%d %b} {clock}"
+
+
+def _part(now: datetime) -> float:
+    """Give the part of a second that a moment has: what is rounded is the instant, not the time until it."""
+    return now.microsecond / 1e6

@@ -1,7 +1,8 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from rich.text import Text
 
@@ -17,7 +18,11 @@ from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
-_MOST_NOTES = 5
+MOST_NOTES = 5
+"""Notes that are told at most."""
+
+MOST_LENGTHS = 12
+"""Durations that are told one by one at most."""
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -242,16 +247,28 @@ class PlanView:
 
     def _notes(self) -> Iterator[Text]:
         notes = [problem for problem in self.plan.problems if problem.kind is ProblemKind.NOTE]
-        shown = notes if len(notes) <= _MOST_NOTES + 1 else notes[:_MOST_NOTES]
+        shown = notes if len(notes) <= MOST_NOTES + 1 else notes[:MOST_NOTES]
         for problem in shown:
             where = f"{plain(problem.identifier)}: " if problem.identifier else ""
             yield Text(f"note: {where}{plain(problem.message)}", style="dim")
         if len(shown) < len(notes):
             yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
         assumed = [
-            f"{self.labels[position]} {format_duration(interpreted.skill.duration)}"
+            (position, format_duration(interpreted.skill.duration))
             for position, interpreted in enumerate(self.plan.skills)
             if interpreted.duration.assumed
         ]
         if assumed:
-            yield Text("durations assumed: " + ", ".join(assumed), style="dim")
+            yield Text("durations assumed: " + ", ".join(self._lengths(assumed)), style="dim")
+
+    def _lengths(self, assumed: Sequence[tuple[int, str]]) -> Iterator[str]:
+        """Tell how long skills take: each, or of many those in a row that take the same: "s1 to s9 2 min"."""
+
+        def row(entry: tuple[int, tuple[int, str]]) -> tuple[int, str]:
+            index, (position, length) = entry
+            return (position - index if len(assumed) > MOST_LENGTHS else position), length
+
+        for (_, length), entries in groupby(enumerate(assumed), key=row):
+            labels = [self.labels[position] for _, (position, _) in entries]
+            joined = f"{labels[0]} to {labels[-1]}" if len(labels) > 2 else " and ".join(labels)
+            yield f"{joined} {length}"

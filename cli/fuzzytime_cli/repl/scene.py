@@ -96,6 +96,12 @@ def position_of(scene: Scene, text: str) -> int:
     for position, interpreted in enumerate(scene.plan.skills):
         if interpreted.identifier == wanted:
             return position
+    for running in scene.conversation.running(scene.now):
+        if running.identifier == wanted:
+            until = f"{running.done:%H:%M:%S}"
+            raise FuzzytimeError(
+                f"{wanted} is running until {until}, and no longer planned (see: :done, :rate)"
+            )
     known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
     raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
 

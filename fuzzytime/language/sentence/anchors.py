@@ -73,10 +73,12 @@ class Anchors:
         return self._meal(phrase, requirement) or self._later(phrase, requirement) or requirement
 
     def _meal(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
-        """Read "before dinner" as a reference where another instruction makes that dinner."""
-        time = phrase.said.time
+        """Read "before dinner", "an hour before dinner" as a reference where another makes that dinner."""
+        time, constraint, lag = phrase.said.time, phrase.said.constraint, 0.0
+        if isinstance(time, Offset) and time.anchor is not None:
+            lag = time.direction * time.duration.seconds
+            time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
         part = time.part if isinstance(time, Wall) and time.days is None else None
-        constraint = phrase.said.constraint
         if (
             part is None
             or not part.meal
@@ -93,7 +95,9 @@ class Anchors:
         if not targets:
             return None
         edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
-        anchor = Anchor(text=part.name, object=part.name, target=targets[-1], edge=edge)
+        anchor = Anchor(
+            text=part.name, object=part.name, target=targets[-1], edge=edge, lag=lag, exact=lag != 0
+        )
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
