@@ -5,10 +5,11 @@ i starts at s, j at e + dᵢ − dⱼ, and what lies between comes no later. Tha
 
     cᵢ(s) + cⱼ(e + dᵢ − dⱼ) ≤ cⱼ(s) + cᵢ(e).
 
-Where this holds for all s and e that are left, i comes before j in some best schedule. All such orders hold
-at once in one of them: among the best schedules the one with the least sum of start times and, of equally
-long jobs, the lower index first. Orders narrow windows, as whatever comes before takes its time, and narrower
-windows give more orders.
+Where this holds for all s and e that are left, i comes before j in some best schedule. Where it holds for one
+s and all e, i comes before j if j starts at s; so that s needs time for all such i. All that holds at once
+for one schedule: among the best ones the one with the least sum of start times and, of equally long jobs, the
+lower index first. What must come before takes its time, which leaves fewer starts, and fewer starts give more
+orders.
 
 Rinnooy Kan, Lageweg and Lenstra, Minimizing total costs in one-machine scheduling, Oper. Res. 23 (1975)
 908-927, after Emmons, Oper. Res. 17 (1969) 701-715.
@@ -54,7 +55,7 @@ def ordered(problem: Problem, ready: float, step: float) -> Problem:
 
 
 class _Orders:
-    """What is known to come before what, and from which slot to which each job may start."""
+    """What is known to come before what, and in which cells between slots each job may start."""
 
     def __init__(self, problem: Problem, ready: float, step: float, durations: Ints) -> None:
         self.ready, self.step, self.durations = ready, step, durations
@@ -62,11 +63,12 @@ class _Orders:
         for lag in problem.lags:
             self.before[lag.first, lag.second] = True
         self.end = int(durations.sum())
-        lows = np.array([job.earliest for job in problem.jobs])
-        highs = np.array([job.latest for job in problem.jobs])
-        self.low = np.maximum(np.floor((lows - ready) / step + ROUNDING), 0).astype(np.int64)
-        highest = np.ceil((highs - ready) / step - ROUNDING)
-        self.high = np.minimum(highest, self.end - durations).astype(np.int64)
+        self.possible = np.zeros((durations.size, self.end), bool)
+        for row, job in zip(self.possible, problem.jobs, strict=True):
+            for window in job.windows[0]:
+                low = math.floor((window.low - ready) / step + ROUNDING)
+                high = math.ceil((window.high - ready) / step - ROUNDING)
+                row[max(low, 0) : max(high, low + 1)] = True
         times = ready + step * np.arange(self.end + 1)
         jobs = problem.jobs
         costs = np.array([np.where((c := job.costs(times)) < job.worst, c, job.rejection) for job in jobs])
@@ -78,48 +80,59 @@ class _Orders:
 
     def deduce(self) -> bool:
         """Go once over all pairs; tell whether an order was found."""
-        known = int(np.count_nonzero(self.before))
-        work = self.before * self.durations[:, None]
-        self.low = np.maximum(self.low, work.sum(axis=0))
-        after = (self.before * self.durations).sum(axis=1)
-        self.high = np.minimum(self.high, self.end - self.durations - after)
-        longer = self.durations[:, None] <= self.durations
+        known, durations = int(np.count_nonzero(self.before)), self.durations
+        # For each job and cell: the work that must come before a start there, and after it.
+        earlier = np.repeat((self.before * durations[:, None]).sum(axis=0)[:, None], self.end, axis=1)
+        later = np.repeat((self.before * durations).sum(axis=1)[:, None], self.end, axis=1)
+        longer = durations[:, None] <= durations
         for first, second in np.argwhere(longer & ~self.before & ~self.before.T).tolist():
-            if first != second and not self.before[second, first] and self._suffices(first, second):
+            if first == second or self.before[second, first]:
+                continue
+            needed, needing = self._compared(first, second)
+            if needed[self.possible[second]].all():
                 self.before[first, second] = True
-        for middle in range(self.durations.size):
+            earlier[second] += needed * durations[first]
+            later[first] += needing * durations[second]
+        for middle in range(durations.size):
             self.before |= np.outer(self.before[:, middle], self.before[middle])
+        cells = np.arange(self.end)
+        self.possible &= (earlier <= cells) & (cells + durations[:, None] + later <= self.end)
         return int(np.count_nonzero(self.before)) > known
 
-    def _suffices(self, first: int, second: int) -> bool:
-        """Tell whether schedules are enough in which a job comes before another one that is no shorter."""
-        own, other = self.durations[first], self.durations[second]
-        begin, stop = int(self.low[second]), int(min(self.high[second], self.high[first] - other))
-        if begin > stop or self.low[first] > self.high[first]:
-            return True
+    def _compared(self, first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
+        """Tell of a job and one that is no shorter where the first must come before the second.
+
+        Gives for each cell whether that is so if the second starts there, and if the first does.
+        """
+        own, other = int(self.durations[first]), int(self.durations[second])
         equal = own == other and first > second
-        late = np.arange(max(int(self.low[first]), begin + int(other)), int(self.high[first]) + 1)
-        soon = np.arange(begin, stop + 1)
         costs, errors, most = self.costs, self.errors, self.most
         # In a cell both differences lie between those at its ends, but for how far costs bend.
-        saved = costs[first, late] - most[second, late + own - other]
-        saved[:-1] = np.minimum(saved[:-1], saved[1:]) - errors[first, late[:-1]]
-        paid = most[first, soon] - costs[second, soon]
-        paid[:-1] = np.maximum(paid[:-1], paid[1:]) + errors[second, soon[:-1]]
+        paid = most[first] - costs[second]
+        paid = np.maximum(paid[:-1], paid[1:]) + errors[second]
+        paid += (STRICTLY if equal else -ROUNDING) * (1.0 + np.abs(paid))
+        saved = costs[first, other:] - most[second, own : self.end + 1 + own - other]
+        saved = np.minimum(saved[:-1], saved[1:]) - errors[first, other:]
+        paid[~self.possible[second]] = -np.inf
+        saved[~self.possible[first, other:]] = np.inf
         least = np.minimum.accumulate(saved[::-1])[::-1]
-        least = least[np.maximum(soon + other - late[0], 0)]
-        slack = STRICTLY if equal else -ROUNDING
-        return bool((least >= paid + slack * (1.0 + np.abs(paid))).all())
+        largest = np.maximum.accumulate(paid)
+        # A start in a cell leaves those of the other job that begin in the cell a duration further, or later.
+        needed, needing = np.ones(self.end, bool), np.ones(self.end, bool)
+        needed[: least.size] = least >= paid[: least.size]
+        needing[other:] = saved >= largest[: saved.size]
+        return needed, needing
 
     def applied(self, problem: Problem) -> Problem:
-        """Give the problem with these orders as lags, and windows between these slots."""
-        lows = (self.ready + self.step * self.low).tolist()
-        highs = (self.ready + self.step * self.high).tolist()
+        """Give the problem with these orders as lags, and windows of these cells."""
         jobs = []
-        for job, low, high in zip(problem.jobs, lows, highs, strict=True):
-            pieces = (
-                [window.intersection(Interval(low, high)) for window in job.windows[0]] if low <= high else []
-            )
+        last = self.end - self.durations - (self.before * self.durations).sum(axis=1)
+        latest = (self.ready + self.step * last).tolist()
+        for job, possible, high in zip(problem.jobs, self.possible, latest, strict=True):
+            edges = np.flatnonzero(np.diff(possible, prepend=False, append=False)).reshape(-1, 2)
+            times = (self.ready + self.step * edges).tolist()
+            runs = [Interval(first, min(end, high)) for first, end in times]
+            pieces = [window.intersection(run) for window in job.windows[0] for run in runs]
             left = tuple(piece for piece in pieces if not piece.empty)
             # Where nothing is left no schedule is better than the known one; the bound finds that, too.
             jobs.append(replace(job, windows=(left or job.windows[0],)))

@@ -85,7 +85,9 @@ class _Search(GridSearch):
         self.lower = max(self.lower, relaxation.lower)
         # A grid that follows a solved one has few starts, on more slots.
         budget, width = cells // (4 if self._is_solved else 16), BEAM
-        if self._is_doubtful():
+        # Where only the order counts the schedule is hardly what is wrong.
+        searching = self.left.lags == self.problem.lags
+        if searching and self._is_doubtful():
             self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
@@ -101,9 +103,10 @@ class _Search(GridSearch):
                 delta = 2 * delta if found.starts is None else np.inf
             elif budget < cells:
                 budget, width = 4 * budget, 6 * width
-                self._search_near(relaxation, width)
-                if self._is_doubtful():
-                    self._search_far(relaxation)
+                if searching:
+                    self._search_near(relaxation, width)
+                    if self._is_doubtful():
+                        self._search_far(relaxation)
                 if self.is_closed():
                     return True
             else:

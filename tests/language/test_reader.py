@@ -175,6 +175,7 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("by then, peel the eggs", "by then"),
         ("start the salad around quarter to", "around quarter to"),
         ("pack the bags the evening before the trip", "evening"),
+        ("open the gate after 6 pm near the pool by 5 pm today", "by 5 pm today"),
         ("switch the pump off at 6 pm near the pool at 8 pm", "at 8 pm"),
         ("boil it for 1 minute less than the packet says", "1 minute"),
         ("wipe the bar at closing time", "closing time"),

@@ -115,3 +115,12 @@ def test_a_page_says_each_problem_once(tmp_path: Path) -> None:
     page = written(tmp_path, "html", *words)
     assert page.count("not enough readings of pan_temp") == 1
     assert page.count("looks like a time and was not understood") == 1
+
+
+def test_many_notes_are_counted_and_json_has_them_all(tmp_path: Path) -> None:
+    wishes = [word for hour in range(1, 10) for word in ("-i", f"Water plant {hour} at {hour}")]
+    table, whole = written(tmp_path, "table", *wishes), json.loads(written(tmp_path, "json", *wishes))
+    said = [problem["message"] for problem in whole["problems"] if problem["kind"] == "note"]
+    shown = [line.removeprefix("note: ") for line in table.splitlines() if line.startswith("note: ")]
+    assert len(said) > len(shown) > 0
+    assert f"and {len(said) - len(shown)} more notes: --format json has all" in table

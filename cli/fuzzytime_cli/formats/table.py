@@ -20,6 +20,7 @@ _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
 MOST_LENGTHS = 12
 """Durations that are told one by one at most."""
+_MOST_NOTES = 5
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -243,10 +244,13 @@ class PlanView:
             yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
     def _notes(self) -> Iterator[Text]:
-        for problem in self.plan.problems:
-            if problem.kind is ProblemKind.NOTE:
-                where = f"{plain(problem.identifier)}: " if problem.identifier else ""
-                yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+        notes = [problem for problem in self.plan.problems if problem.kind is ProblemKind.NOTE]
+        shown = notes if len(notes) <= _MOST_NOTES + 1 else notes[:_MOST_NOTES]
+        for problem in shown:
+            where = f"{plain(problem.identifier)}: " if problem.identifier else ""
+            yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+        if len(shown) < len(notes):
+            yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
         assumed = [
             (position, format_duration(interpreted.skill.duration))
             for position, interpreted in enumerate(self.plan.skills)

@@ -82,9 +82,12 @@ def _is_plain(repeat: Repeat) -> bool:
     return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)
 
 
-@grammar.rule("repeat", "<repeat> at? <same>", weight=0.2)
-def every_mark(repeat: Repeat, mark: SameTime | HourMark) -> Repeat | None:
+@grammar.rule("repeat", "<repeat> ,? at? <same>", "at? <same> ,? <repeat>", weight=0.2)
+def every_mark(first: Repeat | SameTime | HourMark, second: Repeat | SameTime | HourMark) -> Repeat | None:
     """Every hour on the hour."""
+    repeat, mark = (first, second) if isinstance(first, Repeat) else (second, first)
+    if not isinstance(repeat, Repeat):
+        return None
     counted = repeat.every is not None and repeat.every.unit in SMALL and repeat.starting is None
     return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
 
@@ -117,7 +120,8 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     for old in repeat.walls:
         if old.clock and wall.clock:
             return None
-        if old.part and wall.part and not (old.part.start <= wall.part.start < old.part.end):
+        late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
+        if old.part and wall.part and not late and not (old.part.start <= wall.part.start < old.part.end):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
         walls.append(replace(old, clock=clock, part=wall.part or old.part))
@@ -158,6 +162,37 @@ def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
     begins = first.clock.first_from(PLAUSIBLE)
     ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
     return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
+
+
+@grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
+def week_stretch(first: int, last: int) -> tuple[int, ...]:
+    """Monday to friday, beside hours: on each of these days."""
+    return tuple((first + day) % 7 for day in range((last - first) % 7 + 1))
+
+
+@grammar.rule("repeat", "<said> ,? <week stretch>", weight=1.3)
+def hours_of_week(said: Said, days: tuple[int, ...]) -> Repeat | None:
+    """From 9 to 5, monday to friday."""
+    return of_week(days, said)
+
+
+@grammar.rule("repeat", "<week stretch> ,? <said>", weight=0.9)
+def week_of_hours(days: tuple[int, ...], said: Said) -> Repeat | None:
+    """Monday to friday from 9 to 5, mon-fri at noon."""
+    return of_week(days, said)
+
+
+def of_week(days: tuple[int, ...], said: Said) -> Repeat | None:
+    """Give a repetition on some days of the week, at a clock time or within hours."""
+    whole = Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in days))
+    time = said.time
+    ends = (time.first, time.last) if isinstance(time, Range) else (time,)
+    clocks = [end for end in ends if isinstance(end, Wall) and end.clock is not None and end.days is None]
+    if len(clocks) != len(ends) or said.constraint in {Constraint.BEFORE, Constraint.AFTER} or said.hedges:
+        return None
+    if isinstance(time, Range):
+        return _between_clocks(whole, clocks[0], clocks[1])
+    return narrowed_repeat(whole, clocks[0]) if said.preposition is not None or not clocks[0].bare else None
 
 
 @grammar.rule("said", "<repeat>", weight=0.1)

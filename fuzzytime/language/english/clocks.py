@@ -10,6 +10,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+GREENWICH = "+00:00"
+"""The zone that others are counted from."""
+
 
 @grammar.rule("clock", "<integer>", weight=-0.4)
 def number(hour: Integer) -> Clock | None:
@@ -265,6 +268,23 @@ def named_twice(hour: Integer, part: Part) -> Clock | None:
 def wall(clock: Clock) -> Wall:
     """A clock time alone."""
     return Wall(clock=clock)
+
+
+def _east(zone: str, hours: int) -> str | None:
+    """Give the zone some hours east of Greenwich; None where another is named."""
+    return f"{hours:+03d}:00" if zone == GREENWICH and abs(hours) < 15 else None
+
+
+@grammar.rule("zone", "<zone> + <integer>", weight=0.3)
+def zone_ahead(zone: str, hours: Integer) -> str | None:
+    """GMT+1."""
+    return _east(zone, hours.value)
+
+
+@grammar.rule("zone", "<zone> - <integer>", weight=0.3)
+def zone_behind(zone: str, hours: Integer) -> str | None:
+    """UTC-5."""
+    return _east(zone, -hours.value)
 
 
 @grammar.rule("wall", "<wall> <zone>", "<wall> ( <zone> )", weight=0.1)

@@ -152,6 +152,12 @@ def for_duration(duration: Duration) -> Said:
     return _length(duration, Constraint.FOR, "for")
 
 
+@grammar.rule("said", "for another <integer>", weight=0.2)
+def for_another(number: Integer) -> Said:
+    """For another five: minutes."""
+    return _length(minutes_of(Quantity(number.value)), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "over|during|for the? next|coming <duration>", weight=0.5)
 def over_the_next(duration: Duration) -> Said:
     """Over the next two hours: any time in them."""
@@ -162,6 +168,12 @@ def over_the_next(duration: Duration) -> Said:
 def for_the_first(duration: Duration) -> Said:
     """For the first twenty minutes."""
     return replace(in_the_first(duration), preposition="for")
+
+
+@grammar.rule("said", "for the? first <unit>", weight=0.5)
+def for_the_first_one(unit: UnitWord) -> Said | None:
+    """For the first hour."""
+    return for_the_first(Duration(((unit.count, unit.unit),))) if len(unit.form) > 1 else None
 
 
 @grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)
@@ -205,6 +217,23 @@ def duration_alone(duration: Duration) -> Said:
 def from_now(duration: Duration, preposition: Preposition) -> Said:
     """Ten minutes from now, half an hour later."""
     return Said(Offset(replace(duration, hedges=())), None, preposition.name, duration.hedges)
+
+
+@grammar.rule(
+    "said",
+    "when|once|after it's|its|it been <duration>",
+    "when|once|after it has been <duration>",
+    weight=0.5,
+)
+def when_it_has_been(duration: Duration) -> Said:
+    """When it's been ten minutes: since what was begun."""
+    return so_far_in(duration)
+
+
+@grammar.rule("said", "<duration> in", weight=0.2)
+def so_far_in(duration: Duration) -> Said:
+    """Ten minutes in: counted from what was begun."""
+    return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
 
 
 @grammar.rule("said", "<duration> <back>", weight=0.3)

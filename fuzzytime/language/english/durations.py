@@ -72,6 +72,12 @@ def sum_of(first: Duration, second: Duration) -> Duration | None:
     return replace(first, terms=(*first.terms, *second.terms), ordinal_end=second.ordinal_end)
 
 
+@grammar.rule("duration", "<duration> more|longer|extra", weight=0.1)
+def more_of(duration: Duration) -> Duration | None:
+    """A minute more, ten minutes longer."""
+    return None if duration.until is not None or duration.bare_end else replace(duration, ordinal_end=False)
+
+
 @grammar.rule("duration", "<duration> and? <integer>", weight=-0.2)
 def tail(first: Duration, number: Integer) -> Duration | None:
     """1 hour fifteen, 2 hours and 10."""
@@ -109,6 +115,12 @@ def typed_with_unit(numbers: Typed, unit: UnitWord | None = None) -> Duration | 
         return None
     large = unit.unit if unit is not None else Unit.HOUR
     return Duration(((numbers[0], large), (numbers[1], SMALLER[large])))
+
+
+@grammar.rule("duration", "<integer> ms|msec|millisecond|milliseconds")
+def milliseconds(number: Integer) -> Duration:
+    """500 ms."""
+    return Duration(((number.value / 1000, Unit.SECOND),))
 
 
 @grammar.rule("duration", "<integer> '")

@@ -42,6 +42,12 @@ def on_the_hour() -> HourMark:
     return HourMark(0)
 
 
+@grammar.rule("same", "on the half hour", weight=0.3)
+def on_the_half_hour() -> HourMark:
+    """On the half hour."""
+    return HourMark(30)
+
+
 @grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past|after the hour", weight=0.4)
 def past_the_hour(minutes: float) -> HourMark:
     """(at) a quarter past the hour."""

@@ -91,6 +91,12 @@ def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wal
     return Wall(days or Relative(0), whole.share(low, high))
 
 
+@grammar.rule("wall", "<days>|<date> ,? first|last thing", weight=0.4)
+def first_thing(days: Calendar) -> Wall | None:
+    """Tomorrow first thing."""
+    return later_today((0.0, 0.5), days)
+
+
 @grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
 def day_half(days: Calendar, half: Part) -> Wall:
     """Tuesday am."""

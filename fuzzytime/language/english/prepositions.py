@@ -58,10 +58,11 @@ def when_it_is(wall: Wall) -> Said | None:
     "word",
     "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you get|come|can|manage round|around? to it|that",
     "as soon as you get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
     weight=0.2,
 )
-def when_you_have_time(_leisure: str) -> TimeWord:
+def when_you_have_time(_leisure: str | None = None) -> TimeWord:
     """When you get a sec, once you find the time."""
     return TimeWord("when you can", Constraint.VAGUE)
 
@@ -248,9 +249,9 @@ def just_off(hedge: str, goal: Goal) -> Said | None:
 
 @grammar.rule(
     "said",
-    "<said> or|and shortly|soon|right|just|a thereafter|afterwards|after|later",
-    "<said> or|and a little|bit|while|moment thereafter|afterwards|after|later",
-    "<said> or|and thereafter|afterwards",
+    "<said> ,? or|and shortly|soon|right|just|a thereafter|afterwards|after|later",
+    "<said> ,? or|and a little|bit|while|moment thereafter|afterwards|after|later",
+    "<said> ,? or|and thereafter|afterwards",
     weight=0.5,
 )
 def or_shortly_after(said: Said) -> Said | None:
@@ -260,8 +261,8 @@ def or_shortly_after(said: Said) -> Said | None:
 
 @grammar.rule(
     "said",
-    "<said> or|and shortly|right|just before|beforehand",
-    "<said> or|and a little|bit|while|moment before|beforehand|earlier",
+    "<said> ,? or|and shortly|right|just before|beforehand",
+    "<said> ,? or|and a little|bit|while|moment before|beforehand|earlier",
     weight=0.5,
 )
 def or_shortly_before(said: Said) -> Said | None:
@@ -282,6 +283,12 @@ def _a_little_off(said: Said, hedge: str) -> Said | None:
 def sometime(preposition: Preposition, said: Said) -> Said | None:
     """Sometime between 3 and 4."""
     return said if preposition.name == "sometime" and said.preposition is not None else None
+
+
+@grammar.rule("said", "for <preposition_at> <goal>", weight=0.3)
+def for_sometime(preposition: Preposition, goal: Goal) -> Said | None:
+    """For sometime next week, behind what is made for a time."""
+    return _said(goal, preposition.name) if preposition.name == "sometime" else None
 
 
 @grammar.rule("said", "<hedge> <said>", weight=0.05)

@@ -62,7 +62,8 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
             day = Fields(day=bare.clock.hour) if bare.clock is not None else None
             if day is None or not 1 <= (day.day or 0) <= 31:
                 return None
-            first, last = (Wall(day), last) if bare is first else (first, Wall(day))
+            lent = Wall(day, weak=other.weak)
+            first, last = (lent, last) if bare is first else (first, lent)
     if first.clock is not None and last.clock is not None:
         days = first.days or last.days
         zone = first.zone or last.zone

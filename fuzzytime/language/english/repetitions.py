@@ -46,7 +46,17 @@ def every_so_long(duration: Duration) -> Repeat | None:
         amount, unit = duration.terms[0]
         if amount == int(amount) and amount >= 1:
             return of_unit(UnitWord(unit, 1, unit.value), amount)
-    return Repeat(duration) if duration.seconds > 0 and duration.until is None else None
+    if duration.until is not None:
+        # "Every three to four hours": the middle.
+        middle = (duration.seconds + duration.until.seconds) / 2
+        return Repeat(Duration(((middle, Unit.SECOND),), duration.hedges)) if middle > 0 else None
+    return Repeat(duration) if duration.seconds > 0 else None
+
+
+@grammar.rule("repeat", "at|in <duration> -? intervals", "at intervals of <duration>", weight=0.4)
+def at_intervals(duration: Duration) -> Repeat | None:
+    """At twenty minute intervals."""
+    return every_so_long(duration)
 
 
 @grammar.rule("repeat", "every|each <unit> and <fraction>", weight=0.1)
@@ -55,7 +65,7 @@ def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
     return of_unit(unit, 1 + fraction)
 
 
-@grammar.rule("repeat", "every|each other|second <unit>", weight=0.1)
+@grammar.rule("repeat", "every|each other|second <unit>", "on|in? alternate <unit>", weight=0.1)
 def every_other(unit: UnitWord) -> Repeat:
     """Every other day."""
     return of_unit(unit, 2)
@@ -121,6 +131,12 @@ def weekends() -> Repeat:
 def every_part(part: Part) -> Repeat:
     """Every morning, in the evenings."""
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
+
+
+@grammar.rule("repeat", "every|each <part> and|& <part>", weight=0.3)
+def every_two_parts(first: Part, second: Part) -> Repeat:
+    """Every morning and evening."""
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), first), Wall(Cycle(Unit.DAY), second)))
 
 
 @grammar.rule("repeat", "weekday <part>|<parts>", "every|each weekday <part>", weight=0.2)

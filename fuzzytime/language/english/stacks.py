@@ -12,12 +12,21 @@ from fuzzytime.language.meaning.times_of_day import Clock
 grammar = Grammar()
 
 
+def _is_ordinal(wall: Wall) -> bool:
+    """Whether it is a day of the month alone, which may be an ordinal of anything."""
+    days = wall.days
+    return wall.weak and isinstance(days, Fields) and days == Fields(day=days.day) and wall.clock is None
+
+
 def joined(first: Wall, second: Wall) -> Wall | None:
     """Give two wall-clock expressions as one, or None where they say the same thing twice."""
     # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
     if (first.bare and second.bare) or (first.weak and first.part is not None):
         return None
     if second.weak and second.part is not None and second.part.place:
+        return None
+    # "The second on friday" is another thing's; "friday the second" is a day.
+    if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:
         return None
     # "The first twenty minutes" is no day at eight in the evening.
     if (first.weak and second.bare) or (first.bare and second.weak):

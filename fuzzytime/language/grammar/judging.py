@@ -2,13 +2,23 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.borders import COMPARING, Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Range, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.requirement import Constraint, Unit
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
@@ -27,14 +37,15 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
-COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
-"""Words behind which "than" makes a length of time a difference."""
+UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
+"""Words before a length of time that make it another thing than how long: "by ten minutes"."""
 
 SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
-REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
-"""Words behind which "but" takes out: "every day but sunday"."""
+
+DEGREES_DIGITS = 3
+"""Digits of an oven's temperature, and of few clock times."""
 
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
@@ -49,16 +60,12 @@ class Judge:
         self.texts = [word.text for word in words]
         self.measures = Measures(words, lexicon)
         self.around = Surroundings(words, lexicon)
+        self.borders = Borders(words, lexicon, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self._runs_on(piece) or self._is_excepted(piece) or self._holds_particle(piece):
-            return False
-        if self._names_event(piece):
-            return False
-        if self.around.follower(piece) == "than" and self.texts[piece.end - 1] in COMPARING:
-            # "Twenty minutes earlier than usual"
+        if self.borders.refuse(piece):
             return False
         time = said.time
         if self._is_whole(piece):
@@ -70,53 +77,51 @@ class Judge:
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
             return self._accepts_wall(piece, said, time)
+        return self._accepts_other(piece, said)
+
+    def _accepts_other(self, piece: Piece, said: Said) -> bool:
+        time = said.time
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
+            # "Ten minutes in, add the garlic"
+            return self.around.follower(piece) in {"", ",", "."}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
-        if isinstance(time, Repeat) and self.around.before(piece) in {"most", "some", "many", "few"}:
-            # "Most evenings": which, is not said.
+        if isinstance(time, Coming) and time.direction < 0:
+            # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
+            return said.preposition not in {None, "at", "for"}
+        if isinstance(time, Repeat) and not self._accepts_repeat(piece):
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         return True
 
-    def _names_event(self, piece: Piece) -> bool:
-        """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
-        said: Said = piece.value
-        ordinal = self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ordinal(piece.end - 1)
-        if ordinal and piece.end < len(self.texts) and not self.around.may_end(piece):
-            # "After the first one is done", "a day before the second coat"
+    def _is_before_marker(self, place: int) -> bool:
+        return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None
+
+    def _is_ahead(self, place: int) -> bool:
+        """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
+        following = self.texts[place : place + 2]
+        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
             return True
-        counted = isinstance(said.time, Offset)
-        wall = said.time.anchor if isinstance(said.time, Offset) else said.time
-        if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
-            return False
-        marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
-        owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
-        return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)
+        return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])
+
+    def _accepts_repeat(self, piece: Piece) -> bool:
+        # "Most evenings": which, is not said.
+        return not self._is_rate(piece) and self.around.before(piece) not in {"most", "some", "many", "few"}
+
+    def _is_rate(self, piece: Piece) -> bool:
+        """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""
+        if self.measures.is_number(piece.start - 1):
+            # "Within two working days"
+            return True
+        if "to" in {self.around.before(piece), self.texts[piece.start]}:
+            return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)
+        return self.texts[piece.start] == "per" and self.measures.is_number(piece.start - 2)
 
     def _is_ordinal(self, place: int) -> bool:
         return self.texts[place] in self.lexicon.ordinals
-
-    def _holds_particle(self, piece: Piece) -> bool:
-        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
-        first, *rest = self.texts[piece.start : piece.end]
-        if first == "over":
-            # "Turn the steaks over every two minutes"
-            return rest[:1] in (["every"], ["each"])
-        return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
-
-    def _is_excepted(self, piece: Piece) -> bool:
-        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
-        before = self.texts[max(0, piece.start - 3) : piece.start]
-        if before[-1:] == ["but"] and self._is_added(piece):
-            return False
-        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
-            ["except", "for"],
-            ["except", "on"],
-            ["but", "not"],
-        )
 
     def _begins_clause(self, piece: Piece) -> bool:
         """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
@@ -124,15 +129,6 @@ class Judge:
         if marker is None or len(marker) < piece.end - piece.start:
             return False
         return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
-
-    def _is_added(self, piece: Piece) -> bool:
-        """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
-        earlier = self.texts[: piece.start - 1]
-        if "not" in earlier[-NEAR:]:
-            # "Not today but tomorrow"
-            return True
-        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-        return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
 
     def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
@@ -144,36 +140,12 @@ class Judge:
         if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
-        found = [p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self._runs_on(p)][
-            :1
-        ]
+        found = [
+            p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self.borders.runs_on(p)
+        ][:1]
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
-
-    def _runs_on(self, piece: Piece) -> bool:
-        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
-        if piece.end < len(self.words):
-            word = self.words[piece.end]
-            if word.text == "'s":
-                # "A day's work"
-                return True
-            last = self.words[piece.end - 1]
-            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
-                return True
-            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
-                # "Twenty-year-old", "second-hand"
-                return True
-            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
-                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                return word.text in {"%", "°"} or (after is not None and after.glued)
-        first = self.words[piece.start]
-        if piece.start and first.glued and first.is_digits:
-            before = self.words[piece.start - 1]
-            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
-        return (
-            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
-        )
 
     def _is_distance(self, piece: Piece) -> bool:
         """Whether it is so long before or after another time."""
@@ -202,15 +174,20 @@ class Judge:
         return True
 
     def _binds(self, piece: Piece) -> bool:
-        return bool(BINDING & set(self.texts[piece.start : piece.start + 2]))
+        # "No earlier than eight and no later than nine"
+        first = self.texts[piece.start : piece.start + 3]
+        return bool(BINDING & set(first[:2])) or "than" in first
 
     def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
         last = duration.until or duration
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
             return False
-        if said.preposition is None and self.around.before(piece) == "by":
-            # "Push the call back by thirty minutes"
+        if said.preposition is None and self.around.before(piece) in UNCOUNTED:
+            # "Push the call back by thirty minutes", "through the eight minutes"
+            return False
+        if self._is_ahead(piece.end):
+            # "Confirm it 24 hours in advance": of what, is not said.
             return False
         if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
             # A quarter of what, is not said: hardly of a year.
@@ -218,6 +195,9 @@ class Judge:
         if last.bare_end and self.measures.divided(piece):
             return False
         alone = duration.indefinite and said.preposition is None
+        if alone and self.measures.is_number(piece.start - 1) and not self._is_before_marker(piece.end):
+            # "Raise it to 20 an hour"
+            return False
         asked = {self.around.before(piece), self.texts[piece.start]}
         if last.ordinal_end and alone and ASKED & asked:
             # "Give me a second"
@@ -241,6 +221,15 @@ class Judge:
             # "Move my three o'clock to five"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocked = isinstance(time.last, Wall) and time.last.clock is not None
+        if (
+            isinstance(time.first, Wall)
+            and time.first.bare
+            and not clocked
+            and self.texts[piece.start] not in BINDING
+        ):
+            # "Keep it above 15 until the end of april"
+            return False
         if ends and all(end.bare or end.weak for end in ends):
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
@@ -275,12 +264,9 @@ class Judge:
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
             return bound and self.around.may_end(piece)
-        if (
-            wall.days is None
-            and wall.clock is None
-            and said.preposition is None
-            and not self.around.may_end(piece)
-        ):
+        part = wall.days is None and wall.clock is None
+        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
+            # "Switch to night mode"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
@@ -299,6 +285,14 @@ class Judge:
             return True
         if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
             # "Cancel my three o'clock"
+            return True
+        last = self.texts[piece.end - 1]
+        if (
+            last in {"before", "after"}
+            and wall.days is not None
+            and self.around.follower(piece)[:1].isalpha()
+        ):
+            # "The day before the flight"
             return True
         followed = self.around.follower(piece) in {"before", "after"}
         if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
@@ -325,6 +319,12 @@ class Judge:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
         if not self.around.may_end(piece) or self.around.is_unit(piece.end):
             return False
+        if said.preposition == "for" and self.around.follower(piece) == "at":
+            # "Make dinner for eight at seven"
+            return False
+        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+            # "At three to one"
+            return False
         before = piece.start - 1
         counted = self.measures.is_number(before)
         if piece.start > 1 and joins(self.words, before):
@@ -340,6 +340,10 @@ class Judge:
         hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
         sure = said.preposition == "at" and hour and not self.measures.named(piece)
         if not sure and self.measures.measured(piece):
+            return False
+        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
+        if degrees and self.lexicon.measure_verbs & set(self.texts):
+            # "Bake it at 180 for an hour, then half an hour at 200"
             return False
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)

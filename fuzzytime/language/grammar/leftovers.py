@@ -16,6 +16,9 @@ TELLING = frozenset(
 )
 """Categories of pieces that look like time."""
 
+AWAY = frozenset({"ahead", "beforehand", "early", "earlier", "late"})
+"""Words that say that a length of time is a distance: "an hour ahead"."""
+
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
 
@@ -51,7 +54,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)
-                    or around.describes(piece)
+                    or (around.describes(piece) and around.follower(piece) not in AWAY)
                     or _is_compound(piece, around)
                 ):
                     continue

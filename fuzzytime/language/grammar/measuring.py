@@ -80,7 +80,9 @@ class Measures:
 
     def is_number(self, place: int) -> bool:
         """Whether a word is a number."""
-        return place >= 0 and (self.words[place].is_digits or self.texts[place] in self.lexicon.numbers)
+        return 0 <= place < len(self.words) and (
+            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+        )
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""
@@ -88,7 +90,9 @@ class Measures:
 
     def named(self, piece: Piece) -> bool:
         """Whether what has an amount stands right before: "the thermostat at 20", "seat 12A"."""
-        nouns = self.lexicon.amount_nouns if piece.value.preposition else self.lexicon.measure_nouns
+        # "Floor 5" is a place, and "the floor just after 5" is swept.
+        bare = piece.value.preposition is None and self.is_number(piece.start)
+        nouns = self.lexicon.measure_nouns if bare else self.lexicon.amount_nouns
         return piece.start > 0 and self.texts[piece.start - 1] in nouns
 
 

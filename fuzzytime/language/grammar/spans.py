@@ -13,8 +13,9 @@ from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Wall
 from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.requirement import Constraint, Unit
 
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
@@ -98,9 +99,24 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     chosen = _best(kept, len(scanned.words))
     chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
     found = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
+    for place in range(1, len(found)):
+        found[place] = _in_unit(found[place], found[place - 1])
     for place in range(len(found) - 2, -1, -1):
         found[place] = _in_half(found[place], found[place + 1], scanned.words)
     return tuple(found)
+
+
+def _in_unit(phrase: Phrase, before: Phrase) -> Phrase:
+    """Lend a number the unit of the length of time before it: "for two minutes, … and for one"."""
+    said, length = phrase.said, before.said
+    lasting = isinstance(length.time, Duration) and length.constraint is Constraint.FOR
+    if said.preposition != "for" or not isinstance(said.time, Wall) or not said.time.bare or not lasting:
+        return phrase
+    clock, unit = said.time.clock, length.time.terms[-1][1] if isinstance(length.time, Duration) else None
+    if clock is None or unit is None or clock.grain is not Unit.HOUR:
+        return phrase
+    duration = Duration(((clock.hour, unit),))
+    return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
 
 
 def _in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:

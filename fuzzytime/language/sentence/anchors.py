@@ -14,8 +14,8 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 FIRST = frozenset({"before", "until", "by the time"})
 """Clauses whose instruction comes first."""
 
-AFTERWARDS = "afterwards"
-"""The time word that is after the instruction before it."""
+ORDERING = {"afterwards": Constraint.AFTER, "beforehand": Constraint.BEFORE}
+"""The time words that are about the instruction before it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,12 +102,14 @@ class Anchors:
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
         """Read "ten minutes later" as a distance from the instruction before, in the same text.
 
-        "Afterwards" is after it, at whatever distance.
+        "Afterwards" is after it and "before that" before it, at whatever distance, in another text too.
         """
         time = phrase.said.time
-        if isinstance(time, TimeWord) and time.word == AFTERWARDS and self.position > self.first:
-            anchor = Anchor(text=requirement.text, target=self.position - 1, edge=Edge.END)
-            return _only(replace(requirement, word=None), anchor, Constraint.AFTER)
+        if isinstance(time, TimeWord) and time.word in ORDERING and self.position > 0:
+            constraint = ORDERING[time.word]
+            edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
+            anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
+            return _only(replace(requirement, word=None), anchor, constraint)
         later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
         if not later or self.position == self.first:
             return None

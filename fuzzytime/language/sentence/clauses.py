@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
@@ -14,8 +15,14 @@ from fuzzytime.requirement import Condition, Constraint
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
+DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
+"""Subjects that come and go."""
+
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
+
+BESIDE = 2
+"""Words of a length of time that is a unit alone: "the day"."""
 
 REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
@@ -124,9 +131,7 @@ class _Clauses:
             event = self._event(clause, nodes)
             return event if event is None else replace(event, time=named)
         found = self._told(clause, nodes)
-        eventful = kind in EVENTFUL or (
-            kind == "when" and found is not None and found.verb not in {*BE, None}
-        )
+        eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
@@ -186,7 +191,19 @@ class _Clauses:
                 and not self._lasts(phrase.first - 1)
             ):
                 return phrase
-        return None
+        return self._whole_unit(place)
+
+    def _whole_unit(self, place: int) -> Phrase | None:
+        """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
+        words = self.words[max(0, place - 2) : place]
+        if len(words) < BESIDE or words[0].text not in {"the", "a"} or place - 2 in self.covered:
+            return None
+        found = (e for e in self.lexicon.entries.get(words[1].text, ()) if e.category == "unit")
+        unit = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
+        if unit is None or unit.form in {"night", "second"}:
+            return None
+        said = Said(Duration(((unit.count, unit.unit),)), Constraint.FOR)
+        return Phrase(said, place - 2, place, (words[0].start, words[1].end), "unit")
 
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
@@ -224,7 +241,11 @@ class _Clauses:
 
     def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        if clause.kind not in {"after", "before", "until", "into"} or not self.tree.nodes[nodes[-1]].tag:
+        together = clause.marker == "at the same time as"
+        if (
+            not (together or clause.kind in {"after", "before", "until", "into"})
+            or not self.tree.nodes[nodes[-1]].tag
+        ):
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
@@ -259,6 +280,12 @@ class _Clauses:
         return last
 
 
+def _happens(clause: Clause) -> bool:
+    """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
+    subject = None if clause.condition is None else clause.condition.subject
+    return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
+
+
 def _is_apart(phrase: Phrase) -> bool:
     """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
     lasting = phrase.said.constraint is Constraint.FOR
@@ -270,4 +297,5 @@ def _dates(phrase: Phrase, distance: Duration | None) -> bool:
     time = phrase.said.time
     if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
         return False
-    return distance is None or time.clock is not None
+    days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
+    return distance is None or days or time.clock is not None

@@ -20,7 +20,7 @@ from fuzzytime.language.instruction import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import Anchors, anchored_by_connective
+from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.doubts import doubts_of
@@ -39,6 +39,9 @@ TURNED = {
 
 SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 """How a time binds that says when something is done."""
+
+BINDING = SAID_WHEN | {Constraint.BEFORE, Constraint.AFTER}
+"""How a time binds that may exclude another."""
 
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
@@ -133,13 +136,14 @@ class _Composer:
             )
             requirement = anchors.of_phrase(phrase, grounded.requirement)
             requirements.append(_referred(requirement, reference))
+            if requirement.word in ORDERING:
+                self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
             said = self.draft.text[slice(*segment.connective_span)].rstrip(" ,:")
-            message = f"{said!r} follows an instruction, and none was given so far"
-            self.remarks.append(Remark(RemarkKind.UNRESOLVED, segment.connective_span, message))
+            self.remarks.append(_follows_nothing(said, segment.connective_span))
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
@@ -232,21 +236,30 @@ class _Composer:
         return tuple(tokens), strict or StrictReading()
 
 
+def _follows_nothing(said: str, span: Span) -> Remark:
+    """Point at words that order an instruction beside another, where it is the first."""
+    message = f"{said!r} is about an instruction before it, and none was given so far"
+    return Remark(RemarkKind.UNRESOLVED, span, message)
+
+
 def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
-    """Point at a second moment for the same thing: "switch it off at six and back on at eight"."""
-    moments = [r for r in requirements if r.constraint in SAID_WHEN and r.anchor is None]
-    for other in moments[1:]:
-        first = moments[0]
-        if other.reference is first.reference and _is_apart(first, other):
-            message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
-            yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
+    """Point at a second time that excludes the first, for the same thing: "at six … at eight"."""
+    said = [r for r in requirements if r.constraint in BINDING and r.anchor is None]
+    for place, other in enumerate(said):
+        for first in said[:place]:
+            moments = {first.constraint, other.constraint} <= SAID_WHEN
+            bounds = {first.constraint, other.constraint} == {Constraint.BEFORE, Constraint.AFTER}
+            if (moments or bounds) and other.reference is first.reference and _is_apart(first, other):
+                message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
+                yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
+                break
 
 
 def _is_apart(one: TimeRequirement, other: TimeRequirement) -> bool:
     """Whether no moment is in both."""
-    if None in {one.earliest, one.latest, other.earliest, other.latest}:
-        return False
-    return (one.latest or 0.0) < (other.earliest or 0.0) or (other.latest or 0.0) < (one.earliest or 0.0)
+    starts = [time for time in (one.earliest, other.earliest) if time is not None]
+    ends = [time for time in (one.latest, other.latest) if time is not None]
+    return bool(starts) and bool(ends) and max(starts) > min(ends)
 
 
 def _awaiting(sketch: Sketch) -> Sketch:

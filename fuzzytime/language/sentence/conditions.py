@@ -54,7 +54,12 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
     *before, last = (tree.nodes[p] for p in nodes)
     named = [node.lower for node in before if node.tag not in DETERMINERS]
-    if last.tag != "NNS" or len(named) == len(before) or not named or not before[-1].tag.startswith("NN"):
+    if (
+        last.tag != "NNS"
+        or len(named) == len(before)
+        or not named
+        or not before[-1].tag.startswith(("NN", "JJ"))
+    ):
         return None
     return Condition(text=text, subject=" ".join(named), word=last.lower)
 

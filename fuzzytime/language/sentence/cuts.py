@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
 from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
+from fuzzytime.requirement import Constraint
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
@@ -19,8 +20,11 @@ SHORTEST_CALL = 3
 AGAIN = frozenset({"back", "again", "then"})
 """Words beside the other particle of a verb that is left out."""
 
-SHORTEST_GAP = 3
-"""Words at least between two times of which the second is another thing's: "and the dog"."""
+SHORTEST_GAP = 2
+"""Words at least between two times of which the second is another thing's: "and lunch"."""
+
+MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
+"""How times bind that say when."""
 
 
 def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
@@ -62,12 +66,13 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if chain:
             yield from chain
             return
-    starts += _gaps(one, part, lexicon)
+    gaps = set(_gaps(one, part, lexicon))
+    starts += sorted(gaps)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            yield Segment((start, last), addressee=one.segment.addressee)
+            yield Segment((start, last), addressee=one.segment.addressee, verbless=start in gaps)
             return
 
 
@@ -83,6 +88,8 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     words, phrases = one.source.scanned.words, one.source.phrases
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
     found = []
+    root = part.tree.root
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj")))
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns(between, lexicon):
@@ -90,9 +97,16 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             continue
         if len(between) < SHORTEST_GAP or between[0].text not in {"and", ","}:
             continue
+        if between[1].text in {"and", "then"}:
+            between = between[1:]
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
         nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
-        if nouns and between[1].text in ARTICLES and old.said.constraint is new.said.constraint:
+        alike = (
+            old.said.constraint is new.said.constraint
+            or {old.said.constraint, new.said.constraint} <= MOMENTS
+        )
+        named = between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
+        if nouns and named and alike:
             found.append(between[1].start)
     return found
 

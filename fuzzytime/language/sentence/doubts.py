@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.sentence.tree import Tree
 
+SUBJECTS = ("nsubj", "nsubjpass")
 OBJECTS = ("dobj", "attr", "oprd")
 DETERMINERS = frozenset({"DT", "PRP$"})
 
@@ -15,13 +16,22 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     """Give what makes a stretch of a text no instruction; ``tree`` is that of its words."""
     said = [word for word in words if span[0] <= word.start < span[1]]
     behind = next((word.text for word in words if word.start >= span[1]), "")
-    if asks(said, behind, lexicon):
+    if asks(said, behind, lexicon) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
         return
     foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
     if foreign:
         message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def _is_inverted(tree: Tree) -> bool:
+    """Whether a helping verb stands before who does it: "do the bins go out?", but not "could you …?"."""
+    root = tree.root
+    if root is None or not tree.nodes or tree.nodes[0].relation != "aux" or tree.nodes[0].head != root:
+        return False
+    subjects = [place for place in tree.children(root, *SUBJECTS) if place < root]
+    return bool(subjects) and tree.nodes[subjects[0]].lower not in {"you", "we"}
 
 
 def asks(words: Sequence[Word], behind: str, lexicon: Lexicon) -> bool:

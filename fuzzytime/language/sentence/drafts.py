@@ -80,7 +80,13 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
     waiting = [
         Waiting.of(position, source, segment, lexicon)
         for position, source in enumerate(sources)
-        for segment in segments_of(source.scanned.text, source.scanned.words, source.phrases, lexicon)
+        for segment in segments_of(
+            source.scanned.text,
+            source.scanned.words,
+            source.phrases,
+            lexicon,
+            [remark.span for remark in source.remarks],
+        )
     ]
     for last_round in (False,) * ROUNDS + (True,):
         if not waiting:

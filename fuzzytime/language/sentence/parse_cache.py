@@ -15,7 +15,7 @@ from pathlib import Path
 from fuzzytime.language.sentence.model import ModelPackage
 from fuzzytime.language.sentence.tree import Node, Tree
 
-FORMAT = 2
+FORMAT = 3
 """Number of the format of the rows; part of their keys."""
 
 ROWS = 50_000

@@ -33,13 +33,15 @@ COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
-    ``addressee`` is who was asked by name, before a comma or behind one.
+    ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
+    said before: "the cat at eight and the dog at nine".
     """
 
     span: Span
     connective: str = ""
     connective_span: Span = (0, 0)
     addressee: str | None = None
+    verbless: bool = False
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
@@ -52,10 +54,18 @@ class Segment:
 
 
 def segments_of(
-    text: str, words: Sequence[Word], phrases: Sequence[Phrase], lexicon: Lexicon
+    text: str,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    taken_back: Sequence[Span] = (),
 ) -> list[Segment]:
-    """Cut a text at what always ends an instruction: full stops and connectives, outside of times."""
+    """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
+
+    ``taken_back`` are stretches that later words correct: nothing ends there.
+    """
     inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    inside |= {place for place, word in enumerate(words) if any(a <= word.start < b for a, b in taken_back)}
     cuts: list[tuple[int, int, str]] = []
     place = 0
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
@@ -70,7 +80,7 @@ def segments_of(
         found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
         end = 0 if found is None else _end_of(words, place, len(found))
         # "Do it when you're done": nothing follows.
-        if found is not None and end < len(words) and words[end].text not in ENDS:
+        if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
@@ -211,6 +221,12 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         ):
             found.append(place)
             continue
+        if place > 1 and place != root and _is_order_before_time(tree, place, timed):
+            found.append(place)
+            continue
+        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
+            found.append(place)
+            continue
         if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
             found.append(place)
             continue
@@ -219,9 +235,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
             continue
         start = _first_of(tree, place)
-        while start and start - 1 in timed:
-            # "Set the table, and by seven have the soup ready"
-            start -= 1
+        start = _behind_joint(tree, start, timed)
         if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
             continue
         if place > root or _leads(tree, place, root):
@@ -229,10 +243,23 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     return found
 
 
+def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
+    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
+    first = start
+    while first and first - 1 in timed:
+        first -= 1
+    behind = first
+    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
+        behind -= 1
+    # "Boil it, and before that, wash it"
+    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
+    return behind if led else first
+
+
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
-    if node.tag == "NN" and before in {"and", "&"} and node.lower in lexicon.alone:
+    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
         return True
     if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
@@ -240,6 +267,26 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
+
+
+def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
+
+    The tree may have it for a thing.
+    """
+    node = tree.nodes[place]
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+        return False
+    return node.lower == node.lemma and (tree.nodes[place + 1].lower == "for" or node.tag in IMPERATIVE)
+
+
+def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
+    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:

@@ -90,7 +90,7 @@ def _led(sketches: list[Sketch]) -> list[Sketch]:
     for sketch in sketches:
         before, segment = led[-1] if led else None, sketch.part.segment
         alone = before is not None and before.operation is None and bool(before.phrases)
-        if before is not None and alone and segment.connective == "then":
+        if before is not None and alone and segment.connective in {"then", "first"}:
             whole = (before.part.segment.span[0], segment.span[1])
             led[-1] = replace(
                 sketch,
@@ -117,11 +117,28 @@ def _repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketc
         turned = before is not None and sketch.phrases and _particle_alone(rest, lexicon)
         if before is not None and turned:
             repeated.append(replace(sketch, operation=replace(before, particle=turned)))
-        elif sketch.operation is not None or before is None or not sketch.phrases:
+        elif (
+            before is not None and sketch.phrases and rest is not None and set(rest.lower().split()) <= AGAIN
+        ):
+            # "Ring the bell at six, then again at seven"
+            repeated.append(replace(sketch, operation=before))
+        elif sketch.operation is not None or before is None:
             repeated.append(sketch)
+        elif not sketch.phrases:
+            # "Dust the hall, then the stairs"
+            thing = part.segment.connective == "then" and first and first[0].lower in ARTICLES
+            repeated.append(
+                replace(sketch, operation=replace(before, object=rest, place=None))
+                if thing and before.object is not None
+                else sketch
+            )
         elif part.segment.connective == "then" and lasts:
             repeated.append(replace(sketch, operation=replace(before, place=rest or before.place)))
-        elif rest is not None and before.object is not None and first and first[0].lower in ARTICLES:
+        elif (
+            rest is not None
+            and before.object is not None
+            and (part.segment.verbless or (first and first[0].lower in ARTICLES))
+        ):
             # "Feed the cat at eight and the dog at nine"
             repeated.append(replace(sketch, operation=replace(before, object=rest, place=None)))
         else:
@@ -167,7 +184,7 @@ def _sketch(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
-    action = _untimed(part, action_of(part.tree, lexicon), kept)
+    action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
         references = (None,) * len(kept)
         return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)

@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.actions import is_doubtful
+from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
 
@@ -136,13 +136,18 @@ class Waiting:
 
     def _overlooks_order(self, tree: Tree) -> bool:
         """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
-        first = (
-            next(iter(tree.at(self.behind_time, self.behind_time + 1)), None) if self.behind_time else None
-        )
-        if first is None:
+        first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
+        if first is None or first == tree.root or tree.root is None:
             return False
         node = tree.nodes[first]
-        return first != tree.root and node.may_act and node.lower == node.lemma and node.tag in {"VB", "VBP"}
+        if not node.may_act or node.lower != node.lemma:
+            return False
+        if self.behind_time:
+            return node.tag in {"VB", "VBP"}
+        # "Fetch crate 4, bring it here": the first order is taken for who does the second.
+        subjects = tree.children(tree.root, *SUBJECTS)
+        taken = any(first in tree.below(place) for place in subjects)
+        return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""

@@ -1,0 +1,116 @@
+"""What stands right before and behind a reading and makes it no time, whatever kind of time it would be."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
+from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.meaning.expressions import Offset, Said, Wall
+from fuzzytime.requirement import Constraint
+
+COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
+"""Words behind which "than" makes a length of time a difference."""
+
+REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
+"""Words behind which "but" takes out: "every day but sunday"."""
+
+
+class Borders:
+    """The words around readings: marks that run on, exceptions, particles, comparisons, nouns."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = around.texts
+        self.around = around
+        self.measures = Measures(words, lexicon)
+
+    def refuse(self, piece: Piece) -> bool:
+        """Whether they make a reading no time."""
+        compared = self.around.follower(piece) == "than" and self.texts[piece.end - 1] in COMPARING
+        # "Twenty minutes earlier than usual"
+        return (
+            compared
+            or self.runs_on(piece)
+            or self._is_excepted(piece)
+            or self._holds_particle(piece)
+            or self._names_event(piece)
+        )
+
+    def runs_on(self, piece: Piece) -> bool:
+        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
+        if piece.end < len(self.words):
+            word = self.words[piece.end]
+            if word.text == "'s":
+                # "A day's work"
+                return True
+            last = self.words[piece.end - 1]
+            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
+                return True
+            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
+                # "Twenty-year-old", "second-hand"
+                return True
+            if word.text == "." and self.texts[piece.end + 1 : piece.end + 2] == ["."]:
+                # "At eleven… no, at twelve"
+                return False
+            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
+                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
+                return word.text in {"%", "°"} or (after is not None and after.glued)
+        first = self.words[piece.start]
+        if piece.start and first.glued and first.is_digits:
+            before = self.words[piece.start - 1]
+            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
+        return (
+            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        )
+
+    def _is_excepted(self, piece: Piece) -> bool:
+        """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
+        before = self.texts[max(0, piece.start - 3) : piece.start]
+        if before[-1:] == ["but"] and self._is_added(piece):
+            return False
+        return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
+            ["except", "for"],
+            ["except", "on"],
+            ["but", "not"],
+        )
+
+    def _is_added(self, piece: Piece) -> bool:
+        """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
+        earlier = self.texts[: piece.start - 1]
+        if "not" in earlier[-NEAR:]:
+            # "Not today but tomorrow"
+            return True
+        bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
+        return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
+
+    def _holds_particle(self, piece: Piece) -> bool:
+        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
+        first, *rest = self.texts[piece.start : piece.end]
+        if rest[-1:] == ["on"] and self.around.follower(piece) in OWNING:
+            # "The notes from monday on my desk"
+            return True
+        if first == "over":
+            # "Turn the steaks over every two minutes"
+            return rest[:1] in (["every"], ["each"])
+        return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
+
+    def _names_event(self, piece: Piece) -> bool:
+        """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
+        said: Said = piece.value
+        ordinal = (
+            self.texts[piece.end - 2 : piece.end - 1] == ["the"]
+            and self.texts[piece.end - 1] in self.lexicon.ordinals
+        )
+        if ordinal and piece.end < len(self.texts) and not self.around.may_end(piece):
+            # "After the first one is done", "a day before the second coat"
+            return True
+        counted = isinstance(said.time, Offset)
+        wall = said.time.anchor if isinstance(said.time, Offset) else said.time
+        if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
+            return False
+        marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
+        owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
+        return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)
