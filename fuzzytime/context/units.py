@@ -148,7 +148,8 @@ def measured_in(behind: str, unit: str | None) -> str | None:
 def _said_unit(text: str, unit: str | None) -> str | None:
     if unit is not None and unit not in UNITS and text.lower() in (unit.lower(), unit.lower().rstrip("s")):
         return unit
-    return text if text in UNITS and text not in _NOT_SPOKEN else _SPOKEN.get(text.lower())
+    named = text if text in UNITS and text not in _NOT_SPOKEN else None
+    return _SPOKEN.get(text.lower(), named)
 
 
 def fits(behind: str, unit: str | None) -> bool:

@@ -34,13 +34,12 @@ class Anchors:
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
-        others = [None if place == self.position else o for place, o in enumerate(self.operations)]
-        target = target_of(clause, others, self.lexicon)
+        target = target_of(clause, self.operations, self.lexicon, self.position)
         if target is not None:
             return target
         # Of equals the nearest: among those before it the last, among those behind the first.
         coming = target_of(clause, self.later[::-1], self.lexicon)
-        return None if coming is None else len(others) + len(self.later) - 1 - coming
+        return None if coming is None else len(self.operations) + len(self.later) - 1 - coming
 
     def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
         """Give the requirement of a clause that names another instruction, or an event."""

@@ -1,6 +1,7 @@
 """Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
@@ -46,7 +47,11 @@ EMPTY = frozenset(
 )
 """Words that name nothing."""
 
+REMEMBERED = 16384
+"""Texts whose words are remembered: each reference asks for those of every instruction."""
 
+
+@lru_cache(maxsize=REMEMBERED)
 def content_words(text: str | None) -> frozenset[str]:
     """Give the words of a text that name something, in the singular."""
     if text is None:
@@ -62,11 +67,22 @@ def _singular(word: str) -> str:
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
 
 
-def target_of(clause: Clause, operations: Sequence[Operation | None], lexicon: Lexicon) -> int | None:
-    """Give the position of the instruction that a clause refers to, the latest of the best, or None."""
+def target_of(
+    clause: Clause, operations: Sequence[Operation | None], lexicon: Lexicon, own: int | None = None
+) -> int | None:
+    """Give the position of the instruction that a clause refers to, the latest of the best, or None.
+
+    ``own`` is the position of the instruction that the clause belongs to.
+    """
     best, found = 0.0, None
+    named = content_words(clause.object)
+    words = named | content_words(clause.condition.subject if clause.condition is not None else None)
     for position, operation in enumerate(operations):
-        if operation is None or operation.negated:
+        if operation is None or operation.negated or position == own:
+            continue
+        verb = operation.lemma == clause.verb or operation.lemma in named
+        if not verb and words.isdisjoint(content_words(operation.object)):
+            # Nothing in common: most of a long list.
             continue
         worth = _likeness(clause, operation, lexicon)
         if worth > 0 and worth >= best:
