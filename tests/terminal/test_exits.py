@@ -130,3 +130,10 @@ def test_a_bad_option_is_said_in_plain_words(given: tuple[str, str], tmp_path: P
     assert given[0] in done.err
     assert "Value error" not in done.err
     assert "Input should" not in done.err
+
+
+def test_commands_of_the_conversation_are_no_instructions(tmp_path: Path) -> None:
+    done = ran("plan", "-", stdin=b"boil the eggs soon\n:rate 1 4\n :list\n", folder=tmp_path)
+    assert done.code == Exit.BAD_DATA
+    assert "<stdin>:2:1: ':rate' is a command of the conversation (see: fuzzytime repl)" in done.err
+    assert "<stdin>:3:2: ':list'" in done.err
