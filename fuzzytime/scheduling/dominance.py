@@ -24,6 +24,9 @@ from fuzzytime.satisfaction import Interval, cell_chord_errors
 from fuzzytime.scheduling.grid import ROUNDING, Ints
 from fuzzytime.scheduling.problem import Lag, Problem
 
+WORTHWHILE = 0.02
+"""The share of orders that a round over all pairs must find, for another one."""
+
 STRICTLY = 1e-8
 """By so much, as a share of costs, an equally long job with a higher index must gain to come first."""
 
@@ -49,7 +52,7 @@ def ordered(problem: Problem, ready: float, step: float) -> Problem:
     if not slots.all() or (np.abs(durations - slots) > ROUNDING * np.maximum(1.0, durations)).any():
         return problem
     orders = _Orders(problem, ready, step, slots)
-    while orders.deduce():
+    while orders.deduce() > WORTHWHILE * np.count_nonzero(orders.before):
         pass
     return orders.applied(problem)
 
@@ -78,8 +81,8 @@ class _Orders:
         jump = costs[:, 1:] >= np.array([[job.rejection] for job in jobs])
         self.most = np.hstack([np.where(jump, costs[:, 1:], costs[:, :-1]), costs[:, -1:]])
 
-    def deduce(self) -> bool:
-        """Go once over all pairs; tell whether an order was found."""
+    def deduce(self) -> int:
+        """Go once over all pairs; tell how many orders were found."""
         known, durations = int(np.count_nonzero(self.before)), self.durations
         # For each job and cell: the work that must come before a start there, and after it.
         earlier = np.repeat((self.before * durations[:, None]).sum(axis=0)[:, None], self.end, axis=1)
@@ -97,7 +100,7 @@ class _Orders:
             self.before |= np.outer(self.before[:, middle], self.before[middle])
         cells = np.arange(self.end)
         self.possible &= (earlier <= cells) & (cells + durations[:, None] + later <= self.end)
-        return int(np.count_nonzero(self.before)) > known
+        return int(np.count_nonzero(self.before)) - known
 
     def _compared(self, first: int, second: int) -> tuple[np.ndarray, np.ndarray]:
         """Tell of a job and one that is no shorter where the first must come before the second.

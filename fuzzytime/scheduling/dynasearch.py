@@ -93,7 +93,8 @@ class Dynasearch:
             best, least = orders.descended(first, watch)
             improved = 0
             for kick in range(self.kicks):
-                if watch.is_over() or kick - improved > patience:
+                satisfied = least <= problem.least_cost + IMPROVEMENT
+                if satisfied or kick - improved > patience or watch.is_over():
                     break
                 order, cost = orders.descended(_kicked(best, generator), watch)
                 if cost < least - IMPROVEMENT:

@@ -38,6 +38,9 @@ STARTS = 2
 MOST_ANEW = 100
 """Up to so many skills that is worth its time."""
 
+MOST_ORDERED = 120
+"""Up to so many skills all pairs are compared."""
+
 
 @dataclass(frozen=True, slots=True)
 class Labels:
@@ -74,9 +77,10 @@ class _Search(GridSearch):
 
     def tightened(self, problem: Problem, step: float) -> Problem:
         """Add the orders that some best schedule keeps, where waiting never helps and all is done."""
-        rejection = min(job.rejection for job in self.problem.jobs)
-        if self.best.cost < rejection and only_order_counts(self.problem):
-            return ordered(problem, self.problem.jobs[0].earliest, step)
+        jobs = self.problem.jobs
+        all_done = self.best.cost < min(job.rejection for job in jobs)
+        if all_done and len(jobs) <= MOST_ORDERED and only_order_counts(self.problem):
+            return ordered(problem, jobs[0].earliest, step)
         return problem
 
     def close(self, relaxation: Relaxation) -> bool:

@@ -37,6 +37,9 @@ KICKS = 40
 KICKS_A_STRETCH = 20
 """Kicks before another stretch has its turn."""
 
+MOST_ORDERED = 300
+"""Up to so many jobs all pairs of an order are compared at once."""
+
 IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
 
@@ -63,7 +66,7 @@ class LocalSearch:
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Improve until no job is better elsewhere; where only the order counts, by dynasearch."""
-        if only_order_counts(problem):
+        if len(problem.jobs) <= MOST_ORDERED and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
         grid = grid_of(problem, step_for(problem, self.slots))
