@@ -1,7 +1,6 @@
 """Huge input is refused in few words and bounded memory, or answered."""
 
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
@@ -15,22 +14,30 @@ MEMORY = 600 << 20
 """Bytes: the language model takes about half of them by itself."""
 
 
+BETWEEN = """
+import os, sys
+child = os.posix_spawn(sys.executable, [sys.executable, *sys.argv[2:]], os.environ)
+_, status, usage = os.wait4(child, 0)
+with open(sys.argv[1], "w") as told:
+    told.write(str(usage.ru_maxrss))
+sys.exit(os.waitstatus_to_exitcode(status))
+"""
+"""A small process between the test and the command: one that begins inherits the most that its parent had."""
+
+
 def ended(arguments: list[str], folder: Path) -> tuple[int, bytes, bytes, int]:
     """Run the command in a process of its own; give code, output, errors and the most memory in bytes."""
-    out, err = folder / "out", folder / "err"
-    with out.open("wb") as output, err.open("wb") as errors:
-        child = subprocess.Popen(
-            [sys.executable, "-m", "fuzzytime_cli", *arguments],
-            cwd=ROOT,
-            env=environment(folder),
-            stdin=subprocess.DEVNULL,
-            stdout=output,
-            stderr=errors,
-        )
-        _, status, usage = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
+    told = folder / "memory"
+    done = subprocess.run(
+        [sys.executable, "-c", BETWEEN, str(told), "-m", "fuzzytime_cli", *arguments],
+        cwd=ROOT,
+        env=environment(folder),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        check=False,
+    )
     unit = 1 if sys.platform == "darwin" else 1024
-    return child.returncode, out.read_bytes(), err.read_bytes(), usage.ru_maxrss * unit
+    return done.returncode, done.stdout, done.stderr, int(told.read_text()) * unit
 
 
 @pytest.mark.parametrize(
