@@ -38,6 +38,9 @@ STARTS = 2
 MOST_ANEW = 100
 """Up to so many skills that is worth its time."""
 
+MANY = 60
+"""From so many skills on a doubtful schedule is mended before labels."""
+
 MOST_ORDERED = 120
 """Up to so many skills all pairs are compared."""
 
@@ -91,7 +94,7 @@ class _Search(GridSearch):
         budget, width = cells // (4 if self._is_solved else 16), BEAM
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
-        if searching and self._is_doubtful():
+        if searching and self._is_early_search_worth():
             self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
@@ -121,8 +124,15 @@ class _Search(GridSearch):
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
     def follow(self, relaxation: Relaxation) -> None:
-        """Search around the bound's path where the schedule is doubtful: a better one deletes starts."""
-        if self._is_doubtful() and relaxation.prices is not self._followed:
+        """Search around the bound's path where many skills are in doubt: a better schedule deletes starts."""
+        if self._is_early_search_worth():
+            self._follow_path(relaxation)
+
+    def _is_early_search_worth(self) -> bool:
+        return self._is_doubtful() and len(self.problem.jobs) >= MANY
+
+    def _follow_path(self, relaxation: Relaxation) -> None:
+        if relaxation.prices is not self._followed:
             self._followed = relaxation.prices
             path = self._timed(relaxation.grid, relaxation.visited())
             self.take(LocalSearch().search(self.problem, self.watch.share(0.4), path))
@@ -130,7 +140,7 @@ class _Search(GridSearch):
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
         """Search around the bound's path, and by labels in a beam."""
         known = self.best.cost
-        self.follow(relaxation)
+        self._follow_path(relaxation)
         self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
         self._learn(relaxation, known)
 
