@@ -49,6 +49,9 @@ LONGER = "more than"
 DOERS = frozenset({"you", "i", "we"})
 """Subjects of clauses that refer to what is done, and not to what readings could tell."""
 
+RESULTING = frozenset({"when", "if", "after"})
+"""Clauses about what another instruction does: "when it is done"; "until it is done" is about its own."""
+
 LASTING = frozenset({"until", "through"})
 
 
@@ -192,6 +195,11 @@ class _Composer:
         self.explained.append(clause.span)
         numbers = comparisons_in(self.draft.scanned, clause.content, self.lexicon)
         target = anchors.target_of(clause)
+        said = clause.condition
+        if target is None and said and said.word in self.lexicon.results and clause.kind in RESULTING:
+            # "Boil the pasta. Drain it when it is done": when it is boiled.
+            named = _named(said, _thing(clause, anchors, sketch), self.lexicon)
+            target = anchors.target_of(replace(clause, condition=named))
         if (
             target is None
             and clause.condition is not None
