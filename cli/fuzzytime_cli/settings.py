@@ -68,7 +68,7 @@ KINDS: Mapping[str, Kind] = {
     "solver": Kind("auto", "the method that finds the schedule", tuple(SolverChoice)),
     "agents": Kind(1, "how many can work at once", low=1, high=100),
     "threshold": Kind(0.001, "satisfaction below which a skill is rejected", low=0.0, high=0.5),
-    "time_limit": Kind(8.0, "seconds after which the best schedule so far is given", low=0.01, high=86400),
+    "time_limit": Kind(5.0, "seconds after which the best schedule so far is given", low=0.01, high=86400),
     "seed": Kind(0, "seed of the methods that draw at random", low=0, high=2**32),
     "horizon": Kind("", "how far to look ahead, such as 8h; empty: past the last window, at most 48 h"),
     "zone": Kind("", "time zone; empty: the machine's"),

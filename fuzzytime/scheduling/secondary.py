@@ -131,7 +131,7 @@ def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | Non
     reach = max(job.latest - job.earliest for job in problem.jobs)
     again = settled(problem, starts, agents, reach + 1.0)
     best = min(best, again, key=lambda draft: draft.cost)
-    if watch is None or best.cost <= _bound(problem) + EQUAL:
+    if watch is None or watch.is_over() or best.cost <= _bound(problem) + EQUAL:
         return best
     return LocalSearch().search(problem, watch, best)
 
