@@ -27,59 +27,67 @@ from fuzzytime.scheduling.problem import Lag, Problem
 WORTHWHILE = 0.02
 """The share of orders that a round over all pairs must find, for another one."""
 
+MOST_JOBS = 120
+"""Up to so many all pairs are worth comparing."""
+
 STRICTLY = 1e-8
 """By so much, as a share of costs, an equally long job with a higher index must gain to come first."""
 
 
-def ordered(problem: Problem, ready: float, step: float) -> Problem:
-    """Give a problem with the orders that some best schedule keeps as lags, and windows cut by them.
+class Dominance:
+    """What is known to come before what, and in which cells between slots each job may start.
 
     Parameters
     ----------
     problem
         One agent's, in which only the order counts (`fuzzytime.scheduling.dynasearch`) and nothing is
-        rejected; windows may be narrowed already, and orders known.
-    ready
-        When all jobs are ready, in seconds.
+        rejected.
     step
-        Seconds between the moments at which costs are compared. Where it does not divide all durations, or
-        nothing is left of a window, the problem is given back as it is.
+        Seconds between the moments at which costs are compared.
     """
-    if not all(any(job.windows) for job in problem.jobs):
-        return problem
-    durations = np.array([job.duration for job in problem.jobs]) / step
-    slots = np.rint(durations).astype(np.int64)
-    if not slots.all() or (np.abs(durations - slots) > ROUNDING * np.maximum(1.0, durations)).any():
-        return problem
-    orders = _Orders(problem, ready, step, slots)
-    while orders.deduce() > WORTHWHILE * np.count_nonzero(orders.before):
-        pass
-    return orders.applied(problem)
 
-
-class _Orders:
-    """What is known to come before what, and in which cells between slots each job may start."""
-
-    def __init__(self, problem: Problem, ready: float, step: float, durations: Ints) -> None:
-        self.ready, self.step, self.durations = ready, step, durations
-        self.before = np.zeros((durations.size, durations.size), bool)
-        for lag in problem.lags:
-            self.before[lag.first, lag.second] = True
-        self.end = int(durations.sum())
-        self.possible = np.zeros((durations.size, self.end), bool)
-        for row, job in zip(self.possible, problem.jobs, strict=True):
-            for window in job.windows[0]:
-                low = math.floor((window.low - ready) / step + ROUNDING)
-                high = math.ceil((window.high - ready) / step - ROUNDING)
-                row[max(low, 0) : max(high, low + 1)] = True
-        times = ready + step * np.arange(self.end + 1)
+    def __init__(self, problem: Problem, step: float) -> None:
         jobs = problem.jobs
+        self.ready, self.step = jobs[0].earliest, step
+        durations = np.array([job.duration for job in jobs]) / step
+        self.durations: Ints = np.rint(durations).astype(np.int64)
+        self.end = int(self.durations.sum())
+        self.before = np.zeros((durations.size, durations.size), bool)
+        self.possible = np.ones((durations.size, self.end), bool)
+        off = np.abs(durations - self.durations) > ROUNDING * np.maximum(1.0, durations)
+        # Where the step does not divide all durations nothing is deduced.
+        self.knows = bool(self.durations.all()) and not off.any()
+        if self.knows:
+            self._compare(problem)
+
+    def _compare(self, problem: Problem) -> None:
+        """Work out what each job costs at slots, and how much more or less between them."""
+        times, jobs = self.ready + self.step * np.arange(self.end + 1), problem.jobs
         costs = np.array([np.where((c := job.costs(times)) < job.worst, c, job.rejection) for job in jobs])
         errors = np.array([job.weight * cell_chord_errors(job.function, times) for job in jobs])
         self.costs, self.errors = costs, np.minimum(errors, np.diff(costs))
         # In a cell the cost is at most what its chord says, but where it jumps to that of rejection.
         jump = costs[:, 1:] >= np.array([[job.rejection] for job in jobs])
         self.most = np.hstack([np.where(jump, costs[:, 1:], costs[:, :-1]), costs[:, -1:]])
+
+    def tightened(self, problem: Problem) -> Problem:
+        """Give the problem, whose windows may be narrowed already, with orders as lags and fewer starts."""
+        # Where nothing is left of a window no schedule is better than the known one; the bound finds that.
+        if not self.knows or not all(any(job.windows) for job in problem.jobs):
+            return problem
+        self._narrow(problem)
+        while self.deduce() > WORTHWHILE * np.count_nonzero(self.before):
+            pass
+        return self._applied(problem)
+
+    def _narrow(self, problem: Problem) -> None:
+        for index, job in enumerate(problem.jobs):
+            left = np.zeros(self.end, bool)
+            for window in job.windows[0]:
+                low = math.floor((window.low - self.ready) / self.step + ROUNDING)
+                high = math.ceil((window.high - self.ready) / self.step - ROUNDING)
+                left[max(low, 0) : max(high, low + 1)] = True
+            self.possible[index] &= left
 
     def deduce(self) -> int:
         """Go once over all pairs; tell how many orders were found."""
@@ -126,8 +134,8 @@ class _Orders:
         needing[other:] = saved >= largest[: saved.size]
         return needed, needing
 
-    def applied(self, problem: Problem) -> Problem:
-        """Give the problem with these orders as lags, and windows of these cells."""
+    def _applied(self, problem: Problem) -> Problem:
+        """Give the problem with the orders as lags, and windows of the cells."""
         jobs = []
         last = self.end - self.durations - (self.before * self.durations).sum(axis=1)
         latest = (self.ready + self.step * last).tolist()
@@ -137,7 +145,6 @@ class _Orders:
             runs = [Interval(first, min(end, high)) for first, end in times]
             pieces = [window.intersection(run) for window in job.windows[0] for run in runs]
             left = tuple(piece for piece in pieces if not piece.empty)
-            # Where nothing is left no schedule is better than the known one; the bound finds that, too.
             jobs.append(replace(job, windows=(left or job.windows[0],)))
         lags = tuple(
             Lag(first, second, problem.jobs[first].duration, math.inf)

@@ -23,6 +23,9 @@ from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft, nothing
 
+MOST_JOBS = 300
+"""Up to so many all pairs of an order fit into memory and time at once."""
+
 REACH = 50
 """Places between two jobs that are swapped, at most."""
 
@@ -84,7 +87,7 @@ class Dynasearch:
         if not only_order_counts(problem):
             raise RefusedError("dynasearch takes jobs of one agent whose costs never fall with time")
         begin = warm or nothing(problem)
-        orders = _Orders(problem, step_for(problem, self.slots))
+        orders = _Sequences(problem, step_for(problem, self.slots))
         best = first = np.lexsort((orders.deadlines, begin.starts))
         generator = np.random.default_rng(self.seed)
         # A warm start was searched before.
@@ -119,7 +122,7 @@ def _kicked(order: Ints, generator: np.random.Generator) -> Ints:
     return order
 
 
-class _Orders:
+class _Sequences:
     """What orders of a problem's jobs cost, and what moves in them gain."""
 
     def __init__(self, problem: Problem, step: float) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.backward import used_below
-from fuzzytime.scheduling.dominance import ordered
+from fuzzytime.scheduling.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.dynasearch import only_order_counts
 from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.labels import Found
@@ -40,9 +40,6 @@ MOST_ANEW = 100
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
-
-MOST_ORDERED = 120
-"""Up to so many skills all pairs are compared."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,17 +71,19 @@ class _Search(GridSearch):
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         super().__init__(problem, watch, best)
+        self._dominance: Dominance | None = None
         self._followed: Floats | None = None
         self._is_solved = False
         self._starts = 0
 
     def tightened(self, problem: Problem, step: float) -> Problem:
-        """Add the orders that some best schedule keeps, where waiting never helps and all is done."""
+        """Add what some best schedule keeps, where waiting never helps and all is done."""
         jobs = self.problem.jobs
-        all_done = self.best.cost < min(job.rejection for job in jobs)
-        if all_done and len(jobs) <= MOST_ORDERED and only_order_counts(self.problem):
-            return ordered(problem, jobs[0].earliest, step)
-        return problem
+        if len(jobs) > MOST_JOBS or self.best.cost >= min(job.rejection for job in jobs):
+            return problem
+        if self._dominance is None and only_order_counts(self.problem):
+            self._dominance = Dominance(self.problem, step)
+        return problem if self._dominance is None else self._dominance.tightened(problem)
 
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""

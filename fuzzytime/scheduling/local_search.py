@@ -17,7 +17,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from fuzzytime.scheduling.dynasearch import Dynasearch, only_order_counts
+from fuzzytime.scheduling.dynasearch import MOST_JOBS, Dynasearch, only_order_counts
 from fuzzytime.scheduling.grid import ROUNDING, Curve, Grid, grid_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.orders import Order
@@ -36,9 +36,6 @@ KICKS = 40
 
 KICKS_A_STRETCH = 20
 """Kicks before another stretch has its turn."""
-
-MOST_ORDERED = 300
-"""Up to so many jobs all pairs of an order are compared at once."""
 
 IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
@@ -66,7 +63,7 @@ class LocalSearch:
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Improve until no job is better elsewhere; where only the order counts, by dynasearch."""
-        if len(problem.jobs) <= MOST_ORDERED and only_order_counts(problem):
+        if len(problem.jobs) <= MOST_JOBS and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
         grid = grid_of(problem, step_for(problem, self.slots))

@@ -138,12 +138,12 @@ class GridSearch(ABC):
             solved = self.close(relaxation)
             if self.is_closed():
                 break
-            left = self.left = relaxation.narrowed(self.left)
+            self.left = relaxation.narrowed(self.left)
             finest = fine_enough(problem, self.best, step / REFINEMENT, self.goal / 2)
             step = max(finest, step / FASTEST_REFINEMENT)
-            if not solved or not closable or bytes_for(left, step) > watch.limits.memory:
+            if not solved or not closable or bytes_for(self.left, step) > watch.limits.memory:
                 break
-            relaxation = Relaxation(left, grid_of(left, step), self.best.cost, relaxation.prices)
+            relaxation = Relaxation(self.left, grid_of(self.left, step), self.best.cost, relaxation.prices)
             relaxation.improve(self.best.cost, STEPS // 4, enough, watch)
 
     def _relaxation(self, problem: Problem, grid: Grid, prices: Floats) -> Relaxation:
@@ -155,7 +155,8 @@ class GridSearch(ABC):
             relaxation.improve(best, STEPS, enough, watch, rounds=1)
             self.lower = relaxation.lower
             self.follow(relaxation)
-            relaxation.fix(self.best.cost)
+            if self.best.cost < best:
+                relaxation.fix(self.best.cost)
             relaxation.improve(self.best.cost, STEPS, enough, watch)
             self.lower = max(self.lower, relaxation.lower)
             return relaxation

@@ -131,22 +131,9 @@ def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | Non
     reach = max(job.latest - job.earliest for job in problem.jobs)
     again = settled(problem, starts, agents, reach + 1.0)
     best = min(best, again, key=lambda draft: draft.cost)
-    if watch is None or watch.is_over() or best.cost <= _bound(problem) + EQUAL:
+    if watch is None or watch.is_over() or best.cost <= problem.least_cost + EQUAL:
         return best
     return LocalSearch().search(problem, watch, best)
-
-
-def _bound(problem: Problem) -> float:
-    """Give the cost of all jobs where each may have its best time."""
-    return math.fsum(
-        min(
-            float(job.costs(min(max(time, span.low), span.high)))
-            for lane in job.windows
-            for span in lane
-            for time in (job.function.best.low, *job.function.kinks)
-        )
-        for job in problem.jobs
-    )
 
 
 def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:

@@ -9,7 +9,7 @@ import pytest
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import Trapezoid, Triangle
 from fuzzytime.scheduling import Labels, Limits, Status, solve
-from fuzzytime.scheduling.dominance import ordered
+from fuzzytime.scheduling.dominance import Dominance
 from fuzzytime.scheduling.dynasearch import Dynasearch, only_order_counts
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem, problem_of
@@ -60,7 +60,7 @@ def keeps(problem: Problem, order: tuple[int, ...]) -> bool:
 def test_some_best_order_keeps_all_that_is_deduced(seed: int) -> None:
     problem = problem_for(seed)
     assert only_order_counts(problem)
-    known = ordered(problem, 0.0, 1.0)
+    known = Dominance(problem, 1.0).tightened(problem)
     orders = list(permutations(range(len(problem.jobs))))
     kept = [order for order in orders if keeps(known, order)]
     best = min(cost_of(problem, order) for order in orders)
@@ -69,13 +69,14 @@ def test_some_best_order_keeps_all_that_is_deduced(seed: int) -> None:
 
 def test_orders_are_deduced_from_most_problems() -> None:
     problems = [problem_for(seed) for seed in range(60)]
-    assert sum(bool(ordered(problem, 0.0, 1.0).lags) for problem in problems) > 40
+    assert sum(bool(Dominance(problem, 1.0).tightened(problem).lags) for problem in problems) > 40
 
 
 def test_windows_are_cut_by_what_comes_before_and_after() -> None:
     functions = [Trapezoid(-math.inf, -math.inf, 0.0, 100.0), Trapezoid(-math.inf, -math.inf, 50.0, 150.0)]
     skills = [FuzzySkill(f"skill {index}", function, 10.0) for index, function in enumerate(functions)]
-    first, second = ordered(problem_of(FuzzyTask(tuple(skills)), 1e-3), 0.0, 1.0).jobs
+    problem = problem_of(FuzzyTask(tuple(skills)), 1e-3)
+    first, second = Dominance(problem, 1.0).tightened(problem).jobs
     assert (first.latest, second.earliest, second.latest) == (0.0, 10.0, 10.0)
 
 
@@ -106,7 +107,7 @@ def test_thirty_skills_that_may_only_be_late_are_proved() -> None:
 def test_the_orders_change_nothing_about_what_is_proved(monkeypatch: pytest.MonkeyPatch) -> None:
     task = tardy(13, 2)
     with_orders = solve(task, solver=Labels())
-    monkeypatch.setattr("fuzzytime.scheduling.exact.ordered", lambda problem, *_: problem)
+    monkeypatch.setattr(Dominance, "tightened", lambda _, problem: problem)
     without = solve(task, solver=Labels())
     assert with_orders.certificate.status is without.certificate.status is Status.OPTIMAL
     assert with_orders.weighted_cost == pytest.approx(without.weighted_cost, abs=1e-3)
