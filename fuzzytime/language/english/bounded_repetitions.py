@@ -5,26 +5,19 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
-    Coming,
-    Duration,
     HourMark,
-    Offset,
     Range,
     Repeat,
     Said,
     SameTime,
-    Time,
     Wall,
 )
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Half, Part
-from fuzzytime.language.policy import Policy
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
-
-PLAUSIBLE = Policy().plausible_from
 
 
 @grammar.rule(
@@ -92,76 +85,10 @@ def every_mark(first: Repeat | SameTime | HourMark, second: Repeat | SameTime | 
     return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
 
 
-def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
-    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
-    days = wall.days
-    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
-        return None
-    period = repeat.walls[0].days
-    if period == Cycle(Unit.YEAR) and days.month is not None:
-        return days
-    if period == Cycle(Unit.MONTH) and days == Fields(day=days.day) and days.day is not None:
-        return days
-    return days if period == Cycle(Unit.WEEK) and days.weekly else None
-
-
-def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
-    days = _named_days(repeat, wall)
-    if days is not None:
-        return replace(repeat, every=None, walls=(replace(wall, days=days),))
-    if wall.days is not None and wall.clock is None and wall.part is None:
-        if repeat.until is not None or repeat.starting is not None:
-            return None
-        return replace(repeat, starting=wall, until=wall)
-    if wall.days is not None or not repeat.walls:
-        return None
-    walls = []
-    for old in repeat.walls:
-        if old.clock and wall.clock:
-            return None
-        late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
-        if old.part and wall.part and not late and not (old.part.start <= wall.part.start < old.part.end):
-            return None
-        clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
-        walls.append(replace(old, clock=clock, part=wall.part or old.part))
-    return replace(repeat, walls=tuple(walls))
-
-
 @grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
 def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     """Every day until friday, every ten minutes from noon to two."""
-    time = said.time
-    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
-        return None
-    if isinstance(time, Duration):
-        # "Twice a day for two minutes" says how long each lasts.
-        step = repeat.every.seconds if repeat.every is not None else DAY_SECONDS
-        lasting = said.constraint is Constraint.FOR and time.seconds >= step
-        bound = lasting or said.constraint is Constraint.BEFORE
-        return replace(repeat, until=Offset(time)) if bound else None
-    if isinstance(time, Coming):
-        return replace(repeat, until=Offset(time.duration))
-    if repeat.walls and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock:
-        return _between_clocks(repeat, time.first, time.last)
-    if said.constraint is Constraint.BEFORE:
-        return replace(repeat, until=time)
-    if said.preposition == "starting":
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.AFTER:
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
-        return replace(repeat, starting=time.first, until=time.last)
-    return None
-
-
-def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
-    """Give a repetition within hours of the day: every weekday from 9 to 5."""
-    if first.clock is None or not isinstance(last, Wall) or last.clock is None:
-        return None
-    begins = first.clock.first_from(PLAUSIBLE)
-    ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
-    return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
+    return bounded_repeat(repeat, said)
 
 
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
@@ -191,7 +118,7 @@ def of_week(days: tuple[int, ...], said: Said) -> Repeat | None:
     if len(clocks) != len(ends) or said.constraint in {Constraint.BEFORE, Constraint.AFTER} or said.hedges:
         return None
     if isinstance(time, Range):
-        return _between_clocks(whole, clocks[0], clocks[1])
+        return within_hours(whole, clocks[0], clocks[1])
     return narrowed_repeat(whole, clocks[0]) if said.preposition is not None or not clocks[0].bare else None
 
 

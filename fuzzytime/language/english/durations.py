@@ -56,15 +56,9 @@ def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
 
 @grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
-    """1 hour and 30 minutes; 2 years, 3 months."""
-    units = {unit for _, unit in first.terms}
-    if (
-        first.bare_end
-        or first.until
-        or second.until
-        or second.hedges
-        or units & {unit for _, unit in second.terms}
-    ):
+    """1 hour and 30 minutes; 2 years, 3 months; "an hour and a quarter" has no quarter of a year."""
+    units, more = ({unit for _, unit in duration.terms} for duration in (first, second))
+    if first.bare_end or first.until or second.until or second.hedges or units & more or Unit.QUARTER in more:
         return None
     # "a day an hour" is a frequency, no sum.
     if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:

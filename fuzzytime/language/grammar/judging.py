@@ -189,7 +189,8 @@ class Judge:
         if self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False
-        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
+        quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
+        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
             # A quarter of what, is not said: hardly of a year.
             return False
         if last.bare_end and self.measures.divided(piece):

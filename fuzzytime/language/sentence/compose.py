@@ -27,7 +27,8 @@ from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
-from fuzzytime.language.sentence.sketches import DATED, Sketch, sketches_of
+from fuzzytime.language.sentence.sketch import DATED, Sketch
+from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
 TURNED = {
