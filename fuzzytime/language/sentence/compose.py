@@ -179,9 +179,9 @@ class _Composer:
             form = longest_match(words, place, self.lexicon.usual_hours)
             if form is not None:
                 first, last = self.lexicon.usual_hours[form]
-                policy = replace(
-                    self.moment.policy, plausible_from=first, plausible_to=last, workday_from=first
-                )
+                policy = replace(self.moment.policy, ahead_from=first)
+                if last is not None:
+                    policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
                 return replace(self.moment, policy=policy)
         return self.moment
 

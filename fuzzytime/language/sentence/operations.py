@@ -124,9 +124,10 @@ class Reader:
             of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
             words = self._words([p for o in of for p in self.tree.children(o, "pobj")], verb)
         if not words:
-            # "Wake Tim up": the name was taken for a measure.
+            # "Wake Tim up", "move my three o'clock": what is named was taken for a measure.
             names = self.tree.children(verb, "npadvmod")
-            named = [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
+            owned = [p for p in names if self.tree.children(p, "poss")]
+            named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
             words = self._words([p for p in named if not self.timed(p)], verb)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".

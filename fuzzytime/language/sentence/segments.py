@@ -163,11 +163,17 @@ def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexico
         suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
+        elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
+            break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
             begin += 1
         else:
             break
     return begin
+
+
+def _counts(word: Word, lexicon: Lexicon) -> bool:
+    return word.is_digits or word.text in lexicon.numbers
 
 
 def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
@@ -257,11 +263,11 @@ def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
 
 
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
+    """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
     if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
         return True
-    if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+    if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
     behind = tree.nodes[place + 1].lower
     if node.lower in lexicon.particles.get(behind, ()):
