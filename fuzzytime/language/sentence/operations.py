@@ -15,6 +15,9 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
+FINITE = frozenset({"VBZ", "VBP", "VBD"})
+FUTURE = frozenset({"will", "'ll", "’ll"})
+
 PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -49,6 +52,7 @@ class Reader:
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=self._said(result),
             negated=action.negated,
+            stated=self._is_stated(verb),
         )
 
     def timed(self, place: int) -> bool:
@@ -167,6 +171,14 @@ class Reader:
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
         return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
+
+    def _is_stated(self, verb: int) -> bool:
+        """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        named = bool(subjects) and subjects[0] not in PEOPLE
+        return named and finite and not self.tree.children(verb, "dobj", "acomp", "oprd", "xcomp", "ccomp")
 
     # -- places -----------------------------------------------------------------------------------------
 
