@@ -7,14 +7,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import (
-    HourMark,
-    Range,
-    Repeat,
-    Said,
-    SameTime,
-    Wall,
-)
+from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -132,6 +125,23 @@ def repeated(repeat: Repeat) -> Said:
 def repeated_with_preposition(preposition: Preposition, repeat: Repeat) -> Said:
     """For wednesdays at two pm, by ten to eleven am daily."""
     return Said(repeat, Constraint.EVERY, preposition.name)
+
+
+@grammar.rule("said", "<preposition_at> <goal> ,|on? <repeat>", "<goal> ,|on? <repeat>", weight=0.3)
+def roughly_repeated(*said: Preposition | Goal | Repeat) -> Said | None:
+    """At about four every day, midnight or so on weekdays."""
+    *preposition, goal, repeat = said
+    if not isinstance(goal, Goal) or not isinstance(repeat, Repeat):
+        return None
+    found = narrowed_repeat(repeat, goal.time) if goal.hedges and isinstance(goal.time, Wall) else None
+    names = [first.name for first in preposition if isinstance(first, Preposition)]
+    return None if found is None else Said(found, Constraint.EVERY, next(iter(names), None), goal.hedges)
+
+
+@grammar.rule("said", "<repeat> ,? <preposition_at> <goal>", "<repeat> ,? <goal>", weight=0.3)
+def repeated_roughly(repeat: Repeat, *said: Preposition | Goal) -> Said | None:
+    """Every day at about four, every morning at eight sharp."""
+    return roughly_repeated(*said, repeat)
 
 
 @grammar.rule("said", "by <repeat>", "before <repeat>", weight=0.2)

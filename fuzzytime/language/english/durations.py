@@ -9,6 +9,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+METRES = 100
+"""From how many on "m" is hardly minutes: "turn left in 300 m"."""
+
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
@@ -18,6 +21,8 @@ def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
     # "a m" is half of "10 a m".
     # "In a mo": a moment, no month.
     short = len(unit.form) == 1 or unit.form == "mo"
+    if unit.form == "m" and amount >= METRES:
+        return None
     if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and short):
         return None
     return Duration(

@@ -71,7 +71,11 @@ class Walls:
             # "Switch to night mode"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
-        if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
+        if (
+            weekly
+            and self.texts[piece.end - 2 : piece.end - 1] == ["the"]
+            and self._is_ambiguous(piece.end - 1)
+        ):
             # "Before the sun goes down"
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
@@ -85,6 +89,10 @@ class Walls:
         before = self.around.before(piece)
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
             return True
+        counting = self.words[piece.end - 1].is_digits and self.around.follower(piece).endswith("s")
+        if said.preposition is None and counting and self._is_ambiguous(piece.start):
+            # "March 3 steps forward"
+            return not self.around.may_end(piece)
         if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
             # "Cancel my three o'clock"
             return True
@@ -117,8 +125,8 @@ class Walls:
             and not self.around.may_end(piece)
         )
 
-    def _is_ambiguous(self, piece: Piece) -> bool:
-        return self.texts[piece.end - 1] in self.lexicon.ambiguous
+    def _is_ambiguous(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.ambiguous
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""

@@ -17,6 +17,9 @@ FIRST = frozenset({"before", "until", "by the time"})
 ORDERING = {"afterwards": Constraint.AFTER, "beforehand": Constraint.BEFORE}
 """The time words that are about the instruction before it."""
 
+COUNTED: dict[str | None, Constraint] = {"later": Constraint.AFTER, "earlier": Constraint.BEFORE}
+"""The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
+
 
 @dataclass(frozen=True, slots=True)
 class Anchors:
@@ -110,12 +113,15 @@ class Anchors:
             edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
             anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
-        later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
-        if not later or self.position == self.first:
+        side = (
+            COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
+        )
+        if side is None or self.position == self.first:
             return None
+        edge = Edge.START if side is Constraint.BEFORE else Edge.END
         lag = requirement.t_spec or 0.0
-        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=Edge.END, lag=lag, exact=True)
-        return _only(requirement, anchor, Constraint.AFTER)
+        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge, lag=lag, exact=True)
+        return _only(requirement, anchor, side)
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

@@ -56,7 +56,13 @@ def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) 
     name = nodes[0]
     places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
     known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
-    return known and name.text.isalpha() and not name.may_act and one.source.covered.isdisjoint(places)
+    machine = len(nodes) > 1 and name.lower in lexicon.machines
+    return (
+        known
+        and name.text.isalpha()
+        and (machine or not name.may_act)
+        and one.source.covered.isdisjoint(places)
+    )
 
 
 def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:

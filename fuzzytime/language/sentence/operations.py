@@ -117,7 +117,7 @@ class Reader:
         if clause is not None:
             about = clause.about(self.tree)
             return [place for place in self._words([clause.noun], verb) if place in about]
-        direct = self.tree.children(verb, *OBJECTS)
+        direct = [*self.tree.children(verb, *OBJECTS), *self._asked(verb)]
         words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
         if not words:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
@@ -137,6 +137,16 @@ class Reader:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
         return [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+
+    def _asked(self, verb: int) -> list[int]:
+        """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
+        if self.tree.nodes[verb].lemma not in self.lexicon.addressing:
+            return []
+        return [
+            place
+            for place in self.tree.children(verb, "advcl")
+            if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
+        ]
 
     def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
         """Give the words right before an object that a tree took for a time: "install the night light"."""

@@ -128,7 +128,7 @@ class Waiting:
         words = self.source.scanned.words
         while places:
             leading = next((p for p in self.source.phrases if p.first == places[0]), None)
-            if leading is None and words[places[0]].text != ",":
+            if leading is None and words[places[0]].text not in {",", ":", "-"}:
                 return words[places[0]].start - self.main
             end = leading.end if leading is not None else places[0] + 1
             places = [place for place in places if place >= end]
