@@ -26,7 +26,7 @@ from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.doubts import doubts_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
+from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
@@ -59,11 +59,16 @@ LASTING = frozenset({"until", "through"})
 def composed(
     draft: Draft,
     lexicon: Lexicon,
-    given: Sequence[Operation | None],
-    later: Sequence[Operation | None] = (),
+    mentions: Mentions,
+    first: int,
+    *,
+    awaits: bool = False,
 ) -> Reading:
-    """Put a reading together; ``given`` and ``later`` are the operations before the text and after it."""
-    return _Composer(draft, lexicon, given, later).reading()
+    """Put a reading together; ``first`` of the operations were given before the text.
+
+    Where it ``awaits`` them, those behind its own may be meant too.
+    """
+    return _Composer(draft, lexicon, mentions, first, awaits=awaits).reading()
 
 
 class _Composer:
@@ -71,14 +76,17 @@ class _Composer:
         self,
         draft: Draft,
         lexicon: Lexicon,
-        given: Sequence[Operation | None],
-        later: Sequence[Operation | None],
+        mentions: Mentions,
+        first: int,
+        *,
+        awaits: bool,
     ) -> None:
         self.draft = draft
         self.lexicon = lexicon
         self.moment = Moment(draft.now, lexicon.policy)
-        self.given = list(given)
-        self.later = later
+        self.mentions = mentions
+        self.first = first
+        self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
@@ -88,7 +96,7 @@ class _Composer:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft, self.lexicon)
         self.remarks += remarks
-        operations: list[Operation | None] = list(self.given)
+        operations: list[Operation | None] = []
         for place, sketch in enumerate(sketches):
             doubts = self._doubts(sketch)
             self.remarks += doubts
@@ -96,7 +104,8 @@ class _Composer:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
                 named = replace(
-                    sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
+                    sketch.operation,
+                    object=resolved_object(sketch.operation, operations, self.mentions, self.first),
                 )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
@@ -105,7 +114,7 @@ class _Composer:
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
             self.moment = replace(self.moment, listed=listed, follows=follows)
-            instructions.append(self._instruction(sketch, len(self.given) + place, operations))
+            instructions.append(self._instruction(sketch, self.first + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
         return Reading(
@@ -130,7 +139,7 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, len(self.given), operations, self.lexicon, self.later)
+        anchors = Anchors(position, self.first, operations, self.mentions, self.lexicon, self.awaits)
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -334,7 +343,8 @@ def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
     operation = sketch.operation
     if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
         pronoun = replace(operation, object=clause.condition.subject)
-        earlier = resolved_object(pronoun, anchors.operations[: anchors.position], anchors.lexicon)
+        own = anchors.own[: anchors.position - anchors.first]
+        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         if earlier is not None and earlier.lower() not in PRONOUNS:
             return earlier
     return None if operation is None else operation.object
