@@ -38,7 +38,7 @@ BYTES_PER_START = 200
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
-ENOUGH = 0.035
+ENOUGH = 0.3
 """The gap in cost, by the largest weight, that is left to labels."""
 
 CLOSED = 1e-7
