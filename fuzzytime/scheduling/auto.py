@@ -1,10 +1,11 @@
 """The solver that picks: exact where it can be, else a sound heuristic."""
 
+import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from fuzzytime.scheduling import shares, small
-from fuzzytime.scheduling.exact import Labels
+from fuzzytime.scheduling.exact import MANY, Labels
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import KICKS, LocalSearch
 from fuzzytime.scheduling.milp import Milp
@@ -24,7 +25,10 @@ class Auto:
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Solve by the best method for the problem."""
-        best = replace(LocalSearch().search(problem, watch.share(0.3), warm), method=LocalSearch.name)
+        # Around the bound's path the exact method for many finds better ones than a longer search would.
+        sweeps = 1 if problem.agents == 1 and len(problem.jobs) >= MANY else math.inf
+        begun = LocalSearch(sweeps=sweeps).search(problem, watch.share(0.3), warm)
+        best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
         if few:
             best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)

@@ -53,6 +53,8 @@ class LocalSearch:
         Slots of the grid, at least.
     kicks
         How many.
+    sweeps
+        How often all jobs are tried at most: fewer than it takes is quick, and leaves work to do.
     """
 
     name: ClassVar[str] = "local-search"
@@ -60,6 +62,7 @@ class LocalSearch:
     seed: int = 0
     slots: int = 1500
     kicks: int = 0
+    sweeps: float = math.inf
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Improve until no job is better elsewhere; where only the order counts, by dynasearch."""
@@ -70,7 +73,7 @@ class LocalSearch:
         plan = Rough(problem, grid, begin)
         try:
             generator = np.random.default_rng(self.seed)
-            plan.improve(watch, generator)
+            plan.improve(watch, generator, self.sweeps)
             plan.kick(self.kicks, watch, generator)
         except KeyboardInterrupt:
             watch.stop()
@@ -108,15 +111,16 @@ class Rough:
             self._before.setdefault(lag.second, []).append((lag.first, low, high))
             self._after.setdefault(lag.first, []).append((lag.second, low, high))
 
-    def improve(self, watch: Stopwatch, generator: np.random.Generator) -> None:
+    def improve(self, watch: Stopwatch, generator: np.random.Generator, sweeps: float = math.inf) -> None:
         """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
         count = len(self.placed)
-        better = True
-        while better and not watch.is_over():
-            better = False
+        better, done = True, 0
+        while better and done < sweeps and not watch.is_over():
+            better, done = False, done + 1
             for first in range(0, max(count - STRETCH // 2, 1), STRETCH // 2):
                 ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
-                better |= self._improve_stretch(ranking[first : first + STRETCH], watch, generator)
+                members = ranking[first : first + STRETCH]
+                better |= self._improve_stretch(members, watch, generator, sweeps)
                 if watch.is_over():
                     break
             # A second look sees more only where jobs stood still, or waited for some not placed before.
@@ -138,13 +142,13 @@ class Rough:
             stretch.settle()
 
     def _improve_stretch(
-        self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator
+        self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator, sweeps: float
     ) -> bool:
         """Take out and put back each of some jobs until nothing more is gained; tell whether anything was."""
         stretch = _Stretch(self, members)
-        better = True
-        while better and not watch.is_over():
-            better = False
+        better, done = True, 0
+        while better and done < sweeps and not watch.is_over():
+            better, done = False, done + 1
             for job in generator.permutation(members).tolist():
                 better |= stretch.reinsert(job)
         stretch.settle()

@@ -38,8 +38,11 @@ BYTES_PER_START = 200
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
-ENOUGH = 0.035
+ENOUGH = 0.3
 """The gap in cost, by the largest weight, that is left to labels."""
+
+ENOUGH_OF_ALL = 0.03
+"""That gap as a share of what the best schedule costs, at most."""
 
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
@@ -178,7 +181,8 @@ class GridSearch(ABC):
     @property
     def left_over(self) -> float:
         """The gap in cost that the relaxation need not close."""
-        return ENOUGH * max(job.weight for job in self.problem.jobs)
+        heaviest = max(job.weight for job in self.problem.jobs)
+        return min(ENOUGH * heaviest, ENOUGH_OF_ALL * self.best.cost)
 
     def is_closed(self) -> bool:
         """Tell whether the best schedule is proved to be as good as can be told."""
