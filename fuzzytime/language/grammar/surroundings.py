@@ -19,6 +19,11 @@ POSSESSIVES = frozenset({"my", "our", "your", "his", "her", "their"})
 WAYS = frozenset({"back", "forward", "up", "down", "ahead", "out"})
 """Words between what is given another time and that time: "push it back to nine"."""
 OF_CLOCKS = frozenset({"o'clock", "oclock", "am", "pm", "a.m.", "p.m.", ":", "half", "quarter", "past"})
+PLURALS = frozenset(
+    {"people", "men", "women", "children", "feet", "fish", "sheep", "dozen", "hundred", "percent"}
+)
+"""Words that may be counted and do not look it."""
+SINGLE = frozenset({"one", "1", "a", "an"})
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
     | {"part", "day", "weekday", "month", "day_part", "unit"}
@@ -56,8 +61,13 @@ class Surroundings:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         before = self.texts[piece.start - 1] if piece.start else "."
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
-        plural = self.follower(piece).endswith("s") and not self.follower(piece).endswith("ss")
-        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
+        follower = self.follower(piece)
+        plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in PLURALS
+        # "By five call mum": what more than one counts is a plural.
+        counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
+        number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
+        orders = behind in BEHIND_VERBS or (number and counted and behind[:1].isalpha())
+        return before in SENTENCE_STARTS and orders and not plural
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
