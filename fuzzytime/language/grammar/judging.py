@@ -57,6 +57,18 @@ class Judge:
         time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
+        number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
+        lent = "for" in self.texts[: piece.start]
+        if said.preposition == "for" and number and not lent and not self._appoints(piece):
+            # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
+            return False
+        if (
+            said.preposition == "in"
+            and isinstance(time, Duration)
+            and time.bare_end
+            and self._is_share(piece)
+        ):
+            return False
         if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
             # "Write for two hours before noon" says how long, and a bound.
             return False
@@ -142,6 +154,10 @@ class Judge:
         """Whether words before make "for" say when: "an alarm for two hours before noon"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
+
+    def _is_share(self, piece: Piece) -> bool:
+        """Whether it is of how many: "one in five"."""
+        return self.measures.is_number(piece.start - 1)
 
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""

@@ -12,6 +12,9 @@ from fuzzytime.requirement import Constraint, Unit
 PLAUSIBLE = Policy().plausible_from
 """From when on the hours of a day are that a repetition is bound to."""
 
+LONG = frozenset({Unit.MONTH, Unit.QUARTER, Unit.YEAR})
+"""Periods that no clock time lies on."""
+
 MOMENTS = frozenset({None, Constraint.AT})
 """How a time binds that says when."""
 
@@ -20,6 +23,13 @@ def _is_ordinal(wall: Wall) -> bool:
     """Whether it is a day of the month alone, which may be an ordinal of anything."""
     days = wall.days
     return wall.weak and isinstance(days, Fields) and days == Fields(day=days.day) and wall.clock is None
+
+
+def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
+    """Give what two days mean together: a day said again is taken at its word, the date."""
+    if same_day(first, second):
+        return second
+    return first if same_day(second, first) else narrowed(first, second)
 
 
 def joined(first: Wall, second: Wall) -> Wall | None:
@@ -37,13 +47,7 @@ def joined(first: Wall, second: Wall) -> Wall | None:
         return None
     days: Calendar | None = first.days or second.days
     if first.days is not None and second.days is not None:
-        # A day said again is taken at its word: the date.
-        if same_day(first.days, second.days):
-            days = second.days
-        elif same_day(second.days, first.days):
-            days = first.days
-        else:
-            days = narrowed(first.days, second.days)
+        days = _one_day(first.days, second.days)
         if days is None:
             return None
     if (first.part and second.part) or (first.clock and second.clock):
@@ -53,6 +57,9 @@ def joined(first: Wall, second: Wall) -> Wall | None:
         # "At sunup, noon and sundown" are three.
         return None
     if clock is not None:
+        if days is not None and days.grain in LONG:
+            # "Call April at five"
+            return None
         clock = replace(clock, bare=False, pair=False)
     weak = first.weak and second.weak
     return Wall(days, part, clock, first.zone or second.zone, weak)
