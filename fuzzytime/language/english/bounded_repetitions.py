@@ -6,9 +6,9 @@ from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -60,6 +60,19 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
     if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
         return None
     return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
+
+
+@grammar.rule("repeat", "<repeat> ,? <repeat>", weight=0.4)
+def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
+    """Every other week on mondays."""
+    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in weekdays.walls)
+    if [wall.days for wall in weeks.walls] != [Cycle(Unit.WEEK)] or not weekly or weekdays.skip != 1:
+        return None
+    return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
+
+
+def _is_unbounded(repeat: Repeat) -> bool:
+    return bool(repeat.walls) and repeat.starting is None and repeat.until is None
 
 
 def _is_plain(repeat: Repeat) -> bool:

@@ -183,6 +183,9 @@ class Judge:
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
             return False
+        if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
+            # "By half an hour" is no hour.
+            return False
         if said.preposition is None and self.around.before(piece) in UNCOUNTED:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False

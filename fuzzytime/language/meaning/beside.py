@@ -95,9 +95,11 @@ def refined(said: Said, wall: Wall) -> Said | None:
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
     days = wall.days
-    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
+    if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
         return None
     period = repeat.walls[0].days
+    if repeat.skip != 1 and period != Cycle(Unit.WEEK):
+        return None
     if period == Cycle(Unit.YEAR) and days.month is not None:
         return days
     if period == Cycle(Unit.MONTH) and days == Fields(day=days.day) and days.day is not None:

@@ -41,7 +41,8 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     mark = 1 + (nodes[1].tag == "CD")
     for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
         separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
-        if separator.text in {",", ":"} and rest and _is_name(one, part, name, lexicon):
+        dash = separator.text == "-" and mark == 2
+        if (dash or separator.text in {",", ":"}) and rest and _is_name(one, part, name, lexicon):
             span = (rest[0].start + part.offset, rest[-1].end + part.offset)
             span = (span[0], last) if name[0] is nodes[0] else (first, span[1])
             called = " ".join(node.text for node in name)

@@ -214,7 +214,8 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
     timed = {place for span in times for place in tree.at(*span)}
-    found = [_first_of(tree, root)] if _follows_order(tree, root) else []
+    second = _follows_order(tree, root)
+    found = [] if second is None else [second]
     for place, node in enumerate(tree.nodes):
         if place in timed and place != root:
             continue
@@ -283,7 +284,10 @@ def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     node = tree.nodes[place]
     if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
         return False
-    return node.lower == node.lemma and (tree.nodes[place + 1].lower == "for" or node.tag in IMPERATIVE)
+    # "Open in two seconds, close in five"
+    listed = place - 2 in timed
+    lasts = tree.nodes[place + 1].lower == "for"
+    return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
 
 
 def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -307,15 +311,23 @@ def _is_bare(node: Node) -> bool:
     return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
 
 
-def _follows_order(tree: Tree, root: int) -> bool:
-    """Whether the root is a second order: "weld it, wait two minutes" has its first below it."""
-    start = _first_of(tree, root)
-    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
-        return False
-    before = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start)
+def _follows_order(tree: Tree, root: int) -> int | None:
+    """Give where the root begins, if it is a second order: "weld it, wait" has its first below it.
+
+    So has a statement behind an order: "bring my coat, we leave at three".
+    """
+    subjects = tree.children(root, *SUBJECTS)
+    start = min([root, *tree.below(subjects[0])]) if subjects else _first_of(tree, root)
+    joint = tree.nodes[start - 1].lower if start else ""
+    if joint not in JOINTS or (subjects and joint != ",") or tree.children(root, "aux"):
+        return None
+    before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
-    orders = (p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb))
-    return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb)]
+    if subjects:
+        orders = [p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0]
+    ordered = any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+    return start if ordered else None
 
 
 def _leads(tree: Tree, place: int, root: int) -> bool:
