@@ -279,3 +279,8 @@ def test_a_reference_reaches_over_many_instructions() -> None:
     operation = readings[-1].instructions[0].operation
     assert operation is not None
     assert operation.object == "the pie"
+
+
+def test_an_order_that_is_not_planned_is_pointed_at() -> None:
+    reading = language().read("i want to go to the outdoor movie screening this weekend remind me", now=NOW)
+    assert [reading.text[slice(*remark.span)] for remark in reading.remarks] == ["remind me"]

@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -23,7 +23,8 @@ from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
-from fuzzytime.language.sentence.doubts import doubts_of
+from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
+from fuzzytime.language.sentence.doubts import doubts_of, unused_orders
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
@@ -37,12 +38,6 @@ TURNED = {
     Constraint.FOR: Constraint.AFTER,
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
-
-SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
-"""How a time binds that says when something is done."""
-
-BINDING = SAID_WHEN | {Constraint.BEFORE, Constraint.AFTER}
-"""How a time binds that may exclude another."""
 
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
@@ -103,6 +98,8 @@ class _Composer:
             if doubts:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
+                heard = [*(p.span for p in sketch.phrases), *(c.span for c in sketch.clauses)]
+                self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, heard)
                 named = replace(
                     sketch.operation,
                     object=resolved_object(sketch.operation, operations, self.mentions, self.first),
@@ -161,7 +158,7 @@ class _Composer:
             requirements.append(connected)
             self.explained.append(connected.span)
         requirements.sort(key=lambda requirement: requirement.span)
-        self.remarks += _contradictions(requirements)
+        self.remarks += contradictions(requirements)
         operation, duration = (
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
@@ -258,26 +255,6 @@ def _follows_nothing(said: str, span: Span) -> Remark:
     """Point at words that order an instruction beside another, where it is the first."""
     message = f"{said!r} is about an instruction before it, and none was given so far"
     return Remark(RemarkKind.UNRESOLVED, span, message)
-
-
-def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
-    """Point at a second time that excludes the first, for the same thing: "at six … at eight"."""
-    said = [r for r in requirements if r.constraint in BINDING and r.anchor is None]
-    for place, other in enumerate(said):
-        for first in said[:place]:
-            moments = {first.constraint, other.constraint} <= SAID_WHEN
-            bounds = {first.constraint, other.constraint} == {Constraint.BEFORE, Constraint.AFTER}
-            if (moments or bounds) and other.reference is first.reference and _is_apart(first, other):
-                message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
-                yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
-                break
-
-
-def _is_apart(one: TimeRequirement, other: TimeRequirement) -> bool:
-    """Whether no moment is in both."""
-    starts = [time for time in (one.earliest, other.earliest) if time is not None]
-    ends = [time for time in (one.latest, other.latest) if time is not None]
-    return bool(starts) and bool(ends) and max(starts) > min(ends)
 
 
 def _awaiting(sketch: Sketch) -> Sketch:
