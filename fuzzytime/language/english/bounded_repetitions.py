@@ -31,13 +31,13 @@ def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
+@grammar.rule("repeat", "at|@|on|in <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "<repeat> ,|and|or at? <wall>", "at? <wall> ,|and|or <repeat>", weight=0.3)
+@grammar.rule("repeat", "<repeat> ,|and|or at|@? <wall>", "at|@? <wall> ,|and|or <repeat>", weight=0.3)
 def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     """Every day at 8 am and 8 pm, at eight and nine every day."""
     repeat, wall = (first, second) if isinstance(first, Repeat) else (second, first)
@@ -49,6 +49,13 @@ def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     clock = replace(wall.clock, bare=False, pair=False)
     more = dict.fromkeys(replace(old, clock=clock) for old in repeat.walls)
     return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
+
+
+@grammar.rule("repeat", "at|@ <wall> ,|and <wall> <repeat>", weight=0.35)
+def two_clocks(first: Wall, second: Wall, repeat: Repeat) -> Repeat | None:
+    """At 8 and 20 daily."""
+    once = narrowed_repeat(repeat, second) if second.clock is not None else None
+    return None if once is None else more_clocks(once, first)
 
 
 @grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
@@ -155,6 +162,12 @@ def roughly_repeated(*said: Preposition | Goal | Repeat) -> Said | None:
 def repeated_roughly(repeat: Repeat, *said: Preposition | Goal) -> Said | None:
     """Every day at about four, every morning at eight sharp."""
     return roughly_repeated(*said, repeat)
+
+
+@grammar.rule("said", "<hedge> <repeat>", weight=0.2)
+def hedged_repeat(hedge: str, repeat: Repeat) -> Said:
+    """About once a week."""
+    return Said(repeat, Constraint.EVERY, None, (hedge,))
 
 
 @grammar.rule("said", "by <repeat>", "before <repeat>", weight=0.2)

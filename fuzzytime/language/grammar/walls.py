@@ -57,7 +57,11 @@ class Walls:
             # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
-            return self.around.may_end(piece) and said.preposition is not None
+            # "At five thirty pick up bread": no amount is said like that.
+            worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
+            sure = said.preposition == "at" and worded
+            unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
+            return said.preposition is not None and (self.around.may_end(piece) or (sure and not unit))
         if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
             # "Before bed", but "before the bed is made"
             return False

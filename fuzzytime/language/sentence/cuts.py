@@ -7,7 +7,8 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
+from fuzzytime.language.sentence.further_orders import further_verbs
+from fuzzytime.language.sentence.segments import ARTICLES, Segment
 from fuzzytime.language.sentence.tree import Node
 from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 from fuzzytime.requirement import Constraint

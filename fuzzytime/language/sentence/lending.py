@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch, overlap
@@ -20,17 +21,24 @@ def led(sketches: list[Sketch]) -> list[Sketch]:
         before, segment = found[-1] if found else None, sketch.part.segment
         alone = before is not None and before.operation is None and bool(before.phrases)
         if before is not None and alone and segment.connective in {"then", "first"}:
+            waited = [replace(phrase, said=_until_then(phrase.said)) for phrase in before.phrases]
             whole = (before.part.segment.span[0], segment.span[1])
             found[-1] = replace(
                 sketch,
                 part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
-                phrases=(*before.phrases, *sketch.phrases),
+                phrases=(*waited, *sketch.phrases),
                 clauses=(*before.clauses, *sketch.clauses),
                 references=(*(None for _ in before.phrases), *sketch.references),
             )
         else:
             found.append(sketch)
     return found
+
+
+def _until_then(said: Said) -> Said:
+    """Read a length of time alone before "then" as what is waited: "two minutes, then flip"."""
+    alone = said.preposition is None and isinstance(said.time, Duration)
+    return replace(said, constraint=Constraint.AT, preposition="in") if alone else said
 
 
 def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:

@@ -133,6 +133,9 @@ class Reader:
             owned = [p for p in names if self.tree.children(p, "poss")]
             named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
             words = self._words([p for p in named if not self.timed(p)], verb)
+        if not words:
+            # "Clear it away": a pronoun behind the verb was taken for who does it.
+            words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
