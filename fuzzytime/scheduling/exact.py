@@ -144,16 +144,15 @@ class _Search(GridSearch):
         if relaxation.prices is not self._followed:
             self._followed = relaxation.prices
             path = self._timed(relaxation.grid, relaxation.visited())
-            self.take(LocalSearch().search(self.problem, self.watch.share(0.4), path))
+            self.take(LocalSearch(sweeps=1).search(self.problem, self.watch.share(0.4), path))
 
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
-        """Search around the bound's path, and by labels in a beam or stretch by stretch."""
+        """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
         known = self.best.cost
         self._follow_path(relaxation)
+        self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
         if len(self.problem.jobs) > MOST_ANEW and self._is_doubtful():
             self._search_stretches(relaxation)
-        else:
-            self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
         self._learn(relaxation, known)
 
     def _search_stretches(self, relaxation: Relaxation) -> None:
