@@ -12,9 +12,16 @@ from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.stretches import Stretches
 
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
+
+STRETCH = 14
+"""Skills that several agents do in a stretch; with those that may come in it is small enough for shares."""
+
+REJECTED = 8
+"""Skills that may come into it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +47,15 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
-            kicked = LocalSearch(kicks=5 * KICKS).search(problem, watch.share(0.2), best)
-            other = Milp().search(problem, watch, kicked)
+            better = LocalSearch(kicks=5 * KICKS).search(problem, watch.share(0.2), best)
+            if len(problem.jobs) > STRETCH + REJECTED:
+                better = Stretches(_solve_stretch, STRETCH, REJECTED).improve(
+                    problem, watch.share(0.4), better
+                )
+            other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
+
+
+def _solve_stretch(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+    return Auto().search(part, watch, warm)

@@ -16,7 +16,7 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.backward import used_below
 from fuzzytime.scheduling.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.dynasearch import only_order_counts
-from fuzzytime.scheduling.grid import Grid, Ints
+from fuzzytime.scheduling.grid import Grid, Ints, grid_of
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
@@ -25,6 +25,7 @@ from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.refinement import CLOSED, STEPS, GridSearch
 from fuzzytime.scheduling.relaxation import Relaxation
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.stretches import Stretches
 
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
@@ -36,7 +37,16 @@ STARTS = 2
 """Of the local search anew, where labels took too much room and the schedule is doubtful."""
 
 MOST_ANEW = 100
-"""Up to so many skills that is worth its time."""
+"""Up to so many skills that, and a beam, are worth their time; for more, stretches are."""
+
+STRETCH = 30
+"""Skills that are done in a stretch."""
+
+REJECTED = 25
+"""Skills that may come into it."""
+
+STRETCH_BEAM = 300
+"""Sets a block in the beam for a stretch."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -111,7 +121,7 @@ class _Search(GridSearch):
                 budget, width = 4 * budget, 6 * width
                 if searching:
                     self._search_near(relaxation, width)
-                    if self._is_doubtful():
+                    if self._is_doubtful() and len(self.problem.jobs) <= MOST_ANEW:
                         self._search_far(relaxation)
                 if self.is_closed():
                     return True
@@ -134,19 +144,34 @@ class _Search(GridSearch):
         if relaxation.prices is not self._followed:
             self._followed = relaxation.prices
             path = self._timed(relaxation.grid, relaxation.visited())
-            self.take(LocalSearch().search(self.problem, self.watch.share(0.4), path))
+            self.take(LocalSearch(sweeps=1).search(self.problem, self.watch.share(0.4), path))
 
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
-        """Search around the bound's path, and by labels in a beam."""
+        """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
         known = self.best.cost
         self._follow_path(relaxation)
         self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
+        if len(self.problem.jobs) > MOST_ANEW and self._is_doubtful():
+            self._search_stretches(relaxation)
         self._learn(relaxation, known)
+
+    def _search_stretches(self, relaxation: Relaxation) -> None:
+        """Search stretch by stretch on the same grid, by labels in a beam, at prices good for all."""
+
+        def solve(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+            search = _Search(part, watch, warm)
+            prices = relaxation.prices[members]
+            around = Relaxation(part, grid_of(part, relaxation.grid.step), warm.cost, prices)
+            around.improve(warm.cost, STEPS, search.left_over, watch, rounds=1)
+            search._labels(around, warm.cost, watch.limits.memory // 16, STRETCH_BEAM)
+            return search.best
+
+        self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
 
     def _search_far(self, relaxation: Relaxation) -> None:
         """Search anew with other draws, and by kicks."""
         known = self.best.cost
-        for begin in (*[None] * (STARTS if len(self.problem.jobs) <= MOST_ANEW else 0), self.best):
+        for begin in (*[None] * STARTS, self.best):
             self._starts += 1
             searched = LocalSearch(self._starts, kicks=KICKS)
             self.take(searched.search(self.problem, self.watch.share(0.2), begin))

@@ -1,0 +1,98 @@
+"""Stretches: valid schedules that are never worse, with all that stands still left in its place."""
+
+import math
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from fuzzytime.satisfaction import Triangle
+from fuzzytime.scheduling import Auto, LocalSearch, solve
+from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.problem import Problem, problem_of
+from fuzzytime.scheduling.solver import Draft, draft_of, nothing
+from fuzzytime.scheduling.stretches import Stretches, part_of
+from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.random_tasks import faults, random_task
+
+
+def exactly(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+    return Auto().search(part, watch, warm)
+
+
+@dataclass(frozen=True)
+class InStretches:
+    """Local search, if any, and stretches of three."""
+
+    name: ClassVar[str] = "in stretches"
+
+    begins: bool = True
+
+    def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
+        """Improve what local search begins with."""
+        begun = LocalSearch(sweeps=1).search(problem, watch, warm) if self.begins else nothing(problem)
+        found = Stretches(exactly, length=3, rejected=2).improve(problem, watch, begun)
+        assert found.cost <= begun.cost
+        return found
+
+
+@pytest.mark.parametrize("begins", [True, False])
+@settings(max_examples=60, deadline=None)
+@given(seed=st.integers(0, 100_000))
+def test_a_schedule_made_in_stretches_is_valid_and_never_better_than_the_exact_one(
+    seed: int, *, begins: bool
+) -> None:
+    task = random_task(seed, most=6)
+    exact, found = solve(task, objectives=()), solve(task, solver=InStretches(begins), objectives=())
+    assert not faults(found)
+    assert found.weighted_cost >= exact.certificate.lower_cost - 1e-6
+
+
+def test_a_stretch_as_long_as_all_is_solved_exactly() -> None:
+    centres = np.random.default_rng(3).uniform(60, 240, 8).tolist()
+    task = FuzzyTask(tuple(FuzzySkill(f"skill {c}", Triangle(c - 90, c, c + 90), 40.0) for c in centres))
+    problem, watch = problem_of(task, 0.001), Stopwatch(Limits())
+    (members,) = problem.groups()
+    group = problem.select(members)
+    found = Stretches(exactly, length=8, rejected=8).improve(group, watch, nothing(group))
+    found = Stretches(exactly, length=8, rejected=8).improve(group, watch, found)
+    assert found.cost == pytest.approx(Auto().search(group, watch).cost, abs=1e-6)
+
+
+def row(*centres: float, agents: int = 1, **others: tuple[object, ...]) -> Problem:
+    """Skills of 10 s, each wished for within 30 s of a moment."""
+    skills = tuple(FuzzySkill(f"skill {c}", Triangle(c - 30, c, c + 30), 10.0) for c in centres)
+    return problem_of(FuzzyTask(skills, agents=agents, **others), 0.0)  # type: ignore[arg-type]
+
+
+def test_a_part_has_the_room_between_what_stands_still() -> None:
+    problem = row(100, 110, 120, 130)
+    draft = draft_of(problem, np.array([100.0, 110.0, 125.0, 140.0]), np.ones(4, np.int64))
+    members, part = part_of(problem, draft, [1, 2], rejected=5)
+    assert members == [1, 2]
+    assert [(job.earliest, job.latest) for job in part.jobs] == [(110.0, 130.0), (110.0, 130.0)]
+
+
+def test_each_agent_has_its_own_room_in_a_part() -> None:
+    problem = row(100, 105, 110, 115, agents=2, busy=(Busy(0.0, 108.0, agent=2),))
+    draft = draft_of(problem, np.array([90.0, 108.0, 118.0, 105.0]), np.array([1, 2, 2, 1]))
+    members, part = part_of(problem, draft, [1, 3], rejected=5)
+    assert members == [1, 3]
+    assert [[(w.low, w.high) for w in lane] for lane in part.jobs[0].windows] == [[(100, 135)], [(108, 108)]]
+
+
+def test_a_part_keeps_lags_to_what_stands_still() -> None:
+    problem = row(100, 120, 140, precedences=(Precedence(0, 1, 5.0, 20.0), Precedence(1, 2, 8.0, math.inf)))
+    draft = draft_of(problem, np.array([95.0, 110.0, 140.0]), np.ones(3, np.int64))
+    _, part = part_of(problem, draft, [1], rejected=5)
+    assert (part.jobs[0].earliest, part.jobs[0].latest) == (110.0, 122.0)
+
+
+def test_a_skill_comes_in_only_with_what_must_come_before_it() -> None:
+    problem = row(100, 200, precedences=(Precedence(0, 1, 0.0, math.inf),))
+    rejecting = nothing(problem)
+    assert part_of(problem, rejecting, [], rejected=2)[0] in ([0, 1], [1, 0])
+    assert part_of(problem, rejecting, [], rejected=1)[0] in ([0], [])
