@@ -284,3 +284,9 @@ def test_a_reference_reaches_over_many_instructions() -> None:
 def test_an_order_that_is_not_planned_is_pointed_at() -> None:
     reading = language().read("i want to go to the outdoor movie screening this weekend remind me", now=NOW)
     assert [reading.text[slice(*remark.span)] for remark in reading.remarks] == ["remind me"]
+
+
+def test_words_without_a_verb_that_is_understood_are_pointed_at() -> None:
+    (remark,) = language().read("on arrival call reception", now=NOW).remarks
+    assert "names nothing to do" in remark.message
+    assert language().read("in ten minutes", now=NOW).remarks == ()

@@ -116,7 +116,7 @@ def hours_of_week(said: Said, days: tuple[int, ...]) -> Repeat | None:
     return of_week(days, said)
 
 
-@grammar.rule("repeat", "<week stretch> ,? <said>", weight=0.9)
+@grammar.rule("repeat", "<week stretch> ,? <said>", weight=1.3)
 def week_of_hours(days: tuple[int, ...], said: Said) -> Repeat | None:
     """Monday to friday from 9 to 5, mon-fri at noon."""
     return of_week(days, said)

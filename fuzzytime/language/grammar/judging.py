@@ -58,7 +58,7 @@ class Judge:
         if self._is_whole(piece):
             return self._accepts_alone(said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
-        lent = "for" in self.texts[: piece.start]
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
         if said.preposition == "for" and number and not lent and not self._appoints(piece):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False

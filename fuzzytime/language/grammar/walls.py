@@ -156,7 +156,7 @@ class Walls:
         digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
         hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
         sure = said.preposition == "at" and hour and not self.measures.named(piece)
-        if not sure and self.measures.measured(piece):
+        if not sure and said.preposition != "for" and self.measures.measured(piece):
             return False
         degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
         if degrees and self.lexicon.measure_verbs & set(self.texts):

@@ -11,7 +11,7 @@ from fuzzytime.requirement import Reference
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
 RESULTS = frozenset({"JJ", "VBN"})
-SURE = frozenset({"sure", "certain", "careful"})
+SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,10 +115,11 @@ def _is_order(tree: Tree, place: int) -> bool:
 
 
 def _assured(tree: Tree, place: int) -> int | None:
-    """Give the verb below what is to be sure of, or careful: "be careful to close it"."""
+    """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
     for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
         if tree.nodes[below].lower in SURE:
-            return next((p for p in tree.children(below, "xcomp") if tree.nodes[p].tag == "VB"), None)
+            verbs = tree.children(below, "xcomp", "relcl", "acl")
+            return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
     return None
 
 

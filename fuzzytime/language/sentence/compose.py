@@ -24,7 +24,7 @@ from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_c
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
-from fuzzytime.language.sentence.doubts import doubts_of, unused_orders
+from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
@@ -98,13 +98,15 @@ class _Composer:
             if doubts:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
-                heard = [*(p.span for p in sketch.phrases), *(c.span for c in sketch.clauses)]
-                self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, heard)
+                self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
                 named = replace(
                     sketch.operation,
                     object=resolved_object(sketch.operation, operations, self.mentions, self.first),
                 )
                 sketches[place] = replace(sketch, operation=named)
+            else:
+                words = self.draft.scanned.words
+                self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
             operations.append(sketches[place].operation)
         instructions = []
         for place, sketch in enumerate(sketches):

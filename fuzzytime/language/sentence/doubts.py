@@ -48,6 +48,15 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
+def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at words without a verb that is understood; at none where all that is said is a time."""
+    first, end = part.segment.span
+    said = [word for word in words if first <= word.start < end and word.is_letters]
+    if not all(any(a <= word.start < b for a, b in heard) for word in said):
+        message = f"{text[first:end]!r} names nothing to do that is understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
+
+
 def _is_inverted(tree: Tree) -> bool:
     """Whether a helping verb stands before who does it: "do the bins go out?", but not "could you …?"."""
     root = tree.root

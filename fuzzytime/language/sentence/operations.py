@@ -143,7 +143,7 @@ class Reader:
 
     def _asked(self, verb: int) -> list[int]:
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
-        if self.tree.nodes[verb].lemma not in self.lexicon.addressing:
+        if self.tree.nodes[verb].lemma not in self.lexicon.addressing | {"get"}:
             return []
         return [
             place

@@ -53,6 +53,11 @@ class Sketch:
     parameters: tuple["FuzzyParameter", ...] = ()
 
     @property
+    def heard(self) -> list[Span]:
+        """The stretches of its times and clauses."""
+        return [*(phrase.span for phrase in self.phrases), *(clause.span for clause in self.clauses)]
+
+    @property
     def reference(self) -> Reference | None:
         """What its clauses are about, where its times say so."""
         return self.references[0] if self.references else None
