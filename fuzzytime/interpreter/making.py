@@ -149,6 +149,11 @@ class Maker:
         if wish.hands_on is not None or wish.elapsed is not None:
             return self._given_duration(wish, instruction.operation)
         table = self._table_duration(instruction.operation)
+        if instruction.operation is not None and instruction.operation.stated:
+            # What happens by itself needs nobody's hands: "the guests arrive at six".
+            lasting = instruction.duration if instruction.duration is not None else 0.0
+            elapsed = table.elapsed if instruction.duration is None and table.known else lasting
+            return OperationDuration(hands_on=0.0, elapsed=elapsed, source="said", assumed=False)
         if instruction.duration is None:
             return table
         unattended = table.known and table.elapsed > table.hands_on

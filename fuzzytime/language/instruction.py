@@ -27,6 +27,7 @@ class Operation:
 
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
     becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
+    ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
     """
 
     verb: str
@@ -38,6 +39,7 @@ class Operation:
     complement: str | None = None
     addressee: str | None = None
     negated: bool = False
+    stated: bool = False
 
     @property
     def name(self) -> str:
@@ -45,10 +47,11 @@ class Operation:
         inner = (self.particle, self.object)
         if self.object is not None and self.object.lower() in PRONOUNS:
             inner = (self.object, self.particle)
-        # "Dinner is at seven": what is, is its name.
-        stated = self.lemma == "be" and self.verb != "be" and self.object is not None
-        verb = None if stated else self.verb
-        return " ".join(part for part in (verb, *inner, self.complement, self.place) if part)
+        said: tuple[str | None, ...] = (self.verb, *inner, self.complement, self.place)
+        if self.stated:
+            # "Dinner is at seven": what is, is its name.
+            said = (self.object, None if self.lemma == "be" else self.verb, self.particle, self.place)
+        return " ".join(part for part in said if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

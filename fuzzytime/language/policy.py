@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from datetime import time
 from enum import StrEnum
 
-Hours = tuple[time, time]
-"""From when to when; over midnight where the second is the smaller."""
+Hours = tuple[time, time | None]
+"""From when to when, over midnight where the second is the smaller; without it, on days to come only."""
 
 
 class SameWeekday(StrEnum):
@@ -30,6 +30,8 @@ class Policy:
     ----------
     plausible_from, plausible_to
         A clock time without am or pm is its next occurrence within these hours of the day.
+    ahead_from
+        On a day to come that is named, the hours from this time of day on are plausible too.
     workday_from
         A clock time without am or pm that is repeated on all working days is its first from this time of day
         on; any other that is repeated, its first from ``plausible_from`` on.
@@ -49,6 +51,7 @@ class Policy:
 
     plausible_from: time = time(7)
     plausible_to: time = time(22)
+    ahead_from: time = time(6)
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT
     week_starts: int = 0

@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.drafts import Draft, drafted
 from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.parse_cache import ParseCache
+from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.tree import Tree
 
 
@@ -101,18 +102,22 @@ class Language:
         InstructionError
             If a text is too long.
         """
-        operations = list(given)
+        mentions = Mentions(self.lexicon)
+        for operation in given:
+            mentions.add(operation)
         readings: list[Reading] = []
         drafts = self._drafts(list(texts))
         for draft in drafts:
-            reading = composed(draft, self.lexicon, operations)
-            operations += [instruction.operation for instruction in reading.instructions]
+            reading = composed(draft, self.lexicon, mentions, len(mentions.operations))
+            for instruction in reading.instructions:
+                mentions.add(instruction.operation)
             readings.append(reading)
-        end = len(given)
+        first = len(given)
         for place, draft in enumerate(drafts):
-            first, end = end, end + len(readings[place].instructions)
-            if end < len(operations) and _waits(readings[place]):
-                readings[place] = composed(draft, self.lexicon, operations[:first], operations[end:])
+            behind = first + len(readings[place].instructions)
+            if behind < len(mentions.operations) and _waits(readings[place]):
+                readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True)
+            first = behind
         return readings
 
     def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
@@ -123,7 +128,9 @@ class Language:
         InstructionError
             If a text is too long.
         """
-        return [composed(draft, self.lexicon, ()) for draft in self._drafts(list(texts))]
+        return [
+            composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in self._drafts(list(texts))
+        ]
 
     def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
         for text, _ in texts:

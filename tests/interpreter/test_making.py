@@ -44,3 +44,9 @@ def test_occurrences_of_a_dense_series_do_not_reach_into_each_other(interpreter:
     supports = [function.support for function in functions]
     assert len(supports) > 50
     assert all(one.high < other.low for one, other in pairwise(supports))
+
+
+def test_what_happens_by_itself_needs_nobody_s_hands(interpreter: Interpreter) -> None:
+    (arriving,) = skills(interpreter, "the guests arrive at six")
+    assert arriving.skill.name == "the guests arrive"
+    assert (arriving.skill.duration, arriving.skill.time_until_done) == (0, 0)

@@ -267,3 +267,20 @@ def test_an_order_that_follows_nothing_is_said() -> None:
 def test_what_readings_may_tell_is_not_said_to_be_wrong(text: str) -> None:
     (remark,) = language().read(text, now=NOW).remarks
     assert "readings or an instruction" in remark.message
+
+
+def test_a_reference_reaches_over_many_instructions() -> None:
+    between = [f"water plant number {count}" for count in range(60)]
+    texts = ["peel the apples", *between, "bake the pie after you have peeled the apples", "then cool it"]
+    readings = language().read_all([(text, NOW) for text in texts])
+    (after,) = readings[-2].instructions[0].requirements
+    assert after.anchor is not None
+    assert after.anchor.target == 0
+    operation = readings[-1].instructions[0].operation
+    assert operation is not None
+    assert operation.object == "the pie"
+
+
+def test_an_order_that_is_not_planned_is_pointed_at() -> None:
+    reading = language().read("i want to go to the outdoor movie screening this weekend remind me", now=NOW)
+    assert [reading.text[slice(*remark.span)] for remark in reading.remarks] == ["remind me"]

@@ -5,26 +5,12 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import (
-    Coming,
-    Duration,
-    HourMark,
-    Offset,
-    Range,
-    Repeat,
-    Said,
-    SameTime,
-    Time,
-    Wall,
-)
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Half, Part
-from fuzzytime.language.policy import Policy
+from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
+from fuzzytime.language.meaning.calendar import Cycle, Fields
+from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
-
-PLAUSIBLE = Policy().plausible_from
 
 
 @grammar.rule(
@@ -45,13 +31,13 @@ def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "at|on|in <wall> ,|on? <repeat>", weight=0.2)
+@grammar.rule("repeat", "at|@|on|in <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "<repeat> ,|and|or at? <wall>", "at? <wall> ,|and|or <repeat>", weight=0.3)
+@grammar.rule("repeat", "<repeat> ,|and|or at|@? <wall>", "at|@? <wall> ,|and|or <repeat>", weight=0.3)
 def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     """Every day at 8 am and 8 pm, at eight and nine every day."""
     repeat, wall = (first, second) if isinstance(first, Repeat) else (second, first)
@@ -65,6 +51,13 @@ def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
 
 
+@grammar.rule("repeat", "at|@ <wall> ,|and <wall> <repeat>", weight=0.35)
+def two_clocks(first: Wall, second: Wall, repeat: Repeat) -> Repeat | None:
+    """At 8 and 20 daily."""
+    once = narrowed_repeat(repeat, second) if second.clock is not None else None
+    return None if once is None else more_clocks(once, first)
+
+
 @grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
 def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> Repeat | None:
     """At 8 every morning and at 8 every night, every monday morning and every friday evening."""
@@ -74,6 +67,19 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
     if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
         return None
     return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
+
+
+@grammar.rule("repeat", "<repeat> ,? <repeat>", weight=0.4)
+def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
+    """Every other week on mondays."""
+    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in weekdays.walls)
+    if [wall.days for wall in weeks.walls] != [Cycle(Unit.WEEK)] or not weekly or weekdays.skip != 1:
+        return None
+    return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
+
+
+def _is_unbounded(repeat: Repeat) -> bool:
+    return bool(repeat.walls) and repeat.starting is None and repeat.until is None
 
 
 def _is_plain(repeat: Repeat) -> bool:
@@ -92,76 +98,10 @@ def every_mark(first: Repeat | SameTime | HourMark, second: Repeat | SameTime | 
     return replace(repeat, starting=mark) if counted and isinstance(mark, HourMark) else None
 
 
-def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
-    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
-    days = wall.days
-    if len(repeat.walls) != 1 or repeat.skip != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
-        return None
-    period = repeat.walls[0].days
-    if period == Cycle(Unit.YEAR) and days.month is not None:
-        return days
-    if period == Cycle(Unit.MONTH) and days == Fields(day=days.day) and days.day is not None:
-        return days
-    return days if period == Cycle(Unit.WEEK) and days.weekly else None
-
-
-def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
-    """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
-    days = _named_days(repeat, wall)
-    if days is not None:
-        return replace(repeat, every=None, walls=(replace(wall, days=days),))
-    if wall.days is not None and wall.clock is None and wall.part is None:
-        if repeat.until is not None or repeat.starting is not None:
-            return None
-        return replace(repeat, starting=wall, until=wall)
-    if wall.days is not None or not repeat.walls:
-        return None
-    walls = []
-    for old in repeat.walls:
-        if old.clock and wall.clock:
-            return None
-        late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
-        if old.part and wall.part and not late and not (old.part.start <= wall.part.start < old.part.end):
-            return None
-        clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
-        walls.append(replace(old, clock=clock, part=wall.part or old.part))
-    return replace(repeat, walls=tuple(walls))
-
-
 @grammar.rule("repeat", "<repeat> <said>", "<repeat> , <said>", weight=0.1)
 def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     """Every day until friday, every ten minutes from noon to two."""
-    time = said.time
-    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
-        return None
-    if isinstance(time, Duration):
-        # "Twice a day for two minutes" says how long each lasts.
-        step = repeat.every.seconds if repeat.every is not None else DAY_SECONDS
-        lasting = said.constraint is Constraint.FOR and time.seconds >= step
-        bound = lasting or said.constraint is Constraint.BEFORE
-        return replace(repeat, until=Offset(time)) if bound else None
-    if isinstance(time, Coming):
-        return replace(repeat, until=Offset(time.duration))
-    if repeat.walls and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock:
-        return _between_clocks(repeat, time.first, time.last)
-    if said.constraint is Constraint.BEFORE:
-        return replace(repeat, until=time)
-    if said.preposition == "starting":
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.AFTER:
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
-        return replace(repeat, starting=time.first, until=time.last)
-    return None
-
-
-def _between_clocks(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
-    """Give a repetition within hours of the day: every weekday from 9 to 5."""
-    if first.clock is None or not isinstance(last, Wall) or last.clock is None:
-        return None
-    begins = first.clock.first_from(PLAUSIBLE)
-    ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
-    return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
+    return bounded_repeat(repeat, said)
 
 
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
@@ -191,7 +131,7 @@ def of_week(days: tuple[int, ...], said: Said) -> Repeat | None:
     if len(clocks) != len(ends) or said.constraint in {Constraint.BEFORE, Constraint.AFTER} or said.hedges:
         return None
     if isinstance(time, Range):
-        return _between_clocks(whole, clocks[0], clocks[1])
+        return within_hours(whole, clocks[0], clocks[1])
     return narrowed_repeat(whole, clocks[0]) if said.preposition is not None or not clocks[0].bare else None
 
 
@@ -205,6 +145,29 @@ def repeated(repeat: Repeat) -> Said:
 def repeated_with_preposition(preposition: Preposition, repeat: Repeat) -> Said:
     """For wednesdays at two pm, by ten to eleven am daily."""
     return Said(repeat, Constraint.EVERY, preposition.name)
+
+
+@grammar.rule("said", "<preposition_at> <goal> ,|on? <repeat>", "<goal> ,|on? <repeat>", weight=0.3)
+def roughly_repeated(*said: Preposition | Goal | Repeat) -> Said | None:
+    """At about four every day, midnight or so on weekdays."""
+    *preposition, goal, repeat = said
+    if not isinstance(goal, Goal) or not isinstance(repeat, Repeat):
+        return None
+    found = narrowed_repeat(repeat, goal.time) if goal.hedges and isinstance(goal.time, Wall) else None
+    names = [first.name for first in preposition if isinstance(first, Preposition)]
+    return None if found is None else Said(found, Constraint.EVERY, next(iter(names), None), goal.hedges)
+
+
+@grammar.rule("said", "<repeat> ,? <preposition_at> <goal>", "<repeat> ,? <goal>", weight=0.3)
+def repeated_roughly(repeat: Repeat, *said: Preposition | Goal) -> Said | None:
+    """Every day at about four, every morning at eight sharp."""
+    return roughly_repeated(*said, repeat)
+
+
+@grammar.rule("said", "<hedge> <repeat>", weight=0.2)
+def hedged_repeat(hedge: str, repeat: Repeat) -> Said:
+    """About once a week."""
+    return Said(repeat, Constraint.EVERY, None, (hedge,))
 
 
 @grammar.rule("said", "by <repeat>", "before <repeat>", weight=0.2)

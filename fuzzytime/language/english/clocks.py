@@ -139,12 +139,13 @@ def pair_with_zero(hour: Integer, minute: Integer) -> Clock | None:
     return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=hour.value > 12)
 
 
-@grammar.rule("clock", "<clock> <integer> minutes")
-def with_minutes(hour: Clock, minute: Integer) -> Clock | None:
-    """Six forty-three minutes, seven o'clock five minutes."""
-    if hour.grain is not Unit.HOUR or not 0 < minute.value < 60:
+@grammar.rule("clock", "<integer> o'clock? <integer> minutes", weight=-0.4)
+def with_minutes(hour: Integer, minute: Integer) -> Clock | None:
+    """Six forty-three minutes, seven o'clock five minutes; but "course 2 twenty minutes later"."""
+    said = number(hour) if bool(hour.digits) == bool(minute.digits) else None
+    if said is None or said.grain is not Unit.HOUR or not 0 < minute.value < 60:
         return None
-    return replace(hour, minute=minute.value, grain=Unit.MINUTE, bare=False)
+    return replace(said, minute=minute.value, grain=Unit.MINUTE, bare=False)
 
 
 @grammar.rule(

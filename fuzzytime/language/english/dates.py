@@ -11,6 +11,9 @@ from fuzzytime.language.meaning.nested import Share
 
 grammar = Grammar()
 
+LAST_CLOCK_YEAR = 1959
+"""The last past year that is written as a clock time is."""
+
 LONGEST_MONTH = 31
 
 
@@ -215,9 +218,9 @@ def month(number: int) -> Fields:
 
 
 @grammar.rule("weak date", "<year>", weight=-0.3)
-def year_alone(number: int) -> Fields:
-    """2014: sure with a preposition."""
-    return Fields(year=number)
+def year_alone(number: int) -> Fields | None:
+    """2014: sure with a preposition; but 1730 is half past five."""
+    return Fields(year=number) if number > LAST_CLOCK_YEAR else None
 
 
 @grammar.rule("date", "<share> of? <year>", weight=0.3)

@@ -9,6 +9,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+METRES = 100
+"""From how many on "m" is hardly minutes: "turn left in 300 m"."""
+
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
@@ -18,6 +21,8 @@ def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
     # "a m" is half of "10 a m".
     # "In a mo": a moment, no month.
     short = len(unit.form) == 1 or unit.form == "mo"
+    if unit.form == "m" and amount >= METRES:
+        return None
     if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and short):
         return None
     return Duration(
@@ -56,15 +61,9 @@ def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
 
 @grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
-    """1 hour and 30 minutes; 2 years, 3 months."""
-    units = {unit for _, unit in first.terms}
-    if (
-        first.bare_end
-        or first.until
-        or second.until
-        or second.hedges
-        or units & {unit for _, unit in second.terms}
-    ):
+    """1 hour and 30 minutes; 2 years, 3 months; "an hour and a quarter" has no quarter of a year."""
+    units, more = ({unit for _, unit in duration.terms} for duration in (first, second))
+    if first.bare_end or first.until or second.until or second.hedges or units & more or Unit.QUARTER in more:
         return None
     # "a day an hour" is a frequency, no sum.
     if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:

@@ -4,10 +4,10 @@ from dataclasses import replace
 
 from fuzzytime.language.english.clocks import number
 from fuzzytime.language.english.counted import coming_deadline
-from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.relations import Deictic, Which

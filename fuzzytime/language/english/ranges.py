@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clocks import moved, number
-from fuzzytime.language.english.stacks import joined
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.beside import refined
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -213,30 +213,3 @@ def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
     if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
         return None
     return replace(bound, time=Range(Ending(Edge.START, days), bound.time), constraint=Constraint.BETWEEN)
-
-
-def refined(said: Said, wall: Wall) -> Said | None:
-    """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
-    bounds = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-    beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
-    if not (said.constraint in bounds or beside) or wall.clock is not None or said.lasting is not None:
-        return None
-    if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
-        # As in "after breakfast tomorrow".
-        whole = wall.days is not None and wall.part is None and wall.days.grain is Unit.DAY
-        return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
-    if isinstance(said.time, Wall) and said.time.clock is not None:
-        time = joined(said.time, wall)
-        return None if time is None else replace(said, time=time)
-    if (
-        isinstance(said.time, Range)
-        and isinstance(said.time.first, Wall)
-        and isinstance(said.time.last, Wall)
-    ):
-        first, last = joined(said.time.first, wall), said.time.last
-        if first is None or said.time.first.days is not None:
-            return None
-        if wall.part is not None and last.part is None and last.clock is not None:
-            last = replace(last, part=wall.part)
-        return replace(said, time=Range(first, last))
-    return None

@@ -4,54 +4,13 @@ from dataclasses import replace
 
 from fuzzytime.language.english.days import from_anchor
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Wall
-from fuzzytime.language.meaning.relations import Relative, narrowed, same_day
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
-
-
-def _is_ordinal(wall: Wall) -> bool:
-    """Whether it is a day of the month alone, which may be an ordinal of anything."""
-    days = wall.days
-    return wall.weak and isinstance(days, Fields) and days == Fields(day=days.day) and wall.clock is None
-
-
-def joined(first: Wall, second: Wall) -> Wall | None:
-    """Give two wall-clock expressions as one, or None where they say the same thing twice."""
-    # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
-    if (first.bare and second.bare) or (first.weak and first.part is not None):
-        return None
-    if second.weak and second.part is not None and second.part.place:
-        return None
-    # "The second on friday" is another thing's; "friday the second" is a day.
-    if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:
-        return None
-    # "The first twenty minutes" is no day at eight in the evening.
-    if (first.weak and second.bare) or (first.bare and second.weak):
-        return None
-    days: Calendar | None = first.days or second.days
-    if first.days is not None and second.days is not None:
-        # A day said again is taken at its word: the date.
-        if same_day(first.days, second.days):
-            days = second.days
-        elif same_day(second.days, first.days):
-            days = first.days
-        else:
-            days = narrowed(first.days, second.days)
-        if days is None:
-            return None
-    if (first.part and second.part) or (first.clock and second.clock):
-        return None
-    clock, part = first.clock or second.clock, first.part or second.part
-    if clock is not None and part is not None and clock.full_day and not part.is_near(clock.seconds):
-        # "At sunup, noon and sundown" are three.
-        return None
-    if clock is not None:
-        clock = replace(clock, bare=False, pair=False)
-    weak = first.weak and second.weak
-    return Wall(days, part, clock, first.zone or second.zone, weak)
 
 
 @grammar.rule(

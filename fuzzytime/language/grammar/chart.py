@@ -19,7 +19,7 @@ import itertools
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 from fuzzytime.language.grammar.words import Word, joins
 
@@ -32,8 +32,7 @@ _Action = TypeVar("_Action", bound=Callable[..., Any])
 _ELEMENT = re.compile(r"(?:<[^>]*>|[^\s<])+")
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
+class Rule(NamedTuple):
     """One way to make a piece: its pattern unfolded to a plain row of symbols.
 
     ``slots`` gives, for each argument of the action, the position of its symbol, or None.
@@ -218,19 +217,21 @@ def unfolded(pattern: str) -> list[tuple[tuple[str, ...], tuple[int | None, ...]
     >>> unfolded("half past? <hour>")
     [(("'half", "'past", 'hour'), (2,)), (("'half", 'hour'), (1,))]
     """
+    elements: list[tuple[bool, list[str | None]]] = []
+    for part in _ELEMENT.findall(pattern):
+        names = part.rstrip("?").split("|")
+        wanted = names[0].startswith("<")
+        choices: list[str | None] = [name[1:-1] if wanted else literal(name) for name in names]
+        elements.append((wanted, [*choices, None] if part.endswith("?") else choices))
     rows = []
-    parts = _ELEMENT.findall(pattern)
-    elements = [(part.rstrip("?").split("|"), part.endswith("?")) for part in parts]
-    choices = [[*names, None] if optional else list(names) for names, optional in elements]
-    argument = [names[0].startswith("<") for names, _ in elements]
-    for row in itertools.product(*choices):
+    for row in itertools.product(*[choices for _, choices in elements]):
         symbols: list[str] = []
         slots: list[int | None] = []
-        for name, wanted in zip(row, argument, strict=True):
+        for symbol, (wanted, _) in zip(row, elements, strict=True):
             if wanted:
-                slots.append(None if name is None else len(symbols))
-            if name is not None:
-                symbols.append(name[1:-1] if wanted else literal(name))
+                slots.append(None if symbol is None else len(symbols))
+            if symbol is not None:
+                symbols.append(symbol)
         if symbols:
             rows.append((tuple(symbols), tuple(slots)))
     return rows

@@ -7,8 +7,8 @@ from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
-from fuzzytime.language.grammar.words import Word, joins
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.grammar.walls import Walls
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -30,25 +30,11 @@ BINDING = frozenset(
 ASKED = frozenset({"me", "us", "just"})
 """Words before "a second" that make it no length of time."""
 
-UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
-"""Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
-
-
-NAMING = frozenset({"on", "to", "for", "of"})
-"""Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
-
 UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
 """Words before a length of time that make it another thing than how long: "by ten minutes"."""
 
 SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
-
-
-DEGREES_DIGITS = 3
-"""Digits of an oven's temperature, and of few clock times."""
-
-CLOCK_DIGITS = 4
-"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
 class Judge:
@@ -61,6 +47,7 @@ class Judge:
         self.measures = Measures(words, lexicon)
         self.around = Surroundings(words, lexicon)
         self.borders = Borders(words, lexicon, self.around)
+        self.walls = Walls(words, lexicon, self.measures, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -70,13 +57,25 @@ class Judge:
         time = said.time
         if self._is_whole(piece):
             return self._accepts_alone(said)
+        number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
+        lent = "for" in self.texts[: piece.start]
+        if said.preposition == "for" and number and not lent and not self._appoints(piece):
+            # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
+            return False
+        if (
+            said.preposition == "in"
+            and isinstance(time, Duration)
+            and time.bare_end
+            and self._is_share(piece)
+        ):
+            return False
         if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
             # "Write for two hours before noon" says how long, and a bound.
             return False
         if isinstance(time, Duration):
             return self._accepts_duration(piece, said, time)
         if isinstance(time, Wall):
-            return self._accepts_wall(piece, said, time)
+            return self.walls.accept(piece, said, time)
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
@@ -120,9 +119,6 @@ class Judge:
             return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)
         return self.texts[piece.start] == "per" and self.measures.is_number(piece.start - 2)
 
-    def _is_ordinal(self, place: int) -> bool:
-        return self.texts[place] in self.lexicon.ordinals
-
     def _begins_clause(self, piece: Piece) -> bool:
         """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
         marker = longest_match(self.words, piece.start, self.lexicon.clauses)
@@ -159,6 +155,10 @@ class Judge:
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
 
+    def _is_share(self, piece: Piece) -> bool:
+        """Whether it is of how many: "one in five"."""
+        return self.measures.is_number(piece.start - 1)
+
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""
         outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
@@ -183,13 +183,17 @@ class Judge:
         if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
             # "For a minute less than the packet says"
             return False
+        if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
+            # "By half an hour" is no hour.
+            return False
         if said.preposition is None and self.around.before(piece) in UNCOUNTED:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
         if self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False
-        if said.preposition is None and any(unit is Unit.QUARTER for _, unit in last.terms):
+        quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
+        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
             # A quarter of what, is not said: hardly of a year.
             return False
         if last.bare_end and self.measures.divided(piece):
@@ -214,6 +218,9 @@ class Judge:
         return True
 
     def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
+        if self.around.is_put_off(piece):
+            # As in "Reschedule the 3 pm to 4:30".
+            return False
         if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
@@ -233,118 +240,4 @@ class Judge:
         if ends and all(end.bare or end.weak for end in ends):
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
-        return True
-
-    def _accepts_wall(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        if self._is_part_of_noun(piece, said, wall):
-            return False
-        if wall.bare:
-            return self._accepts_number(piece, said, wall)
-        if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
-            # "The 18th century table"
-            return False
-        if said.preposition == "of" and self._is_ordinal(piece.end - 1):
-            # "Within a minute of the first"
-            return False
-        if (
-            wall.clock is not None
-            and wall.days is None
-            and said.preposition is None
-            and self.measures.named(piece)
-        ):
-            # "Seat 12A"
-            return False
-        if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
-            return self.around.may_end(piece) and said.preposition is not None
-        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
-            # "Before bed", but "before the bed is made"
-            return False
-        if wall.weak:
-            unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
-            # "Ask about lunch": what a meal is asked about.
-            bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
-            return bound and self.around.may_end(piece)
-        part = wall.days is None and wall.clock is None
-        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
-            # "Switch to night mode"
-            return False
-        weekly = isinstance(wall.days, Fields) and wall.days.weekly
-        if weekly and self.texts[piece.end - 2 : piece.end - 1] == ["the"] and self._is_ambiguous(piece):
-            # "Before the sun goes down"
-            return False
-        # "The sun", "in the sun": a weekday never stands with "in".
-        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        return not (
-            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        )
-
-    def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether it only names something, or belongs to what does."""
-        before = self.around.before(piece)
-        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
-            return True
-        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
-            # "Cancel my three o'clock"
-            return True
-        last = self.texts[piece.end - 1]
-        if (
-            last in {"before", "after"}
-            and wall.days is not None
-            and self.around.follower(piece)[:1].isalpha()
-        ):
-            # "The day before the flight"
-            return True
-        followed = self.around.follower(piece) in {"before", "after"}
-        if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
-            # "The evening before the trip": which evening, is not said.
-            return True
-        if "to" in {said.preposition, before} and self.around.names_place(piece):
-            return True
-        # "Turn on the ten o'clock news", "the slides for the Monday meeting"
-        owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
-        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
-        if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
-            return True
-        # "My day planner"
-        return (
-            said.preposition is None
-            and self.texts[piece.start] in POSSESSIVES
-            and not self.around.may_end(piece)
-        )
-
-    def _is_ambiguous(self, piece: Piece) -> bool:
-        return self.texts[piece.end - 1] in self.lexicon.ambiguous
-
-    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
-        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
-        if not self.around.may_end(piece) or self.around.is_unit(piece.end):
-            return False
-        if said.preposition == "for" and self.around.follower(piece) == "at":
-            # "Make dinner for eight at seven"
-            return False
-        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
-            # "At three to one"
-            return False
-        before = piece.start - 1
-        counted = self.measures.is_number(before)
-        if piece.start > 1 and joins(self.words, before):
-            # "A two-by-four"
-            return False
-        if said.preposition == "by" and counted and not self.measures.is_amount(before):
-            # "Two by four"
-            return False
-        if said.preposition == "through" and counted:
-            # "Pages 3 through 7"
-            return False
-        digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
-        hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
-        sure = said.preposition == "at" and hour and not self.measures.named(piece)
-        if not sure and self.measures.measured(piece):
-            return False
-        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
-        if degrees and self.lexicon.measure_verbs & set(self.texts):
-            # "Bake it at 180 for an hour, then half an hour at 200"
-            return False
-        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
-            return said.preposition is None and bool(said.hedges)
         return True

@@ -64,6 +64,10 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
+    rescheduling, events
+        Verbs that give another time to what has one, and what has one: "change the alarm to seven".
+    machines
+        What is called by a number: "robot 3, dock".
     landmarks
         Things on a way: "after the bridge" says where.
     impersonal
@@ -107,6 +111,9 @@ class Lexicon:
     appointing: frozenset[str]
     lasting: frozenset[str]
     persons: frozenset[str]
+    machines: frozenset[str]
+    rescheduling: frozenset[str]
+    events: frozenset[str]
     addressing: frozenset[str]
     landmarks: frozenset[str]
     impersonal: frozenset[str]

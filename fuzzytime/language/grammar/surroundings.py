@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import BEHIND_VERBS
+from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
@@ -16,6 +16,14 @@ SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
 OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
 """Words that open a noun: "the Sunday suit"."""
 POSSESSIVES = frozenset({"my", "our", "your", "his", "her", "their"})
+WAYS = frozenset({"back", "forward", "up", "down", "ahead", "out"})
+"""Words between what is given another time and that time: "push it back to nine"."""
+OF_CLOCKS = frozenset({"o'clock", "oclock", "am", "pm", "a.m.", "p.m.", ":", "half", "quarter", "past"})
+PLURALS = frozenset(
+    {"people", "men", "women", "children", "feet", "fish", "sheep", "dozen", "hundred", "percent"}
+)
+"""Words that may be counted and do not look it."""
+SINGLE = frozenset({"one", "1", "a", "an"})
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
     | {"part", "day", "weekday", "month", "day_part", "unit"}
@@ -53,8 +61,15 @@ class Surroundings:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         before = self.texts[piece.start - 1] if piece.start else "."
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
-        plural = self.follower(piece).endswith("s") and not self.follower(piece).endswith("ss")
-        return before in SENTENCE_STARTS and behind in BEHIND_VERBS and not plural
+        follower = self.follower(piece)
+        plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in PLURALS
+        # "By five call mum": what more than one counts is a plural.
+        counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
+        number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
+        orders = behind in BEHIND_VERBS or (
+            number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha()
+        )
+        return before in SENTENCE_STARTS and orders and not plural
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
@@ -88,6 +103,27 @@ class Surroundings:
         """Whether a name goes on behind it: "to Thursday Island"."""
         behind = self.words[piece.end : piece.end + 1]
         return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
+
+    def is_put_off(self, piece: Piece) -> bool:
+        """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
+        owner = piece.start if self.texts[piece.start] in OWNING else piece.start - 1
+        return (
+            owner > 0 and self.texts[owner] in OWNING and self.texts[owner - 1] in self.lexicon.rescheduling
+        )
+
+    def puts_off(self, piece: Piece) -> bool:
+        """Whether it is the new time of what has one: "move my 3 o'clock to 5", "change the alarm to 7"."""
+        place = piece.start - 1
+        while place > 0 and self.texts[place] in WAYS:
+            place -= 1
+        begin = place
+        while begin > 0 and (
+            self.words[begin].is_digits or self.texts[begin] in OF_CLOCKS | self.lexicon.numbers.keys()
+        ):
+            begin -= 1
+        clock = begin < place and self.texts[begin] in OWNING
+        named = clock or self.texts[place] in self.lexicon.events
+        return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""

@@ -189,20 +189,29 @@ class Grounding:
         return moment if moment >= self.now else moment + timedelta(days=1)
 
     def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
-        plausible = [moment for moment in moments if self._is_plausible(moment)]
+        named = wall.days is not None
+        plausible = [moment for moment in moments if self._is_plausible(moment, ahead=named)]
         chosen = (plausible or moments)[0]
         if self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
             known = plausible if self.listed else moments
             follows = [moment for moment in known if self.since < moment < self.since + FOLLOWING]
+            if wall.days is not None:
+                # "On friday mow at ten and rake at six": the six of that day that follows, however late.
+                follows += [moment for moment in plausible if self.since < moment]
             chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
-    def _is_plausible(self, moment: datetime) -> bool:
-        """Whether people are up, for as long as what is asked for is said to last."""
+    def _is_plausible(self, moment: datetime, *, ahead: bool) -> bool:
+        """Whether people are up, for as long as what is asked for is said to last.
+
+        On a day to come that is named they may be up earlier.
+        """
         first, last = self.policy.plausible_from, self.policy.plausible_to
+        if ahead and moment.date() > self.now.date():
+            first = min(first, self.policy.ahead_from)
         if first > last:
             return moment.time() >= first or moment.time() < last
         end = moment + timedelta(seconds=self.lasting)

@@ -11,6 +11,7 @@ from fuzzytime.requirement import Reference
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
 RESULTS = frozenset({"JJ", "VBN"})
+SURE = frozenset({"sure", "certain", "careful"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +45,11 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     reference: Reference | None = None
     for _ in range(4):
         lemma = tree.nodes[root].lemma
+        assured = _assured(tree, root)
+        if assured is not None:
+            # "Make sure to feed the fish"
+            root = assured
+            continue
         below = _complement(tree, root, lemma)
         if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
             break
@@ -106,6 +112,14 @@ def _is_order(tree: Tree, place: int) -> bool:
         and node.relation not in {"relcl", "acl", "advcl"}
         and not tree.children(place, *SUBJECTS)
     )
+
+
+def _assured(tree: Tree, place: int) -> int | None:
+    """Give the verb below what is to be sure of, or careful: "be careful to close it"."""
+    for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
+        if tree.nodes[below].lower in SURE:
+            return next((p for p in tree.children(below, "xcomp") if tree.nodes[p].tag == "VB"), None)
+    return None
 
 
 def _complement(tree: Tree, place: int, lemma: str) -> int | None:

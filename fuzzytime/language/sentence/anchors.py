@@ -1,13 +1,14 @@
 """Times that depend on another instruction: "five minutes before you serve", "ten minutes later", "then"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clauses import Clause
-from fuzzytime.language.sentence.references import content_words, target_of
+from fuzzytime.language.sentence.references import Mentions, best_of, content_words
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
@@ -17,29 +18,44 @@ FIRST = frozenset({"before", "until", "by the time"})
 ORDERING = {"afterwards": Constraint.AFTER, "beforehand": Constraint.BEFORE}
 """The time words that are about the instruction before it."""
 
+COUNTED: dict[str | None, Constraint] = {"later": Constraint.AFTER, "earlier": Constraint.BEFORE}
+"""The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
+
 
 @dataclass(frozen=True, slots=True)
 class Anchors:
     """What one instruction's words may refer to: the operations of all others.
 
-    ``position`` is its own, ``first`` that of the first instruction of its text. ``later`` are the operations
-    of what was said after its text: they are meant only where nothing said before is.
+    ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
+    operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
+    where nothing said before is meant.
     """
 
     position: int
     first: int
-    operations: Sequence[Operation | None]
+    own: Sequence[Operation | None]
+    mentions: Mentions
     lexicon: Lexicon
-    later: Sequence[Operation | None] = ()
+    awaits: bool = False
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
-        target = target_of(clause, self.operations, self.lexicon, self.position)
-        if target is not None:
-            return target
+        here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
+        beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
-        coming = target_of(clause, self.later[::-1], self.lexicon)
-        return None if coming is None else len(self.operations) + len(self.later) - 1 - coming
+        target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
+        if target is not None or not self.awaits:
+            return target
+        return best_of(clause, self._coming(clause), self.lexicon)
+
+    def _given(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
+        for place in self.mentions.named_by(clause, range(self.first), backwards=True):
+            yield place, self.mentions.operations[place]
+
+    def _coming(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
+        coming = range(self.first + len(self.own), len(self.mentions.operations))
+        for place in self.mentions.named_by(clause, coming, backwards=False):
+            yield place, self.mentions.operations[place]
 
     def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
         """Give the requirement of a clause that names another instruction, or an event."""
@@ -86,17 +102,17 @@ class Anchors:
         ):
             return None
         words = content_words(part.name)
-        targets = [
-            place
-            for place, operation in enumerate(self.operations)
-            if place != self.position and operation is not None and words <= content_words(operation.object)
+        beside = [
+            self.first + place
+            for place, operation in enumerate(self.own)
+            if operation is not None and words <= content_words(operation.object)
         ]
-        if not targets:
+        targets = [place for place in beside if place != self.position]
+        target = targets[-1] if targets else self.mentions.about(words, self.first)
+        if target is None:
             return None
         edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
-        anchor = Anchor(
-            text=part.name, object=part.name, target=targets[-1], edge=edge, lag=lag, exact=lag != 0
-        )
+        anchor = Anchor(text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0)
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -110,12 +126,15 @@ class Anchors:
             edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
             anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
-        later = isinstance(time, Offset) and time.anchor is None and phrase.said.preposition == "later"
-        if not later or self.position == self.first:
+        side = (
+            COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
+        )
+        if side is None or self.position == self.first:
             return None
+        edge = Edge.START if side is Constraint.BEFORE else Edge.END
         lag = requirement.t_spec or 0.0
-        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=Edge.END, lag=lag, exact=True)
-        return _only(requirement, anchor, Constraint.AFTER)
+        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge, lag=lag, exact=True)
+        return _only(requirement, anchor, side)
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

@@ -241,7 +241,7 @@ class _Clauses:
 
     def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        together = clause.marker == "at the same time as"
+        together = clause.marker in {"at the same time as", "during"}
         if (
             not (together or clause.kind in {"after", "before", "until", "into"})
             or not self.tree.nodes[nodes[-1]].tag

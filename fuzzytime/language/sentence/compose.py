@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -23,11 +23,13 @@ from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clauses import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
-from fuzzytime.language.sentence.doubts import doubts_of
+from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
+from fuzzytime.language.sentence.doubts import doubts_of, unused_orders
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
-from fuzzytime.language.sentence.sketches import DATED, Sketch, sketches_of
+from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
+from fuzzytime.language.sentence.sketch import DATED, Sketch
+from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
 TURNED = {
@@ -36,12 +38,6 @@ TURNED = {
     Constraint.FOR: Constraint.AFTER,
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
-
-SAID_WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
-"""How a time binds that says when something is done."""
-
-BINDING = SAID_WHEN | {Constraint.BEFORE, Constraint.AFTER}
-"""How a time binds that may exclude another."""
 
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
@@ -58,11 +54,16 @@ LASTING = frozenset({"until", "through"})
 def composed(
     draft: Draft,
     lexicon: Lexicon,
-    given: Sequence[Operation | None],
-    later: Sequence[Operation | None] = (),
+    mentions: Mentions,
+    first: int,
+    *,
+    awaits: bool = False,
 ) -> Reading:
-    """Put a reading together; ``given`` and ``later`` are the operations before the text and after it."""
-    return _Composer(draft, lexicon, given, later).reading()
+    """Put a reading together; ``first`` of the operations were given before the text.
+
+    Where it ``awaits`` them, those behind its own may be meant too.
+    """
+    return _Composer(draft, lexicon, mentions, first, awaits=awaits).reading()
 
 
 class _Composer:
@@ -70,14 +71,17 @@ class _Composer:
         self,
         draft: Draft,
         lexicon: Lexicon,
-        given: Sequence[Operation | None],
-        later: Sequence[Operation | None],
+        mentions: Mentions,
+        first: int,
+        *,
+        awaits: bool,
     ) -> None:
         self.draft = draft
         self.lexicon = lexicon
         self.moment = Moment(draft.now, lexicon.policy)
-        self.given = list(given)
-        self.later = later
+        self.mentions = mentions
+        self.first = first
+        self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
@@ -87,15 +91,18 @@ class _Composer:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft, self.lexicon)
         self.remarks += remarks
-        operations: list[Operation | None] = list(self.given)
+        operations: list[Operation | None] = []
         for place, sketch in enumerate(sketches):
             doubts = self._doubts(sketch)
             self.remarks += doubts
             if doubts:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
+                heard = [*(p.span for p in sketch.phrases), *(c.span for c in sketch.clauses)]
+                self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, heard)
                 named = replace(
-                    sketch.operation, object=resolved_object(sketch.operation, operations, self.lexicon)
+                    sketch.operation,
+                    object=resolved_object(sketch.operation, operations, self.mentions, self.first),
                 )
                 sketches[place] = replace(sketch, operation=named)
             operations.append(sketches[place].operation)
@@ -104,7 +111,7 @@ class _Composer:
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
             self.moment = replace(self.moment, listed=listed, follows=follows)
-            instructions.append(self._instruction(sketch, len(self.given) + place, operations))
+            instructions.append(self._instruction(sketch, self.first + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         tokens, strict = self._tokens()
         return Reading(
@@ -129,7 +136,7 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, len(self.given), operations, self.lexicon, self.later)
+        anchors = Anchors(position, self.first, operations, self.mentions, self.lexicon, self.awaits)
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -151,7 +158,7 @@ class _Composer:
             requirements.append(connected)
             self.explained.append(connected.span)
         requirements.sort(key=lambda requirement: requirement.span)
-        self.remarks += _contradictions(requirements)
+        self.remarks += contradictions(requirements)
         operation, duration = (
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
@@ -178,9 +185,9 @@ class _Composer:
             form = longest_match(words, place, self.lexicon.usual_hours)
             if form is not None:
                 first, last = self.lexicon.usual_hours[form]
-                policy = replace(
-                    self.moment.policy, plausible_from=first, plausible_to=last, workday_from=first
-                )
+                policy = replace(self.moment.policy, ahead_from=first)
+                if last is not None:
+                    policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
                 return replace(self.moment, policy=policy)
         return self.moment
 
@@ -250,26 +257,6 @@ def _follows_nothing(said: str, span: Span) -> Remark:
     return Remark(RemarkKind.UNRESOLVED, span, message)
 
 
-def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
-    """Point at a second time that excludes the first, for the same thing: "at six … at eight"."""
-    said = [r for r in requirements if r.constraint in BINDING and r.anchor is None]
-    for place, other in enumerate(said):
-        for first in said[:place]:
-            moments = {first.constraint, other.constraint} <= SAID_WHEN
-            bounds = {first.constraint, other.constraint} == {Constraint.BEFORE, Constraint.AFTER}
-            if (moments or bounds) and other.reference is first.reference and _is_apart(first, other):
-                message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
-                yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
-                break
-
-
-def _is_apart(one: TimeRequirement, other: TimeRequirement) -> bool:
-    """Whether no moment is in both."""
-    starts = [time for time in (one.earliest, other.earliest) if time is not None]
-    ends = [time for time in (one.latest, other.latest) if time is not None]
-    return bool(starts) and bool(ends) and max(starts) > min(ends)
-
-
 def _awaiting(sketch: Sketch) -> Sketch:
     """Read "don't serve it until the guests arrive" as: serve it, when they do."""
     operation = sketch.operation
@@ -333,7 +320,8 @@ def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
     operation = sketch.operation
     if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
         pronoun = replace(operation, object=clause.condition.subject)
-        earlier = resolved_object(pronoun, anchors.operations[: anchors.position], anchors.lexicon)
+        own = anchors.own[: anchors.position - anchors.first]
+        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         if earlier is not None and earlier.lower() not in PRONOUNS:
             return earlier
     return None if operation is None else operation.object

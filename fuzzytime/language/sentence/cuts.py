@@ -7,7 +7,9 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.segments import ARTICLES, Segment, further_verbs
+from fuzzytime.language.sentence.further_orders import further_verbs
+from fuzzytime.language.sentence.segments import ARTICLES, Segment
+from fuzzytime.language.sentence.tree import Node
 from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 from fuzzytime.requirement import Constraint
 
@@ -36,18 +38,33 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
         return []
     first, last = one.segment.span
-    for name, mark, rest in (
-        (nodes[0], nodes[1], (nodes[2].start + part.offset, last)),
-        (nodes[-1], nodes[-2], (first, nodes[-3].end + part.offset)),
-    ):
-        place = one.source.places(name.start + part.offset, name.end + part.offset)
-        named = name.text[0].isupper() or name.lower in lexicon.persons
-        timed = bool(one.source.covered & set(place))
-        if mark.text in {",", ":"} and named and not timed and not name.may_act and name.text.isalpha():
-            segment = replace(one.segment, span=rest, addressee=name.text)
-            if rest[0] < rest[1] and Waiting.of(one.position, one.source, segment, lexicon).text:
+    # As in "Robot 3: dock at noon", with a number behind it.
+    mark = 1 + (nodes[1].tag == "CD")
+    for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
+        separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
+        dash = separator.text == "-" and mark == 2
+        if (dash or separator.text in {",", ":"}) and rest and _is_name(one, part, name, lexicon):
+            span = (rest[0].start + part.offset, rest[-1].end + part.offset)
+            span = (span[0], last) if name[0] is nodes[0] else (first, span[1])
+            called = " ".join(node.text for node in name)
+            segment = replace(one.segment, span=span, addressee=called)
+            if Waiting.of(one.position, one.source, segment, lexicon).text:
                 return [segment]
     return []
+
+
+def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether words call somebody, or a machine by its number."""
+    name = nodes[0]
+    places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
+    known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
+    machine = len(nodes) > 1 and name.lower in lexicon.machines
+    return (
+        known
+        and name.text.isalpha()
+        and (machine or not name.may_act)
+        and one.source.covered.isdisjoint(places)
+    )
 
 
 def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:

@@ -4,11 +4,15 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import Part
 
 SUBJECTS = ("nsubj", "nsubjpass")
 OBJECTS = ("dobj", "attr", "oprd")
+ORDERS = frozenset({"VB", "VBP"})
+BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
+"""Relations of a verb that may be a further order, and was not cut off."""
 DETERMINERS = frozenset({"DT", "PRP$"})
 
 
@@ -22,6 +26,25 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
     if foreign:
         message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at orders in the tree of an instruction that its operation does not hold: nothing is dropped.
+
+    ``heard`` are the stretches of its times and clauses.
+    """
+    tree, held = part.tree, set(operation.name.lower().split())
+    for place, node in enumerate(tree.nodes):
+        start = node.start + part.offset
+        inside = any(first <= start < end for first, end in heard) or operation.span[0] == start
+        if inside or node.lower in held or node.tag not in ORDERS or node.relation not in BESIDE:
+            continue
+        if tree.children(place, *SUBJECTS, "aux", "mark") or not tree.children(place, *OBJECTS, "prt"):
+            continue
+        below = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
+        span = (tree.nodes[min(below)].start + part.offset, tree.nodes[max(below)].end + part.offset)
+        message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 

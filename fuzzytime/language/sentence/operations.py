@@ -15,6 +15,9 @@ OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
+FINITE = frozenset({"VBZ", "VBP", "VBD"})
+FUTURE = frozenset({"will", "'ll", "’ll"})
+
 PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -49,6 +52,7 @@ class Reader:
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=self._said(result),
             negated=action.negated,
+            stated=self._is_stated(verb),
         )
 
     def timed(self, place: int) -> bool:
@@ -113,7 +117,7 @@ class Reader:
         if clause is not None:
             about = clause.about(self.tree)
             return [place for place in self._words([clause.noun], verb) if place in about]
-        direct = self.tree.children(verb, *OBJECTS)
+        direct = [*self.tree.children(verb, *OBJECTS), *self._asked(verb)]
         words = self._words([p for p in direct if p > verb and not self.timed(p)], verb)
         if not words:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
@@ -124,14 +128,28 @@ class Reader:
             of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
             words = self._words([p for o in of for p in self.tree.children(o, "pobj")], verb)
         if not words:
-            # "Wake Tim up": the name was taken for a measure.
+            # "Wake Tim up", "move my three o'clock": what is named was taken for a measure.
             names = self.tree.children(verb, "npadvmod")
-            named = [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
+            owned = [p for p in names if self.tree.children(p, "poss")]
+            named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
             words = self._words([p for p in named if not self.timed(p)], verb)
+        if not words:
+            # "Clear it away": a pronoun behind the verb was taken for who does it.
+            words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
         return [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+
+    def _asked(self, verb: int) -> list[int]:
+        """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
+        if self.tree.nodes[verb].lemma not in self.lexicon.addressing:
+            return []
+        return [
+            place
+            for place in self.tree.children(verb, "advcl")
+            if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
+        ]
 
     def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
         """Give the words right before an object that a tree took for a time: "install the night light"."""
@@ -166,6 +184,14 @@ class Reader:
         if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
             return None
         return self._said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
+
+    def _is_stated(self, verb: int) -> bool:
+        """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        named = bool(subjects) and subjects[0] not in PEOPLE
+        return named and finite and not self.tree.children(verb, "dobj", "acomp", "oprd", "xcomp", "ccomp")
 
     # -- places -----------------------------------------------------------------------------------------
 

@@ -1,7 +1,11 @@
 """Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
 
-from collections.abc import Sequence
+import heapq
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
@@ -47,6 +51,9 @@ EMPTY = frozenset(
 )
 """Words that name nothing."""
 
+SAME_VERB = 2.0
+"""The worth of the very verb of a clause, to which words that are shared add 1 each."""
+
 REMEMBERED = 16384
 """Texts whose words are remembered: each reference asks for those of every instruction."""
 
@@ -67,26 +74,95 @@ def _singular(word: str) -> str:
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
 
 
-def target_of(
-    clause: Clause, operations: Sequence[Operation | None], lexicon: Lexicon, own: int | None = None
-) -> int | None:
-    """Give the position of the instruction that a clause refers to, the latest of the best, or None.
+@dataclass(slots=True)
+class Mentions:
+    """The operations of all texts in order, and where each word and each verb names one.
 
-    ``own`` is the position of the instruction that the clause belongs to.
+    What was denied names nothing: nobody refers to "don't peel the apples".
     """
-    best, found = 0.0, None
+
+    lexicon: Lexicon
+    operations: list[Operation | None] = field(default_factory=list)
+    _by_word: dict[str, list[int]] = field(default_factory=dict)
+    _by_verb: dict[str, list[int]] = field(default_factory=dict)
+    _bare: dict[str, list[int]] = field(default_factory=dict)
+    _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+
+    def add(self, operation: Operation | None) -> None:
+        """Add the next operation, None for an instruction without one."""
+        position = len(self.operations)
+        self.operations.append(operation)
+        if operation is None:
+            return
+        if _may_be_it(operation, self.lexicon):
+            self._things[_is_several(operation.object or "")].append(position)
+        if operation.negated:
+            return
+        words = content_words(operation.object)
+        for word in words:
+            self._by_word.setdefault(word, []).append(position)
+        self._by_verb.setdefault(operation.lemma, []).append(position)
+        if not words | content_words(operation.place):
+            self._bare.setdefault(operation.lemma, []).append(position)
+
+    def thing(self, before: int, *, several: bool) -> str | None:
+        """Give the latest object that "it" or "them" may be, of either number if need be."""
+        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in self._things)
+        found = (many if several else one) or sorted(one + many)[-1:]
+        operation = self.operations[found[0]] if found else None
+        return None if operation is None else operation.object
+
+    def about(self, words: frozenset[str], before: int) -> int | None:
+        """Give the latest position before one whose object has all of some words."""
+        runs = sorted((self._by_word.get(word, []) for word in words), key=len)
+        for position in reversed(runs[0][: bisect_left(runs[0], before)] if runs else []):
+            operation = self.operations[position]
+            if operation is not None and words <= content_words(operation.object):
+                return position
+        return None
+
+    def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
+        """Give the positions in a stretch that a clause may be about, the nearest end first."""
+        named, words = _names_of(clause)
+        # Of operations that only the verb names, the nearest is as good as any.
+        single = [self._bare.get(clause.verb or "", [])]
+        single += [self._by_verb.get(verb, []) for verb in (named if clause.is_event else ())]
+        if not named or named <= PRONOUNS:
+            single.append(self._by_verb.get(clause.verb or "", []))
+        end = slice(-1, None) if backwards else slice(1)
+        runs = [_within(run, stretch)[end] for run in single]
+        runs += [_within(self._by_word.get(word, []), stretch) for word in words]
+        ordered = (reversed(run) if backwards else iter(run) for run in runs)
+        for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
+            yield position
+
+
+def _within(positions: list[int], stretch: range) -> list[int]:
+    return positions[bisect_left(positions, stretch.start) : bisect_left(positions, stretch.stop)]
+
+
+def _names_of(clause: Clause) -> tuple[frozenset[str], frozenset[str]]:
+    """Give the words of a clause's object, and with them those of its subject."""
     named = content_words(clause.object)
-    words = named | content_words(clause.condition.subject if clause.condition is not None else None)
-    for position, operation in enumerate(operations):
-        if operation is None or operation.negated or position == own:
-            continue
-        verb = operation.lemma == clause.verb or operation.lemma in named
-        if not verb and words.isdisjoint(content_words(operation.object)):
-            # Nothing in common: most of a long list.
+    subject = None if clause.condition is None else clause.condition.subject
+    return named, named | content_words(subject)
+
+
+def best_of(
+    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
+) -> int | None:
+    """Give the position of the operation that a clause refers to, the first of the best; None for none."""
+    best, found = 0.0, None
+    named, words = _names_of(clause)
+    most = SAME_VERB + max(len(named), len(words) - 1)
+    for position, operation in candidates:
+        if operation is None or operation.negated:
             continue
         worth = _likeness(clause, operation, lexicon)
-        if worth > 0 and worth >= best:
+        if worth > best:
             best, found = worth, position
+        if best >= most:
+            break
     return found
 
 
@@ -100,7 +176,7 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         return shared + (operation.lemma in named) if named else 0.0
     same_verb = clause.verb == operation.lemma
     if same_verb and (shared or not named or named <= PRONOUNS or not known):
-        return 2.0 + shared
+        return SAME_VERB + shared
     condition = clause.condition
     if condition is not None and condition.word is not None:
         # "When the rice is done", "once the table is set": its result.
@@ -111,22 +187,30 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     return 0.0
 
 
-def resolved_object(operation: Operation, before: Sequence[Operation | None], lexicon: Lexicon) -> str | None:
+def resolved_object(
+    operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
+) -> str | None:
     """Give what "it" or "them" stands for: the object of the latest instruction that fits in number.
+
+    ``own`` are the operations before it in its text, which begins at ``first`` of all.
 
     Neither stands for a person: in "call mum, then wash it", it is something else.
     """
     if operation.object is None or operation.object.lower() not in PRONOUNS:
         return operation.object
-    things = [
-        earlier.object
-        for earlier in reversed(before)
-        if earlier is not None and earlier.object is not None and not _is_person(earlier, lexicon)
-    ]
     several = operation.object.lower() in SEVERAL
-    named = [thing for thing in things if thing.lower() not in PRONOUNS]
-    fitting = [thing for thing in named if _is_several(thing) is several]
-    return next(iter(fitting or named), operation.object)
+    near = Mentions(mentions.lexicon)
+    for earlier in own:
+        near.add(earlier)
+    here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
+    fitting = (thing for thing in (here, there) if thing is not None and _is_several(thing) is several)
+    return next(fitting, here or there or operation.object)
+
+
+def _may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether "it" or "them" may stand for its object: a thing that is named, and no person."""
+    named = operation.object is not None and operation.object.lower() not in PRONOUNS
+    return named and not _is_person(operation, lexicon)
 
 
 def _is_person(operation: Operation, lexicon: Lexicon) -> bool:

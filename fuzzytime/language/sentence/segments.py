@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord
-from fuzzytime.language.sentence.tree import Node, Tree
+from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
@@ -17,16 +17,10 @@ ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
 OPENED = frozenset({"and", "but", "please", "then"})
-JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
 
 ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
-FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
-IMPERATIVE = frozenset({"VB", "VBP"})
-SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
-EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
-COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +65,7 @@ def segments_of(
     vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
+    following |= set(_listed(phrases))
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -88,6 +83,23 @@ def segments_of(
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, lexicon))
+
+
+def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
+    """Give where the lines of a timetable begin: "10:00 stretch, 10:15 walk"; not "10:00, 10:15"."""
+    clocks = [phrase for phrase in phrases if _is_clock(phrase)]
+    if not clocks or clocks[0].first > 0:
+        return
+    for before, clock in pairwise(clocks):
+        between = [other for other in phrases if before.end <= other.first < clock.first]
+        if clock.first - before.end > 1 and not between:
+            yield clock.first
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time alone, without a preposition."""
+    time = phrase.said.time
+    return phrase.said.preposition is None and isinstance(time, Wall) and time.clock is not None
 
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
@@ -163,11 +175,17 @@ def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexico
         suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
+        elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
+            break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
             begin += 1
         else:
             break
     return begin
+
+
+def _counts(word: Word, lexicon: Lexicon) -> bool:
+    return word.is_digits or word.text in lexicon.numbers
 
 
 def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
@@ -199,137 +217,3 @@ def _segment(
     if not any(character.isalnum() for character in text[span[0] : span[1]]):
         return None
     return Segment(span, connective, said)
-
-
-def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
-    """Give the words at which further instructions of one sentence begin: imperatives beside the first.
-
-    "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
-    else; what counts is a bare verb without a subject behind "and" or a comma.
-    """
-    timed = {place for span in times for place in tree.at(*span)}
-    found = [_first_of(tree, root)] if _follows_order(tree, root) else []
-    for place, node in enumerate(tree.nodes):
-        if place in timed and place != root:
-            continue
-        alone = node.lower in lexicon.alone
-        if (
-            place > 1
-            and place != root
-            and _governs(tree, place, lexicon)
-            and (alone or place + 1 not in timed)
-        ):
-            found.append(place)
-            continue
-        if place > 1 and place != root and _is_order_before_time(tree, place, timed):
-            found.append(place)
-            continue
-        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
-            found.append(place)
-            continue
-        if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
-            found.append(place)
-            continue
-        if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
-            continue
-        if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
-            continue
-        start = _first_of(tree, place)
-        start = _behind_joint(tree, start, timed)
-        if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
-            continue
-        if place > root or _leads(tree, place, root):
-            found.append(start)
-    return found
-
-
-def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
-    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
-    first = start
-    while first and first - 1 in timed:
-        first -= 1
-    behind = first
-    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
-        behind -= 1
-    # "Boil it, and before that, wash it"
-    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
-    return behind if led else first
-
-
-def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether a word taken for a noun has an object, or a particle: "clean the rug and dust the shelves"."""
-    node, before = tree.nodes[place], tree.nodes[place - 1].lower
-    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
-        return True
-    if node.tag not in {"NN", "NNP"} or before not in JOINTS or place + 2 >= len(tree.nodes):
-        return False
-    behind = tree.nodes[place + 1].lower
-    if node.lower in lexicon.particles.get(behind, ()):
-        return True
-    return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
-
-
-def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
-    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
-
-    The tree may have it for a thing.
-    """
-    node = tree.nodes[place]
-    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
-        return False
-    return node.lower == node.lemma and (tree.nodes[place + 1].lower == "for" or node.tag in IMPERATIVE)
-
-
-def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
-    node = tree.nodes[place]
-    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
-    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
-
-
-def _is_passive_order(tree: Tree, place: int) -> bool:
-    """Whether it is the "get" of "get dressed", beside another order."""
-    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
-    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
-    return bare and over.relation in COORDINATE and not tree.children(node.head, *SUBJECTS)
-
-
-def _is_bare(node: Node) -> bool:
-    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
-    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
-
-
-def _follows_order(tree: Tree, root: int) -> bool:
-    """Whether the root is a second order: "weld it, wait two minutes" has its first below it."""
-    start = _first_of(tree, root)
-    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or tree.children(root, *SUBJECTS, "aux"):
-        return False
-    before = (p for p in tree.children(root, *COORDINATE, "csubj") if p < start)
-    # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
-    orders = (p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb))
-    return any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
-
-
-def _leads(tree: Tree, place: int, root: int) -> bool:
-    return root in tree.below(place)
-
-
-def _first_of(tree: Tree, place: int) -> int:
-    """Give where the instruction of a verb begins: adverbs right before it belong to it."""
-    start = place
-    while start and tree.nodes[start - 1].tag in {"RB", "UH"} and tree.nodes[start - 1].head == place:
-        start -= 1
-    return start
-
-
-def _is_embedded(tree: Tree, place: int, root: int) -> bool:
-    """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
-    for above in tree.above(place):
-        if above == root:
-            return False
-        node = tree.nodes[above]
-        if node.relation in EMBEDDED and node.tag not in FINITE:
-            return True
-    return False

@@ -128,7 +128,7 @@ class Waiting:
         words = self.source.scanned.words
         while places:
             leading = next((p for p in self.source.phrases if p.first == places[0]), None)
-            if leading is None and words[places[0]].text != ",":
+            if leading is None and words[places[0]].text not in {",", ":", "-"}:
                 return words[places[0]].start - self.main
             end = leading.end if leading is not None else places[0] + 1
             places = [place for place in places if place >= end]
@@ -143,7 +143,9 @@ class Waiting:
         if not node.may_act or node.lower != node.lemma:
             return False
         if self.behind_time:
-            return node.tag in {"VB", "VBP"}
+            # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
+            joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
+            return node.tag in {"VB", "VBP"} or (joined and tree.nodes[tree.root].tag == "VB")
         # "Fetch crate 4, bring it here": the first order is taken for who does the second.
         subjects = tree.children(tree.root, *SUBJECTS)
         taken = any(first in tree.below(place) for place in subjects)

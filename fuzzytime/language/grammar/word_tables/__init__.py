@@ -82,6 +82,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         persons=frozenset(form[0] for form in speech.words("persons")),
+        machines=frozenset(form[0] for form in speech.words("machines")),
+        rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
+        events=frozenset(form[0] for form in speech.words("rescheduling", "events")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
@@ -106,6 +109,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
+    "machines", "rescheduling",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

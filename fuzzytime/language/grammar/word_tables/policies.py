@@ -13,10 +13,11 @@ def read_usual_hours(tables: Tables) -> dict[Form, Hours]:
     found: dict[Form, Hours] = {}
     for name, node in tables.rows("usual_hours"):
         key = f"usual_hours.{name.text}"
-        fields = tables.reader.mapping(node, key, ("from", "to", "also"), ("from", "to"))
-        if "from" not in fields or "to" not in fields:
+        fields = tables.reader.mapping(node, key, ("from", "to", "also"), ("from",))
+        if "from" not in fields:
             continue
-        hours = (_time(tables, fields["from"], f"{key}.from"), _time(tables, fields["to"], f"{key}.to"))
+        last = _time(tables, fields["to"], f"{key}.to") if "to" in fields else None
+        hours = (_time(tables, fields["from"], f"{key}.from"), last)
         also = tables.forms(fields["also"], f"{key}.also") if "also" in fields else []
         found.update(dict.fromkeys([form_of(name.text), *also], hours))
     return found
@@ -35,6 +36,7 @@ def read_policy(tables: Tables) -> Policy:
         return Policy()
     names = (
         "plausible",
+        "ahead_from",
         "workday_from",
         "same_weekday",
         "week_starts",
@@ -55,6 +57,7 @@ def read_policy(tables: Tables) -> Policy:
     return Policy(
         plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
         plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
+        ahead_from=_time(tables, fields["ahead_from"], "policy.ahead_from"),
         workday_from=_time(tables, fields["workday_from"], "policy.workday_from"),
         same_weekday=SameWeekday(
             reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))

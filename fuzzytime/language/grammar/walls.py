@@ -1,0 +1,173 @@
+"""Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.requirement import Unit
+
+UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
+"""Prepositions behind which a meal is a thing, or a place: "sugar in tea", "home from work"."""
+
+NAMING = frozenset({"on", "to", "for", "of"})
+"""Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
+
+DEGREES_DIGITS = 3
+"""Digits of an oven's temperature, and of few clock times."""
+
+CLOCK_DIGITS = 4
+"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
+
+
+class Walls:
+    """What stands around days and clock times, and whether it makes one doubtful."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+        self.measures = measures
+        self.around = around
+
+    def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a day, a part of the day or a clock time is one here."""
+        if self._is_part_of_noun(piece, said, wall):
+            return False
+        if wall.bare:
+            return self._accepts_number(piece, said, wall)
+        if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
+            # "The 18th century table"
+            return False
+        if said.preposition == "of" and self._is_ordinal(piece.end - 1):
+            # "Within a minute of the first"
+            return False
+        if (
+            wall.clock is not None
+            and wall.days is None
+            and said.preposition is None
+            and self.measures.named(piece)
+        ):
+            # "Seat 12A"
+            return False
+        if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
+            # "At five thirty pick up bread": no amount is said like that.
+            worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
+            sure = said.preposition == "at" and worded
+            unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
+            return said.preposition is not None and (self.around.may_end(piece) or (sure and not unit))
+        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
+            # "Before bed", but "before the bed is made"
+            return False
+        if wall.weak:
+            unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
+            # "Ask about lunch": what a meal is asked about.
+            bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
+            return bound and self.around.may_end(piece)
+        part = wall.days is None and wall.clock is None
+        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
+            # "Switch to night mode"
+            return False
+        weekly = isinstance(wall.days, Fields) and wall.days.weekly
+        if (
+            weekly
+            and self.texts[piece.end - 2 : piece.end - 1] == ["the"]
+            and self._is_ambiguous(piece.end - 1)
+        ):
+            # "Before the sun goes down"
+            return False
+        # "The sun", "in the sun": a weekday never stands with "in".
+        words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
+        return not (
+            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        )
+
+    def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it only names something, or belongs to what does."""
+        before = self.around.before(piece)
+        if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
+            return True
+        counting = self.words[piece.end - 1].is_digits and self.around.follower(piece).endswith("s")
+        if said.preposition is None and counting and self._is_ambiguous(piece.start):
+            # "March 3 steps forward"
+            return not self.around.may_end(piece)
+        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
+            # "Cancel my three o'clock"
+            return True
+        if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
+            # "Move the 3 pm to five"
+            return True
+        last = self.texts[piece.end - 1]
+        if (
+            last in {"before", "after"}
+            and wall.days is not None
+            and self.around.follower(piece)[:1].isalpha()
+        ):
+            # "The day before the flight"
+            return True
+        followed = self.around.follower(piece) in {"before", "after"}
+        if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
+            # "The evening before the trip": which evening, is not said.
+            return True
+        if "to" in {said.preposition, before} and self.around.names_place(piece):
+            return True
+        # "Turn on the ten o'clock news", "the slides for the Monday meeting"
+        owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
+        inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
+        if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
+            return True
+        # "My day planner"
+        return (
+            said.preposition is None
+            and self.texts[piece.start] in POSSESSIVES
+            and not self.around.may_end(piece)
+        )
+
+    def _is_ambiguous(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.ambiguous
+
+    def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
+        if not self.around.may_end(piece) or self.around.is_unit(piece.end):
+            return False
+        if said.preposition == "for" and self.around.follower(piece) == "at":
+            # "Make dinner for eight at seven"
+            return False
+        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+            # "At three to one"
+            return False
+        before = piece.start - 1
+        counted = self.measures.is_number(before)
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return False
+        if said.preposition == "by" and counted and not self.measures.is_amount(before):
+            # "Two by four"
+            return False
+        if said.preposition == "through" and counted:
+            # "Pages 3 through 7"
+            return False
+        digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
+        hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
+        sure = said.preposition == "at" and hour and not self.measures.named(piece)
+        if not sure and self.measures.measured(piece):
+            return False
+        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
+        if degrees and self.lexicon.measure_verbs & set(self.texts):
+            # "Bake it at 180 for an hour, then half an hour at 200"
+            return False
+        if said.preposition == "to" and self.around.puts_off(piece):
+            # "Move my three o'clock to five"
+            return True
+        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
+            return said.preposition is None and bool(said.hedges)
+        return True
+
+    def _is_ordinal(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.ordinals

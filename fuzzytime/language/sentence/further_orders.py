@@ -1,0 +1,176 @@
+"""Where further instructions of one sentence begin, by its tree: at bare verbs beside the first."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments import ARTICLES, ENDS
+from fuzzytime.language.sentence.tree import Node, Tree
+
+JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+OBJECTS = frozenset({"it", "them", "me", "us", "him"})
+FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+IMPERATIVE = frozenset({"VB", "VBP"})
+SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
+EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
+COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
+
+
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
+    """Give the words at which further instructions of one sentence begin: imperatives beside the first.
+
+    "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
+    else; what counts is a bare verb without a subject behind "and" or a comma.
+    """
+    timed = {place for span in times for place in tree.at(*span)}
+    second = _follows_order(tree, root)
+    found = [] if second is None else [second]
+    for place, node in enumerate(tree.nodes):
+        if place in timed and place != root:
+            continue
+        alone = node.lower in lexicon.alone
+        if (
+            place > 1
+            and place != root
+            and _governs(tree, place, lexicon)
+            and (alone or place + 1 not in timed)
+        ):
+            found.append(place)
+            continue
+        if place > 1 and place != root and _is_order_before_time(tree, place, timed):
+            found.append(place)
+            continue
+        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
+            found.append(place)
+            continue
+        if place > 1 and place != root and _is_led_by_time(tree, place, timed):
+            found.append(_behind_joint(tree, place, timed))
+            continue
+        if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+            found.append(place)
+            continue
+        if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
+            continue
+        if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
+            continue
+        start = _first_of(tree, place)
+        start = _behind_joint(tree, start, timed)
+        if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+            continue
+        if place > root or _leads(tree, place, root):
+            found.append(start)
+    return found
+
+
+def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
+    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
+    first = start
+    while first and first - 1 in timed:
+        first -= 1
+    behind = first
+    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
+        behind -= 1
+    # "Boil it, and before that, wash it"
+    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
+    return behind if led else first
+
+
+def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
+        return True
+    if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+        return False
+    behind = tree.nodes[place + 1].lower
+    if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
+
+
+def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
+
+    The tree may have it for a thing.
+    """
+    node = tree.nodes[place]
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+        return False
+    # "Open in two seconds, close in five"
+    listed = place - 2 in timed
+    lasts = tree.nodes[place + 1].lower == "for"
+    return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
+
+
+def _is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    first = place
+    while first and first - 1 in timed:
+        first -= 1
+    led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
+    return led and node.may_act and node.lower == node.lemma and behind in ARTICLES | OBJECTS
+
+
+def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
+    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
+
+
+def _is_passive_order(tree: Tree, place: int) -> bool:
+    """Whether it is the "get" of "get dressed", beside another order."""
+    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
+    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
+    return bare and over.relation in COORDINATE and not tree.children(node.head, *SUBJECTS)
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
+    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
+
+
+def _follows_order(tree: Tree, root: int) -> int | None:
+    """Give where the root begins, if it is a second order: "weld it, wait" has its first below it.
+
+    So has a statement behind an order: "bring my coat, we leave at three".
+    """
+    subjects = tree.children(root, *SUBJECTS)
+    start = min([root, *tree.below(subjects[0])]) if subjects else _first_of(tree, root)
+    joint = tree.nodes[start - 1].lower if start else ""
+    if joint not in JOINTS or (subjects and joint != ",") or tree.children(root, "aux"):
+        return None
+    before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
+    # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
+    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb)]
+    if subjects:
+        orders = [p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0]
+    ordered = any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+    return start if ordered else None
+
+
+def _leads(tree: Tree, place: int, root: int) -> bool:
+    return root in tree.below(place)
+
+
+def _first_of(tree: Tree, place: int) -> int:
+    """Give where the instruction of a verb begins: adverbs right before it belong to it."""
+    start = place
+    while start and tree.nodes[start - 1].tag in {"RB", "UH"} and tree.nodes[start - 1].head == place:
+        start -= 1
+    return start
+
+
+def _is_embedded(tree: Tree, place: int, root: int) -> bool:
+    """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
+    for above in tree.above(place):
+        if above == root:
+            return False
+        node = tree.nodes[above]
+        if node.relation in EMBEDDED and node.tag not in FINITE:
+            return True
+    return False

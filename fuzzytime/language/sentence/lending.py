@@ -1,0 +1,99 @@
+"""What the instructions of a text lend each other: a time alone, a verb, an object, a start."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Duration, Said
+from fuzzytime.language.sentence.cuts import AGAIN
+from fuzzytime.language.sentence.segments import ARTICLES
+from fuzzytime.language.sentence.sketch import Sketch, overlap
+from fuzzytime.requirement import Constraint
+
+STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
+"""How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
+
+
+def led(sketches: list[Sketch]) -> list[Sketch]:
+    """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
+    found: list[Sketch] = []
+    for sketch in sketches:
+        before, segment = found[-1] if found else None, sketch.part.segment
+        alone = before is not None and before.operation is None and bool(before.phrases)
+        if before is not None and alone and segment.connective in {"then", "first"}:
+            waited = [replace(phrase, said=_until_then(phrase.said)) for phrase in before.phrases]
+            whole = (before.part.segment.span[0], segment.span[1])
+            found[-1] = replace(
+                sketch,
+                part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
+                phrases=(*waited, *sketch.phrases),
+                clauses=(*before.clauses, *sketch.clauses),
+                references=(*(None for _ in before.phrases), *sketch.references),
+            )
+        else:
+            found.append(sketch)
+    return found
+
+
+def _until_then(said: Said) -> Said:
+    """Read a length of time alone before "then" as what is waited: "two minutes, then flip"."""
+    alone = said.preposition is None and isinstance(said.time, Duration)
+    return replace(said, constraint=Constraint.AT, preposition="in") if alone else said
+
+
+def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a time or a thing alone be of what was done before: "then five minutes on high"."""
+    found: list[Sketch] = []
+    for sketch in sketches:
+        before = found[-1].operation if found else None
+        again = None if before is None else _again(before, sketch, text, lexicon)
+        found.append(sketch if again is None else replace(sketch, operation=again))
+    return found
+
+
+def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
+    part = sketch.part
+    spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
+    said = [span for span in spans if not any(overlap(span, p.span) for p in sketch.phrases)]
+    rest = text[said[0][0] : said[-1][1]] if said else ""
+    if sketch.phrases:
+        turned = _particle_alone(rest, lexicon)
+        if turned is not None:
+            return replace(before, particle=turned)
+        if rest and set(rest.lower().split()) <= AGAIN:
+            # "Ring the bell at six, then again at seven"
+            return before
+    if sketch.operation is not None:
+        return None
+    then = part.segment.connective == "then"
+    if then and any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
+        return replace(before, place=rest or before.place)
+    # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
+    thing = bool(part.tree.nodes) and part.tree.nodes[0].lower in ARTICLES
+    named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    return replace(before, object=rest, place=None) if rest and named and before.object is not None else None
+
+
+def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
+    """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
+    said = [word for word in text.lower().split() if word not in AGAIN]
+    return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
+
+
+def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a verb alone share the object and the start of the next: "rinse and drain the rice at noon"."""
+    found = list(sketches)
+    for place in range(len(found) - 1, 0, -1):
+        first, second = found[place - 1], found[place]
+        if not second.part.segment.shares(text) or first.operation is None or second.operation is None:
+            continue
+        operation = first.operation
+        if operation.object is None and operation.lemma not in lexicon.intransitive:
+            operation = replace(operation, object=second.operation.object)
+        first = replace(first, operation=operation)
+        if not first.phrases and all(phrase.said.constraint in STARTS for phrase in second.phrases):
+            first = replace(first, phrases=second.phrases, references=second.references)
+            second = replace(second, phrases=(), references=())
+        found[place - 1 : place + 1] = [first, second]
+    return found

@@ -1,0 +1,163 @@
+"""One instruction before it is grounded: its part of a draft, its times and clauses, what is to be done."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.meaning.expressions import (
+    Edge,
+    Offset,
+    Phrase,
+    Said,
+    Wall,
+)
+from fuzzytime.language.sentence.actions import Action, action_of, reference_of
+from fuzzytime.language.sentence.amounts import parameters_of
+from fuzzytime.language.sentence.clauses import Clause, clauses_of
+from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import Part
+from fuzzytime.requirement import Constraint, Reference
+
+if TYPE_CHECKING:
+    from fuzzytime.skills import FuzzyParameter
+
+BOUNDS = {
+    "when": (None, "at"),
+    "before": (Constraint.BEFORE, "before"),
+    "by the time": (Constraint.BEFORE, "by"),
+    "until": (Constraint.BEFORE, "until"),
+    "after": (Constraint.AFTER, "after"),
+}
+"""How the time of an event binds what is said to be at, before or after it."""
+
+DATED = "clause"
+"""The rule of a phrase that is a clause with a time of its own."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """One instruction: its part of the draft, its times and clauses, what is to be done.
+
+    ``references`` gives, for each of its times, which moment of the execution the words say it is about.
+    """
+
+    part: Part
+    phrases: tuple[Phrase, ...]
+    clauses: tuple[Clause, ...]
+    references: tuple[Reference | None, ...]
+    operation: Operation | None = None
+    parameters: tuple["FuzzyParameter", ...] = ()
+
+    @property
+    def reference(self) -> Reference | None:
+        """What its clauses are about, where its times say so."""
+        return self.references[0] if self.references else None
+
+
+def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
+    """Sketch one part of a draft."""
+    first, end = part.segment.span
+    phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+    clauses: list[Clause] = []
+    if part.front is not None:
+        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
+    if part.tree.nodes:
+        clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
+    clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
+    kept = [phrase for phrase in phrases if not any(overlap(phrase.span, c.span) for c in clauses)]
+    kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
+    clauses = [clause for clause in clauses if clause.time is None]
+    kept.sort(key=lambda phrase: phrase.span)
+    action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
+    if action is None:
+        references = (None,) * len(kept)
+        return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
+    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
+    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    operation = reader.operation(action)
+    a, b = operation.span
+    return Sketch(
+        part=part,
+        phrases=tuple(kept),
+        clauses=tuple(clauses),
+        references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
+        operation=replace(
+            operation,
+            span=(a + part.offset, b + part.offset),
+            addressee=part.segment.addressee or operation.addressee,
+        ),
+        parameters=parameters_of(reader, action),
+    )
+
+
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
+    """Give the verb below one that is about time itself: "take your time peeling the potatoes"."""
+    if action is None:
+        return None
+    timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    nodes = enumerate(part.tree.nodes)
+    verbs = (place for place, node in nodes if node.is_verb and place not in timed)
+    found = next(verbs, None) if action.place in timed else None
+    return action if found is None else replace(action, place=found)
+
+
+def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
+    """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
+    constraint, preposition = BOUNDS[clause.kind]
+    said = replace(time.said, constraint=constraint, preposition=preposition, edge=Edge.START)
+    if clause.distance is not None and isinstance(time.said.time, Wall):
+        direction = 1 if constraint is Constraint.AFTER else -1
+        distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
+        said = Said(distance, None, None, clause.distance.hedges)
+    places = [
+        place
+        for place, word in enumerate(draft.scanned.words)
+        if clause.span[0] <= word.start < clause.span[1]
+    ]
+    return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
+
+
+def overlap(one: Span, other: Span) -> bool:
+    """Whether two stretches have a character in common."""
+    return one[0] < other[1] and other[0] < one[1]
+
+
+def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
+    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    if phrase.rule == DATED:
+        # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
+    first, end = (place - part.offset for place in phrase.span)
+    for place in part.tree.at(first, end):
+        for above in part.tree.above(place):
+            if above == action.place:
+                return action.reference
+            if part.tree.nodes[above].is_verb:
+                return reference_of(part.tree, above, lexicon) or action.reference
+    return action.reference
+
+
+def _clauses(
+    draft: Draft, tree: Tree, span: Span, phrases: Sequence[Phrase], lexicon: Lexicon
+) -> list[Clause]:
+    """Give the clauses in a tree's stretch of text, with places in the whole text."""
+    offset, end = span
+    places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
+    start = places[0] if places else 0
+    words = [draft.scanned.words[place] for place in places]
+    local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
+    local, named = (
+        [
+            replace(
+                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
+            )
+            for p in found
+            if offset <= p.span[0] < end
+        ]
+        for found in (phrases, draft.naming)
+    )
+    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon, named)]

@@ -1,0 +1,57 @@
+"""A day said once holds for the clock times that are said apart from it."""
+
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.language import Language
+from fuzzytime.requirement import Recurrence
+from fuzzytime.times import instant_after
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001
+
+
+def occurrences(text: str, instruction: int = 0) -> list[str]:
+    """Give when a repetition in a text comes next, twice: day and hour."""
+    recurrence: Recurrence | None = Language.shipped().read(text, now=NOW).instructions[instruction].repeats
+    assert recurrence is not None
+    starts = recurrence.occurrences(14 * 86400)[:2]
+    return [f"{instant_after(NOW, seconds):%d %H}" for seconds in starts]
+
+
+@pytest.mark.parametrize(
+    ("text", "instruction", "wanted"),
+    [
+        ("on weekdays open the blinds at 7", 0, ["05 07", "06 07"]),
+        ("every evening lock the door at ten", 0, ["04 22", "05 22"]),
+        ("every day, feed the cat at eight and walk the dog at ten", 1, ["04 10", "05 10"]),
+        ("every friday, vacuum the hall and empty the bins", 1, ["06 00", "13 00"]),
+        ("every monday sweep the yard after 6 pm", 0, ["09 18", "16 18"]),
+    ],
+)
+def test_a_repetition_has_the_time_of_day_that_is_said_apart(
+    text: str, instruction: int, wanted: list[str]
+) -> None:
+    assert occurrences(text, instruction) == wanted
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("next week, call Bob on Tuesday", "10 00"),
+        ("on friday keep the shop open from 9 to 5", "06 09"),
+        ("tomorrow stretch ten minutes before noon", "05 11"),
+        ("tomorrow clean up after 6 pm", "05 18"),
+        ("tonight call mum at nine", "04 21"),
+    ],
+)
+def test_a_time_lies_on_the_day_that_is_said_apart(text: str, wanted: str) -> None:
+    (instruction,) = Language.shipped().read(text, now=NOW).instructions
+    earliest = instruction.requirements[-1].earliest
+    assert earliest is not None
+    assert f"{instant_after(NOW, earliest):%d %H}" == wanted
+
+
+def test_a_day_ends_with_its_sentence() -> None:
+    reading = Language.shipped().read("Tomorrow wash the car at 9. Feed the cat at 6.", now=NOW)
+    assert reading.instructions[1].requirements[0].t_spec == 9 * 3600
