@@ -63,6 +63,22 @@ def test_a_stretch_as_long_as_all_is_solved_exactly() -> None:
     assert found.cost == pytest.approx(Auto().search(group, watch).cost, abs=1e-6)
 
 
+def test_an_interrupt_ends_with_the_best_so_far() -> None:
+    def interrupted(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+        if len(done) == 2:
+            raise KeyboardInterrupt
+        done.append(members)
+        return exactly(part, members, watch, warm)
+
+    done: list[list[int]] = []
+    problem, watch = row(100, 105, 200, 205, 300, 305), Stopwatch(Limits())
+    begun = draft_of(problem, np.array([90.0, 125.0, 190.0, 225.0, 290.0, 325.0]), np.ones(6, np.int64))
+    found = Stretches(interrupted, length=2, rejected=2).improve(problem, watch, begun)
+    assert watch.is_over()
+    assert (found.starts != begun.starts).tolist() == [True, True, True, True, False, False]
+    assert found.cost < begun.cost
+
+
 def row(*centres: float, agents: int = 1, **others: tuple[object, ...]) -> Problem:
     """Skills of 10 s, each wished for within 30 s of a moment."""
     skills = tuple(FuzzySkill(f"skill {c}", Triangle(c - 30, c, c + 30), 10.0) for c in centres)
