@@ -17,12 +17,6 @@ from fuzzytime.scheduling.stretches import Stretches
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
 
-STRETCH = 14
-"""Skills that several agents do in a stretch; with those that may come in it is small enough for shares."""
-
-REJECTED = 8
-"""Skills that may come into it."""
-
 
 @dataclass(frozen=True, slots=True)
 class Auto:
@@ -48,10 +42,8 @@ class Auto:
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
             better = LocalSearch(kicks=5 * KICKS).search(problem, watch.share(0.2), best)
-            if len(problem.jobs) > STRETCH + REJECTED:
-                better = Stretches(_solve_stretch, STRETCH, REJECTED).improve(
-                    problem, watch.share(0.4), better
-                )
+            if len(problem.jobs) > STRETCHES.length + STRETCHES.rejected:
+                better = STRETCHES.improve(problem, watch.share(0.4), better)
             other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
@@ -59,3 +51,7 @@ class Auto:
 
 def _solve_stretch(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
     return Auto().search(part, watch, warm)
+
+
+STRETCHES = Stretches(_solve_stretch, length=14, rejected=8)
+"""For what labels do not know: a stretch of several agents is small enough for shares."""

@@ -68,7 +68,10 @@ class Stretches:
                 break
             share = min(LARGEST_SHARE, 1 / (len(firsts) - done))
             stretch = in_turn(problem, best)[max(first, 0) : first + self.length]
-            best = self._improved(problem, watch.share(share), best, stretch)
+            try:
+                best = self._improved(problem, watch.share(share), best, stretch)
+            except KeyboardInterrupt:
+                watch.stop()
         return best
 
     def _improved(self, problem: Problem, watch: Stopwatch, best: Draft, stretch: list[int]) -> Draft:

@@ -10,12 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Triangle
-from fuzzytime.scheduling import Auto, LocalSearch, solve
+from fuzzytime.scheduling import Auto, LocalSearch, exact, solve
 from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.problem import Problem, problem_of
 from fuzzytime.scheduling.solver import Draft, draft_of, nothing
 from fuzzytime.scheduling.stretches import Stretches, part_of
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults, random_task
 
 
@@ -62,6 +63,22 @@ def test_a_stretch_as_long_as_all_is_solved_exactly() -> None:
     assert found.cost == pytest.approx(Auto().search(group, watch).cost, abs=1e-6)
 
 
+def test_an_interrupt_ends_with_the_best_so_far() -> None:
+    def interrupted(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+        if len(done) == 2:
+            raise KeyboardInterrupt
+        done.append(members)
+        return exactly(part, members, watch, warm)
+
+    done: list[list[int]] = []
+    problem, watch = row(100, 105, 200, 205, 300, 305), Stopwatch(Limits())
+    begun = draft_of(problem, np.array([90.0, 125.0, 190.0, 225.0, 290.0, 325.0]), np.ones(6, np.int64))
+    found = Stretches(interrupted, length=2, rejected=2).improve(problem, watch, begun)
+    assert watch.is_over()
+    assert (found.starts != begun.starts).tolist() == [True, True, True, True, False, False]
+    assert found.cost < begun.cost
+
+
 def row(*centres: float, agents: int = 1, **others: tuple[object, ...]) -> Problem:
     """Skills of 10 s, each wished for within 30 s of a moment."""
     skills = tuple(FuzzySkill(f"skill {c}", Triangle(c - 30, c, c + 30), 10.0) for c in centres)
@@ -96,3 +113,36 @@ def test_a_skill_comes_in_only_with_what_must_come_before_it() -> None:
     rejecting = nothing(problem)
     assert part_of(problem, rejecting, [], rejected=2)[0] in ([0, 1], [1, 0])
     assert part_of(problem, rejecting, [], rejected=1)[0] in ([0], [])
+
+
+@pytest.mark.parametrize("seed", range(700, 730))
+def test_what_is_proved_with_stretches_holds_beside_an_independent_optimiser(
+    seed: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name, value in {"MANY": 2, "MOST_ANEW": 2, "DOUBTFUL": 0.0, "STRETCH": 3, "REJECTED": 2}.items():
+        monkeypatch.setattr(exact, name, value)
+    assert not list(wrong(FAMILIES["one agent, labels"], seed))
+
+
+def test_many_skills_are_searched_in_stretches(monkeypatch: pytest.MonkeyPatch) -> None:
+    rounds: list[float] = []
+    improve = Stretches.improve
+
+    def noting(self: Stretches, problem: Problem, watch: Stopwatch, best: Draft) -> Draft:
+        found = improve(self, problem, watch, best)
+        rounds.append(best.cost - found.cost)
+        return found
+
+    monkeypatch.setattr(Stretches, "improve", noting)
+    monkeypatch.setattr(exact, "MANY", 20)
+    monkeypatch.setattr(exact, "MOST_ANEW", 20)
+    monkeypatch.setattr(exact, "DOUBTFUL", 0.0)
+    generator = np.random.default_rng(5)
+    centres, durations = generator.uniform(60, 900, 40).tolist(), generator.integers(10, 60, 40).tolist()
+    wishes = [Triangle(centre - 120, centre, centre + 120) for centre in centres]
+    skills = [FuzzySkill(f"skill {k}", wishes[k], float(durations[k])) for k in range(40)]
+    task = FuzzyTask(tuple(skills))
+    schedule = solve(task)
+    assert not faults(schedule)
+    assert rounds
+    assert min(rounds) >= 0
