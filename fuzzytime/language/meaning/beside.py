@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.relations import narrowed, same_day
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
@@ -123,11 +124,18 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
         if old.clock and wall.clock:
             return None
         late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
-        if old.part and wall.part and not late and not (old.part.start <= wall.part.start < old.part.end):
+        if old.part and wall.part and not late and not _is_inside(wall.part, old.part):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
         walls.append(replace(old, clock=clock, part=wall.part or old.part))
     return replace(repeat, walls=tuple(walls))
+
+
+def _is_inside(inner: Part, outer: Part) -> bool:
+    """Whether hours, or a part of the day, are in a part: "every morning between seven and eight" too."""
+    if not inner.name:
+        return outer.is_near(inner.start)
+    return outer.start <= inner.start < outer.end
 
 
 def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
@@ -162,14 +170,21 @@ def within_hours(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
     """Give a repetition within hours of the day: every weekday from 9 to 5."""
     if first.clock is None or not isinstance(last, Wall) or last.clock is None:
         return None
-    begins = first.clock.first_from(PLAUSIBLE)
+    begins = _hour_of(repeat, first.clock)
     ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
     return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
 
 
+def _hour_of(repeat: Repeat, clock: Clock) -> int:
+    """Give the seconds since midnight that a clock time of a repetition means: "every evening from nine"."""
+    parts = {wall.part for wall in repeat.walls}
+    (part,) = parts if len(parts) == 1 else (None,)
+    return (clock if part is None else halved(clock, part.half)).first_from(PLAUSIBLE)
+
+
 def _on_side(repeat: Repeat, clock: Clock, side: Constraint | None) -> Repeat | None:
     """Give a repetition on one side of a clock time of its days: every monday before seven."""
-    moment = clock.first_from(PLAUSIBLE)
+    moment = _hour_of(repeat, clock)
     hours = {Constraint.BEFORE: (0, moment), Constraint.AFTER: (moment, DAY_SECONDS)}.get(
         side or Constraint.AT
     )
