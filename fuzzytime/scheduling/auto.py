@@ -7,7 +7,7 @@ from typing import ClassVar
 from fuzzytime.scheduling import shares, small
 from fuzzytime.scheduling.exact import MANY, Labels
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.local_search import KICKS, LocalSearch
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
@@ -16,6 +16,9 @@ from fuzzytime.scheduling.stretches import Stretches
 
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
+
+KICKS = 200
+"""Of a local search where an exact method has left a gap."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +44,7 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
-            better = LocalSearch(kicks=5 * KICKS).search(problem, watch.share(0.2), best)
+            better = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
             if len(problem.jobs) > STRETCHES.length + STRETCHES.rejected:
                 better = STRETCHES.improve(problem, watch.share(0.4), better)
             other = Milp().search(problem, watch, better)

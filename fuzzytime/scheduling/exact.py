@@ -20,7 +20,7 @@ from fuzzytime.scheduling.grid import Grid, Ints, grid_of
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.local_search import KICKS, LocalSearch
+from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.refinement import CLOSED, STEPS, GridSearch
 from fuzzytime.scheduling.relaxation import Relaxation
@@ -33,11 +33,8 @@ BEAM = 50
 DOUBTFUL = 0.01
 """The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
 
-STARTS = 2
-"""Of the local search anew, where labels took too much room and the schedule is doubtful."""
-
-MOST_ANEW = 100
-"""Up to so many skills that, and a beam, are worth their time; for more, stretches are."""
+MOST_TOGETHER = 100
+"""Up to so many skills a beam finds good schedules; more are improved in stretches."""
 
 STRETCH = 30
 """Skills that are done in a stretch."""
@@ -78,13 +75,13 @@ class _Search(GridSearch):
     """Labels below a rising threshold."""
 
     first_slots = 1500
+    enough = 0.3
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         super().__init__(problem, watch, best)
         self._dominance: Dominance | None = None
         self._followed: Floats | None = None
         self._is_solved = False
-        self._starts = 0
 
     def tightened(self, problem: Problem, step: float) -> Problem:
         """Add what some best schedule keeps, where waiting never helps and all is done."""
@@ -121,8 +118,6 @@ class _Search(GridSearch):
                 budget, width = 4 * budget, 6 * width
                 if searching:
                     self._search_near(relaxation, width)
-                    if self._is_doubtful() and len(self.problem.jobs) <= MOST_ANEW:
-                        self._search_far(relaxation)
                 if self.is_closed():
                     return True
             else:
@@ -151,7 +146,7 @@ class _Search(GridSearch):
         known = self.best.cost
         self._follow_path(relaxation)
         self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
-        if len(self.problem.jobs) > MOST_ANEW and self._is_doubtful():
+        if len(self.problem.jobs) > MOST_TOGETHER and self._is_doubtful():
             self._search_stretches(relaxation)
         self._learn(relaxation, known)
 
@@ -167,15 +162,6 @@ class _Search(GridSearch):
             return search.best
 
         self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
-
-    def _search_far(self, relaxation: Relaxation) -> None:
-        """Search anew with other draws, and by kicks."""
-        known = self.best.cost
-        for begin in (*[None] * STARTS, self.best):
-            self._starts += 1
-            searched = LocalSearch(self._starts, kicks=KICKS)
-            self.take(searched.search(self.problem, self.watch.share(0.2), begin))
-        self._learn(relaxation, known)
 
     def _learn(self, relaxation: Relaxation, known: float) -> None:
         """Use a better schedule to prove more."""

@@ -31,9 +31,6 @@ STRETCH = 40
 MOST_KICKED = 10
 """Jobs that a kick takes out, at most."""
 
-KICKS = 40
-"""Of a search where an exact method has left a gap."""
-
 KICKS_A_STRETCH = 20
 """Kicks before another stretch has its turn."""
 

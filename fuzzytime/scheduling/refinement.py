@@ -41,11 +41,8 @@ BYTES_PER_START = 200
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
-ENOUGH = 0.3
-"""The gap in cost, by the largest weight, that is left to labels."""
-
 ENOUGH_OF_ALL = 0.03
-"""That gap as a share of what the best schedule costs, at most."""
+"""The gap in cost that is left to an exact program, as a share of what the best schedule costs, at most."""
 
 CLOSED = 1e-7
 """The gap in cost, by weight, at which nothing is left to prove."""
@@ -95,6 +92,9 @@ class GridSearch(ABC):
 
     first_slots: ClassVar[int]
     """Slots of the first grid, at least."""
+
+    enough: ClassVar[float]
+    """The gap in cost, by the largest weight, that is left to the exact program."""
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         self.problem, self.watch = problem, watch
@@ -186,7 +186,7 @@ class GridSearch(ABC):
     def left_over(self) -> float:
         """The gap in cost that the relaxation need not close."""
         heaviest = max(job.weight for job in self.problem.jobs)
-        return min(ENOUGH * heaviest, ENOUGH_OF_ALL * self.best.cost)
+        return min(self.enough * heaviest, ENOUGH_OF_ALL * self.best.cost)
 
     def is_closed(self) -> bool:
         """Tell whether the best schedule is proved to be as good as can be told."""

@@ -78,6 +78,7 @@ class _Search(GridSearch):
     """Shares below a rising threshold."""
 
     first_slots = 200
+    enough = 0.035
 
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""

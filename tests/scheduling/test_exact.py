@@ -8,7 +8,7 @@ import pytest
 
 from fuzzytime.satisfaction import Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, LocalSearch, Milp, Shares, Solver, Status, solve
-from fuzzytime.scheduling.local_search import KICKS
+from fuzzytime.scheduling.auto import KICKS
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults

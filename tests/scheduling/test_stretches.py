@@ -119,7 +119,7 @@ def test_a_skill_comes_in_only_with_what_must_come_before_it() -> None:
 def test_what_is_proved_with_stretches_holds_beside_an_independent_optimiser(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for name, value in {"MANY": 2, "MOST_ANEW": 2, "DOUBTFUL": 0.0, "STRETCH": 3, "REJECTED": 2}.items():
+    for name, value in {"MANY": 2, "MOST_TOGETHER": 2, "DOUBTFUL": 0.0, "STRETCH": 3, "REJECTED": 2}.items():
         monkeypatch.setattr(exact, name, value)
     assert not list(wrong(FAMILIES["one agent, labels"], seed))
 
@@ -135,7 +135,7 @@ def test_many_skills_are_searched_in_stretches(monkeypatch: pytest.MonkeyPatch) 
 
     monkeypatch.setattr(Stretches, "improve", noting)
     monkeypatch.setattr(exact, "MANY", 20)
-    monkeypatch.setattr(exact, "MOST_ANEW", 20)
+    monkeypatch.setattr(exact, "MOST_TOGETHER", 20)
     monkeypatch.setattr(exact, "DOUBTFUL", 0.0)
     generator = np.random.default_rng(5)
     centres, durations = generator.uniform(60, 900, 40).tolist(), generator.integers(10, 60, 40).tolist()
