@@ -67,6 +67,7 @@ def plot(answers: dict[tuple[str, Kind, int], list[Answer]], path: Path) -> None
 
     kinds = list(dict.fromkeys(kind for _, kind, _ in answers))
     names = list(dict.fromkeys(name for name, _, _ in answers))
+    sizes = list(dict.fromkeys(count for _, _, count in answers))
     figure, axes = plt.subplots(1, len(kinds), sharey=True, figsize=(5 * len(kinds), 4), squeeze=False)
     for axis, kind in zip(axes[0], kinds, strict=True):
         for place, name in enumerate(names):
@@ -87,8 +88,11 @@ def plot(answers: dict[tuple[str, Kind, int], list[Answer]], path: Path) -> None
                     s=20,
                 )
         axis.set(xscale="log", yscale="log", xlabel="skills", title=f"{kind} wishes")
+        axis.set_xticks(sizes, labels=[str(count) for count in sizes])
+        axis.minorticks_off()
+        axis.yaxis.set_major_formatter("{x:g}")
     axes[0][0].set_ylabel("CPU seconds; hollow: not proved")
-    axes[0][0].legend()
+    axes[0][-1].legend(loc="lower right")
     figure.tight_layout()
     figure.savefig(path, dpi=120)
 

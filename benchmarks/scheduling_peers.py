@@ -92,9 +92,10 @@ def cp_sat(task: FuzzyTask, limit: float, step: float = 5.0) -> Answer:
     solver.parameters.max_time_in_seconds = limit
     solver.parameters.num_workers = 2
     status = solver.solve(model)
+    found = status in {cp_model.OPTIMAL, cp_model.FEASIBLE}
     return Answer(
-        solver.objective_value / PRECISION,
-        solver.best_objective_bound / PRECISION,
+        solver.objective_value / PRECISION if found else np.inf,
+        max(solver.best_objective_bound, 0.0) / PRECISION,
         status == cp_model.OPTIMAL,
         time.perf_counter() - begun,
         time.process_time() - used,
