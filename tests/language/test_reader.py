@@ -290,3 +290,12 @@ def test_words_without_a_verb_that_is_understood_are_pointed_at() -> None:
     (remark,) = language().read("on arrival call reception", now=NOW).remarks
     assert "names nothing to do" in remark.message
     assert language().read("in ten minutes", now=NOW).remarks == ()
+
+
+def test_two_times_with_nothing_but_joints_between_them_are_of_one_thing() -> None:
+    reading = language().read("within the next 3 hours, and within the next 5 hours", now=NOW)
+    (instruction,) = reading.instructions
+    assert [requirement.text for requirement in instruction.requirements] == [
+        "within the next 3 hours",
+        "within the next 5 hours",
+    ]

@@ -112,10 +112,12 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         if _turns(between, lexicon):
             found.append(between[1].start)
             continue
-        if len(between) < SHORTEST_GAP or between[0].text not in {"and", ","}:
-            continue
-        if between[1].text in {"and", "then"}:
+        if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
             between = between[1:]
+        elif not between or between[0].text not in {"and", ","}:
+            continue
+        if len(between) < SHORTEST_GAP:
+            continue
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
         nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
         alike = (
