@@ -3,6 +3,7 @@
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.request import SpokenWish, Wish
 from fuzzytime.language import Instruction, Reading, RemarkKind
+from fuzzytime.language.instruction import overlap
 
 _KINDS = {
     RemarkKind.NOT_UNDERSTOOD: ProblemKind.NOT_UNDERSTOOD,
@@ -34,14 +35,10 @@ def is_spoiled(instruction: Instruction, reading: Reading, problems: list[Proble
     for problem in problems:
         if problem.kind is not ProblemKind.NOT_UNDERSTOOD or problem.span is None:
             continue
-        owners = [other for other in reading.instructions if _overlap(other.span, problem.span)]
+        owners = [other for other in reading.instructions if overlap(other.span, problem.span)]
         if not owners or instruction in owners:
             return True
     return False
-
-
-def _overlap(first: tuple[int, int], second: tuple[int, int]) -> bool:
-    return first[0] < second[1] and second[0] < first[1]
 
 
 def notes_of(interpreted: Interpreted) -> list[Problem]:

@@ -17,6 +17,12 @@ if TYPE_CHECKING:
 Span = tuple[int, int]
 """First and one past last character in the text as typed."""
 
+
+def overlap(one: Span, other: Span) -> bool:
+    """Whether two stretches have a character in common."""
+    return one[0] < other[1] and other[0] < one[1]
+
+
 PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "this", "those", "these"})
 """Objects that stand before a particle: "wake me up"."""
 

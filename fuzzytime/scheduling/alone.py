@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from fuzzytime.satisfaction import EMPTY, Interval, SatisfactionFunction
-from fuzzytime.scheduling.problem import above, free_of
+from fuzzytime.scheduling.problem import above, free_of, in_common
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask
 
 EQUAL = 1e-9
@@ -73,9 +73,8 @@ def best_beside(skill: FuzzySkill, busy: list[Busy], near: float) -> Best:
     most, time = max(((float(function(time)), -time) for time in times), default=(0.0, 0.0))
     if most <= 0:
         return Best(0.0, EMPTY)
-    spans = [span.intersection(part) for span in above(function, most * (1 - EQUAL), end) for part in free]
     starts = min(
-        (span for span in spans if not span.empty),
+        in_common(above(function, most * (1 - EQUAL), end), free),
         key=lambda span: _distance(span, near),
         default=Interval(-time, -time),
     )

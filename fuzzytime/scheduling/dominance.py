@@ -22,7 +22,7 @@ import numpy as np
 
 from fuzzytime.satisfaction import Interval, cell_chord_errors
 from fuzzytime.scheduling.grid import ROUNDING, Ints
-from fuzzytime.scheduling.problem import Lag, Problem
+from fuzzytime.scheduling.problem import Lag, Problem, in_common
 
 WORTHWHILE = 0.02
 """The share of orders that a round over all pairs must find, for another one."""
@@ -58,9 +58,9 @@ class Dominance:
         # Where the step does not divide all durations nothing is deduced.
         self.knows = bool(self.durations.all()) and not off.any()
         if self.knows:
-            self._compare(problem)
+            self._work_out_costs(problem)
 
-    def _compare(self, problem: Problem) -> None:
+    def _work_out_costs(self, problem: Problem) -> None:
         """Work out what each job costs at slots, and how much more or less between them."""
         times, jobs = self.ready + self.step * np.arange(self.end + 1), problem.jobs
         costs = np.array([np.where((c := job.costs(times)) < job.worst, c, job.rejection) for job in jobs])
@@ -76,7 +76,7 @@ class Dominance:
         if not self.knows or not all(any(job.windows) for job in problem.jobs):
             return problem
         self._narrow(problem)
-        while self.deduce() > WORTHWHILE * np.count_nonzero(self.before):
+        while self._deduce() > WORTHWHILE * np.count_nonzero(self.before):
             pass
         return self._applied(problem)
 
@@ -89,7 +89,7 @@ class Dominance:
                 left[max(low, 0) : max(high, low + 1)] = True
             self.possible[index] &= left
 
-    def deduce(self) -> int:
+    def _deduce(self) -> int:
         """Go once over all pairs; tell how many orders were found."""
         known, durations = int(np.count_nonzero(self.before)), self.durations
         # For each job and cell: the work that must come before a start there, and after it.
@@ -143,9 +143,7 @@ class Dominance:
             edges = np.flatnonzero(np.diff(possible, prepend=False, append=False)).reshape(-1, 2)
             times = (self.ready + self.step * edges).tolist()
             runs = [Interval(first, min(end, high)) for first, end in times]
-            pieces = [window.intersection(run) for window in job.windows[0] for run in runs]
-            left = tuple(piece for piece in pieces if not piece.empty)
-            jobs.append(replace(job, windows=(left or job.windows[0],)))
+            jobs.append(replace(job, windows=(in_common(job.windows[0], runs) or job.windows[0],)))
         lags = tuple(
             Lag(first, second, problem.jobs[first].duration, math.inf)
             for first, second in np.argwhere(self.before).tolist()

@@ -108,7 +108,7 @@ class Rough:
             self._before.setdefault(lag.second, []).append((lag.first, low, high))
             self._after.setdefault(lag.first, []).append((lag.second, low, high))
 
-    def improve(self, watch: Stopwatch, generator: np.random.Generator, sweeps: float = math.inf) -> None:
+    def improve(self, watch: Stopwatch, generator: np.random.Generator, sweeps: float) -> None:
         """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
         count = len(self.placed)
         better, done = True, 0

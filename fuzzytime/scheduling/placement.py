@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling.problem import Job, good_enough
+from fuzzytime.scheduling.problem import Job, good_enough, in_common
 from fuzzytime.skills import FuzzyTask
 
 ROOM = 1e-10
@@ -67,11 +67,10 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
                 done = starts[precedence.first] + first.time_until_done
                 release = max(release, done + precedence.minimum_lag)
         if job.over == math.inf:
-            wanted = [span.intersection(Interval(release, math.inf)) for span in good_enough(job)]
-            wanted = [span for span in wanted if not span.empty]
+            wanted = in_common(good_enough(job), [Interval(release, math.inf)])
         else:
             # What has no time at all waits for everything that has.
-            wanted = [Interval(max(release, job.over or end_of_all), math.inf)]
+            wanted = (Interval(max(release, job.over or end_of_all), math.inf),)
         allowed = [skill.agent] if skill.agent is not None else list(range(1, task.agents + 1))
         start, agent = min((rota.earliest(agent, job.duration, wanted), agent) for agent in allowed)
         if start == math.inf:

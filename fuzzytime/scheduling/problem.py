@@ -7,7 +7,7 @@ late costs −priority · log ψ(∞) only. A skill that must come after a rejec
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -299,6 +299,13 @@ def good_enough(job: Job) -> tuple[Interval, ...]:
     return (*spans[:-1], Interval(spans[-1].low, math.inf))
 
 
+def in_common(spans: Iterable[Interval], others: Iterable[Interval]) -> tuple[Interval, ...]:
+    """Give what two rows of disjoint intervals, each ascending, have in common."""
+    kept = [*others]
+    parts = (span.intersection(other) for span in spans for other in kept)
+    return tuple(part for part in parts if not part.empty)
+
+
 def free_of(
     wanted: tuple[Interval, ...], busy: tuple[Interval, ...], duration: float
 ) -> tuple[Interval, ...]:
@@ -338,8 +345,4 @@ def _bound_by_lags(task: FuzzyTask, jobs: list[Job], lanes: tuple[Lane, ...]) ->
 
 
 def _clipped(job: Job, within: Interval) -> Job:
-    windows = tuple(
-        tuple(part for part in (window.intersection(within) for window in lane) if not part.empty)
-        for lane in job.windows
-    )
-    return replace(job, windows=windows)
+    return replace(job, windows=tuple(in_common(lane, [within]) for lane in job.windows))

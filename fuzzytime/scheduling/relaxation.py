@@ -22,7 +22,7 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.multipliers import Multipliers
 from fuzzytime.scheduling.orders import Order
 from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, ways_to_end
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem import Problem, in_common
 from fuzzytime.scheduling.settle import lanes_of_agents, sequences
 from fuzzytime.scheduling.solver import Draft
 
@@ -175,9 +175,7 @@ class Relaxation:
         """Give what windows have in common with the cells next to some slots, which ascend."""
         edges = np.flatnonzero(np.diff(starts, prepend=-2, append=np.iinfo(np.int64).max) > 1)
         lows, highs = self.grid.times(starts[edges[:-1]] - 1), self.grid.times(starts[edges[1:] - 1] + 1)
-        runs = [Interval(*run) for run in zip(lows.tolist(), highs.tolist(), strict=True)]
-        pieces = [window.intersection(run) for window in windows for run in runs]
-        return tuple(piece for piece in pieces if not piece.empty)
+        return in_common(windows, map(Interval, lows.tolist(), highs.tolist()))
 
 
 def _best_gain(grid: Grid, job: int) -> float:

@@ -16,7 +16,7 @@ from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import Arrangement, Objective
-from fuzzytime.scheduling.problem import Job, Problem, above
+from fuzzytime.scheduling.problem import Job, Problem, above, in_common
 from fuzzytime.scheduling.settle import lanes_of_agents, nearest, sequences, settled
 from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing import Block, round_blocks
@@ -94,8 +94,7 @@ def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int,
         good = above(job.function, level, max(job.latest, start))
         windows = []
         for index, lane in enumerate(job.windows):
-            spans = [window.intersection(span) for window in lane for span in good]
-            spans = [_with(span, start) for span in spans if not span.empty]
+            spans = [_with(span, start) for span in in_common(lane, good)]
             if index == lanes[agent] and not any(start in span for span in spans):
                 spans = sorted([*spans, Interval(start, start)], key=lambda span: span.low)
             windows.append(tuple(spans))
@@ -108,8 +107,7 @@ def _bounded(problem: Problem, starts: Floats, bounds: Sequence[Interval]) -> Pr
     jobs = []
     for job, start, bound in zip(problem.jobs, starts.tolist(), bounds, strict=True):
         within = Interval(min(bound.low, start), max(bound.high, start))
-        lanes = [[span.intersection(within) for span in lane] for lane in job.windows]
-        jobs.append(replace(job, windows=tuple(tuple(x for x in lane if not x.empty) for lane in lanes)))
+        jobs.append(replace(job, windows=tuple(in_common(lane, [within]) for lane in job.windows)))
     return replace(problem, jobs=tuple(jobs))
 
 

@@ -20,10 +20,15 @@ def lanes_of_agents(problem: Problem) -> dict[int, int]:
     return {agent: index for index, lane in enumerate(problem.lanes) for agent in lane.agents}
 
 
-def sequences(problem: Problem, starts: Floats, agents: Ints) -> dict[int, list[int]]:
-    """Give the jobs of each agent in the order of their starts; what starts together, the shorter first."""
+def in_turn(problem: Problem, starts: Floats) -> list[int]:
+    """Give the jobs that are done in the order of their starts; what starts together, the shorter first."""
     placed = [index for index in range(len(problem.jobs)) if not math.isnan(starts[index])]
-    placed.sort(key=lambda index: (starts[index], problem.jobs[index].duration, index))
+    return sorted(placed, key=lambda index: (starts[index], problem.jobs[index].duration, index))
+
+
+def sequences(problem: Problem, starts: Floats, agents: Ints) -> dict[int, list[int]]:
+    """Give the jobs of each agent in turn."""
+    placed = in_turn(problem, starts)
     return {agent: [i for i in placed if agents[i] == agent] for agent in lanes_of_agents(problem)}
 
 

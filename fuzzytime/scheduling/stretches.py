@@ -15,8 +15,8 @@ import numpy as np
 
 from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import Job, Problem
-from fuzzytime.scheduling.settle import settled
+from fuzzytime.scheduling.problem import Job, Problem, in_common
+from fuzzytime.scheduling.settle import in_turn, settled
 from fuzzytime.scheduling.solver import Draft, draft_of
 
 LARGEST_SHARE = 0.2
@@ -67,7 +67,7 @@ class Stretches:
             if watch.is_over():
                 break
             share = min(LARGEST_SHARE, 1 / (len(firsts) - done))
-            stretch = in_turn(problem, best)[max(first, 0) : first + self.length]
+            stretch = in_turn(problem, best.starts)[max(first, 0) : first + self.length]
             try:
                 best = self._improved(problem, watch.share(share), best, stretch)
             except KeyboardInterrupt:
@@ -90,12 +90,6 @@ class Stretches:
             # What stood still must not come after a skill that is rejected now.
             after = settled(problem, starts, agents, NEAR)
         return after if after.cost < best.cost else best
-
-
-def in_turn(problem: Problem, draft: Draft) -> list[int]:
-    """Give the jobs that are done in the order of their starts; what starts together, the shorter first."""
-    order = np.lexsort((np.array([job.duration for job in problem.jobs]), draft.starts))
-    return [job for job in order.tolist() if not math.isnan(draft.starts[job])]
 
 
 def part_of(
@@ -142,7 +136,7 @@ class _Space:
         self.lanes = [replace(lane, agents=(agent,)) for lane in problem.lanes for agent in lane.agents]
         self._free = {lane.agents[0]: [-math.inf, math.inf] for lane in self.lanes}
         before = True
-        for job in in_turn(problem, draft):
+        for job in in_turn(problem, draft.starts):
             before &= job not in self._moving
             start, duration = float(draft.starts[job]), problem.jobs[job].duration
             free = self._free[int(draft.agents[job])]
@@ -166,8 +160,7 @@ class _Space:
         for lane, number in zip(self.lanes, self._lane_of, strict=True):
             low, high = self._free[lane.agents[0]]
             room = Interval(max(low, least), min(high - old.duration, most))
-            inside = [window.intersection(room) for window in old.windows[number]]
-            windows.append(tuple(window for window in inside if not window.empty))
+            windows.append(in_common(old.windows[number], [room]))
         return replace(old, windows=tuple(windows))
 
     def leaders(self, job: int) -> set[int]:

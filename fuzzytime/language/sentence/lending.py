@@ -3,11 +3,11 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.segments import ARTICLES
-from fuzzytime.language.sentence.sketch import Sketch, overlap
+from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     Edge,
     Offset,
@@ -124,11 +124,6 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
         if clause.span[0] <= word.start < clause.span[1]
     ]
     return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
-
-
-def overlap(one: Span, other: Span) -> bool:
-    """Whether two stretches have a character in common."""
-    return one[0] < other[1] and other[0] < one[1]
 
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
