@@ -7,18 +7,25 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
     Coming,
     Duration,
     Goal,
     Offset,
     Quantity,
+    Repeat,
     Said,
+    TimeWord,
     UnitWord,
     Wall,
 )
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+
+HOURS = 24
+"""Numbers beyond this are no hours."""
 
 
 def _length(duration: Duration, constraint: Constraint, preposition: str) -> Said:
@@ -228,6 +235,27 @@ def from_now(duration: Duration, preposition: Preposition) -> Said:
 def when_it_has_been(duration: Duration) -> Said:
     """When it's been ten minutes: since what was begun."""
     return so_far_in(duration)
+
+
+@grammar.rule("said", "every|each <integer>", weight=0.1)
+def every_number(number: Integer) -> Said | None:
+    """(bake for forty minutes, turning) every 10: of the unit that was said before."""
+    duration = Duration(((number.value, Unit.MINUTE),), bare_end=True)
+    return Said(Repeat(duration)) if number.value > 0 else None
+
+
+@grammar.rule("said", "after <integer>", weight=-0.5)
+def after_number(number: Integer) -> Said | None:
+    """(bake for forty minutes, turning it) after 30, which is no hour: of the unit that was said before."""
+    if number.value <= HOURS:
+        return None
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")
+def halfway() -> Said:
+    """(bake for forty minutes, turning) halfway: of what was said to last."""
+    return Said(TimeWord(HALFWAY, Constraint.FOR))
 
 
 @grammar.rule("said", "<duration> in", weight=0.2)

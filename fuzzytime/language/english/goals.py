@@ -60,6 +60,18 @@ def to_the_hour(minutes: float) -> HourMark:
     return HourMark(60 - int(minutes))
 
 
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past", weight=0.1)
+def past_no_hour(minutes: float) -> HourMark:
+    """(at) a quarter past: of the hour that was said before, or of the next."""
+    return HourMark(int(minutes), open=True)
+
+
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> to", weight=0.1)
+def to_no_hour(minutes: float) -> HourMark:
+    """(at) ten to: of the hour that was said before, or of the next."""
+    return HourMark(60 - int(minutes), open=True)
+
+
 @grammar.rule("goal", "<same>")
 def goal_like_now(time: SameTime | HourMark) -> Goal:
     """A time of day that depends on the one now."""

@@ -10,8 +10,10 @@ from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroun
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
     Coming,
     Duration,
+    HourMark,
     Offset,
     Range,
     Repeat,
@@ -30,11 +32,27 @@ BINDING = frozenset(
 ASKED = frozenset({"me", "us", "just"})
 """Words before "a second" that make it no length of time."""
 
+OF_HOURS = frozenset(
+    {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
+)
+"""Prepositions of minutes past an hour that is not said: "at half past"."""
+
 UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
 """Words before a length of time that make it another thing than how long: "by ten minutes"."""
 
 SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
+
+
+def _lacks_unit(said: Said) -> bool:
+    """Whether it is a share, or a number without a unit, of what was said to last."""
+    time = said.time
+    if isinstance(time, TimeWord):
+        return time.word == HALFWAY
+    length = time.every if isinstance(time, Repeat) else time
+    after = said.constraint is Constraint.AFTER or isinstance(time, Repeat)
+    bare = isinstance(length, Duration) and length.bare_end and len(length.terms) == 1
+    return after and bare and isinstance(length, Duration) and length.until is None
 
 
 class Judge:
@@ -56,11 +74,15 @@ class Judge:
             return False
         time = said.time
         if self._is_whole(piece):
-            return self._accepts_alone(said)
+            return not _lacks_unit(said) and self._accepts_alone(said)
+        if _lacks_unit(said):
+            return self._is_lent(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if said.preposition == "for" and number and not lent and not self._appoints(piece):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
+            return False
+        if said.preposition == "in" and self._counts_from_that(piece):
             return False
         if (
             said.preposition == "in"
@@ -78,15 +100,40 @@ class Judge:
             return self.walls.accept(piece, said, time)
         return self._accepts_other(piece, said)
 
+    def _counts_from_that(self, piece: Piece) -> bool:
+        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
+        distances = (["before", "that"], ["after", "that"])
+        return any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2))
+
+    def _is_lent(self, piece: Piece, said: Said) -> bool:
+        """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        if not lent or not self.around.may_end(piece):
+            return False
+        if isinstance(said.time, TimeWord):
+            return self.around.follower(piece) in {"", ".", ",", ";", "!", "and"}
+        return True
+
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
+            # "Call me then"; "then call me" is a step behind another.
+            return piece.start > 0 and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic"
             return self.around.follower(piece) in {"", ",", "."}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
+        if isinstance(time, HourMark) and time.open:
+            # "Walk at ten to the gate", "half past the volume"
+            follower = self.around.follower(piece)
+            sure = (
+                said.preposition in {"at", "by", "before", "after", "until", "around", "from"} or said.hedges
+            )
+            counts = follower in OWNING or self.measures.is_number(piece.end)
+            return bool(sure) and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
             # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
             return said.preposition not in {None, "at", "for"}

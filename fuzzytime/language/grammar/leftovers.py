@@ -54,6 +54,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)
+                    or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
                     or (around.describes(piece) and around.follower(piece) not in AWAY)
                     or _is_compound(piece, around)
                 ):

@@ -60,6 +60,10 @@ class Lexicon:
         Words that begin what says where.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
+    catching
+        Verbs whose object is called by its time: "catch the 7:42".
+    citing
+        What two numbers with a colon belong to: "John 3:16".
     lasting
         Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
@@ -110,6 +114,8 @@ class Lexicon:
     places: frozenset[str]
     appointing: frozenset[str]
     lasting: frozenset[str]
+    catching: frozenset[str]
+    citing: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     rescheduling: frozenset[str]

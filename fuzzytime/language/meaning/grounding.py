@@ -97,8 +97,9 @@ class Grounding:
             moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
-            moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
-            moment += timedelta(hours=moment <= self.now)
+            begun = self.now if self.since is None else max(self.now, self.since)
+            moment = begun.replace(minute=said.minute, second=0, microsecond=0)
+            moment += timedelta(hours=moment <= begun)
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 

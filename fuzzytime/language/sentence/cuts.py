@@ -25,6 +25,9 @@ AGAIN = frozenset({"back", "again", "then"})
 SHORTEST_GAP = 2
 """Words at least between two times of which the second is another thing's: "and lunch"."""
 
+THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH"})
+"""Tags of words that name a thing, or what is called out: "goodbye"."""
+
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 """How times bind that say when."""
 
@@ -106,7 +109,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
     found = []
     root = part.tree.root
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj")))
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns(between, lexicon):
@@ -119,7 +122,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         if len(between) < SHORTEST_GAP:
             continue
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-        nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
+        nouns = all(part.tree.nodes[p].tag in THINGS for p in nodes)
         alike = (
             old.said.constraint is new.said.constraint
             or {old.said.constraint, new.said.constraint} <= MOMENTS

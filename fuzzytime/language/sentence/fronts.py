@@ -57,7 +57,7 @@ def fronts_of(
     fronts: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in fronts and _is_clause(clause, attempt.kind) and _is_order(order):
+        if attempt.one not in fronts and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
             fronts[attempt.one] = attempt.front
     return fronts
 
@@ -74,7 +74,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if start <= first or here == 0 or not node.may_act or node.lower != node.lemma:
             continue
         timed = any(a <= start < b for a, b in (phrase.span for phrase in source.phrases))
-        if timed or tree.nodes[here - 1].tag in BINDING:
+        if timed or _binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
@@ -85,10 +85,17 @@ def _is_order(tree: Tree) -> bool:
     return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
-def _is_clause(tree: Tree, kind: str) -> bool:
+def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
+    node = tree.nodes[place]
+    apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    return node.tag in BINDING and not apart
+
+
+def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     root = tree.root
-    if root is None or tree.nodes[-1].tag in BINDING:
+    if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
         return False
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:

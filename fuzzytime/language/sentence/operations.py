@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
@@ -22,6 +23,8 @@ PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
 )
+TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
+"""Who may come and go, and asks nobody to: "we land at nine"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,12 +137,30 @@ class Reader:
             named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
             words = self._words([p for p in named if not self.timed(p)], verb)
         if not words:
+            # "Say hello"
+            words = [p for p in self.tree.children(verb, "intj") if p == verb + 1]
+        if not words:
             # "Clear it away": a pronoun behind the verb was taken for who does it.
             words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self._words(self.tree.children(particle, *SUBJECTS), verb)
-        return [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+        kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+        return self._called_by_time(kept)
+
+    def _called_by_time(self, words: list[int]) -> list[int]:
+        """Give an object with the time that it is called by: "catch the 7:42"."""
+        if not words or self.tree.nodes[words[-1]].tag != "DT" or self.tree.nodes[words[-1]].lower != "the":
+            return words
+        here = words[-1] + 1
+        while here < len(self.tree.nodes) and self.timed(here) and self._is_clock(here):
+            words.append(here)
+            here += 1
+        return words
+
+    def _is_clock(self, place: int) -> bool:
+        """Whether a word is of a clock time, and no day."""
+        return self.tree.nodes[place].tag == "CD" or self.tree.nodes[place].lower in OF_CLOCKS
 
     def _asked(self, verb: int) -> list[int]:
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
@@ -190,8 +211,8 @@ class Reader:
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
-        named = bool(subjects) and subjects[0] not in PEOPLE
-        return named and finite and not self.tree.children(verb, "dobj", "acomp", "oprd", "xcomp", "ccomp")
+        told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        return told and finite and not self.tree.children(verb, "dobj", "acomp", "oprd", "xcomp", "ccomp")
 
     # -- places -----------------------------------------------------------------------------------------
 

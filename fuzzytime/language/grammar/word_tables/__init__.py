@@ -81,6 +81,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         places=frozenset(form[0] for form in speech.words("places")),
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
+        catching=frozenset(form[0] for form in speech.words("catching")),
+        citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
         rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
@@ -109,7 +111,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling",
+    "machines", "rescheduling", "catching", "citing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

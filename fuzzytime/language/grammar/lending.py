@@ -1,0 +1,63 @@
+"""What the times of a text lend each other: a unit to a number, a half of the day to a clock time."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Wall
+from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.requirement import Constraint, Unit
+
+LISTING = frozenset({",", "and", "&", "or"})
+"""Words between the times of a list."""
+
+PARTICIPLE = "ing"
+"""The ending of a verb that goes on beside another."""
+
+NOON = 12 * 3600
+
+
+def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
+    """Lend a number the unit of the length of time before it: "for two minutes, … and for one".
+
+    Behind "after" a number is an hour, unless it is said what goes on meanwhile: "rotating it after 20".
+    """
+    said, length = phrase.said, before.said
+    if not isinstance(length.time, Duration) or length.constraint is not Constraint.FOR:
+        return phrase
+    unit = length.time.terms[-1][1]
+    if isinstance(said.time, Duration) and said.time.bare_end and said.constraint is Constraint.AFTER:
+        return replace(phrase, said=replace(said, time=_counted(said.time, unit)))
+    if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
+        return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
+    if not isinstance(said.time, Wall) or not said.time.bare or said.preposition not in {"for", "after"}:
+        return phrase
+    clock = said.time.clock
+    between = words[before.end : phrase.first]
+    meanwhile = any(word.text.endswith(PARTICIPLE) for word in between)
+    if clock is None or clock.grain is not Unit.HOUR or (said.preposition == "after" and not meanwhile):
+        return phrase
+    duration = Duration(((clock.hour, unit),))
+    constraint = Constraint.FOR if said.preposition == "for" else said.constraint
+    return replace(phrase, said=replace(said, time=duration, constraint=constraint))
+
+
+def _counted(number: Duration, unit: Unit) -> Duration:
+    """Give as many of a unit."""
+    return Duration(((number.terms[0][0], unit),))
+
+
+def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
+    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am"."""
+    joints = {word.text for word in words[phrase.end : following.first]}
+    first, second = phrase.said.time, following.said.time
+    if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
+        return phrase
+    if first.clock is None or second.clock is None or first.days is not None or first.part is not None:
+        return phrase
+    half = second.clock.half
+    open_half = first.clock.is_open and first.clock.half is None and half in {Half.AM, Half.PM}
+    if not open_half or first.clock.seconds % NOON >= second.clock.seconds % NOON:
+        return phrase
+    clock = replace(first.clock, half=half, bare=False)
+    return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))
