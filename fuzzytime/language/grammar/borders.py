@@ -94,7 +94,7 @@ class Borders:
             return True
         if first == "over":
             # "Turn the steaks over every two minutes"
-            return rest[:1] in (["every"], ["each"])
+            return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _names_event(self, piece: Piece) -> bool:

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.borders import COMPARING, Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
@@ -18,6 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Range,
     Repeat,
     Said,
+    Time,
     TimeWord,
     Wall,
 )
@@ -79,6 +80,8 @@ class Judge:
             return self._is_lent(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
+        if self._seats(piece, time):
+            return False
         if said.preposition == "for" and number and not lent and not self._appoints(piece):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
@@ -201,6 +204,14 @@ class Judge:
         """Whether words before make "for" say when: "an alarm for two hours before noon"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
+
+    def _seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
+        """Whether it is for how many: "a table for four on friday"."""
+        clock = time.clock if isinstance(time, Wall) else None
+        hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
+        worded = not OF_CLOCKS & set(self.texts[piece.start : piece.end])
+        begin = piece.start + (self.texts[piece.start] == "for")
+        return hour and worded and self.texts[max(0, begin - 2) : begin] == ["table", "for"]
 
     def _is_share(self, piece: Piece) -> bool:
         """Whether it is of how many: "one in five"."""

@@ -88,6 +88,8 @@ class Lexicon:
         Words that begin a question, by how they do, and words that show that a text is not English.
     function_words
         Words that may follow a bare number without making it a count.
+    misspelt
+        What is meant by words as they are often mistyped.
     """
 
     entries: Mapping[str, tuple[Entry, ...]]
@@ -132,6 +134,7 @@ class Lexicon:
     questions: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
+    misspelt: Mapping[str, str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 

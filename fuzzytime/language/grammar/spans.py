@@ -31,7 +31,7 @@ class Scanned:
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
-        words = _parted(words_of(text), lexicon)
+        words = _parted([_spelt(word, lexicon) for word in words_of(text)], lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
@@ -42,6 +42,12 @@ class Scanned:
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
         return [piece for cell in self.cells for piece in cell.get(category, {}).values()]
+
+
+def _spelt(word: Word, lexicon: Lexicon) -> Word:
+    """Give a word as it is meant: "quater" is a quarter."""
+    meant = lexicon.misspelt.get(word.text)
+    return word if meant is None else replace(word, text=meant)
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:

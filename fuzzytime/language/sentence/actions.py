@@ -154,7 +154,8 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 def _is_negated(tree: Tree, place: int) -> bool:
     return any(
-        tree.nodes[p].lower in {"not", "n't", "n’t", "never"} for p in tree.children(place, "neg", "advmod")
+        tree.nodes[p].lower in {"not", "n't", "n’t", "nt", "never"}
+        for p in tree.children(place, "neg", "advmod")
     )
 
 

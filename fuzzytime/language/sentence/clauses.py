@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
+from fuzzytime.language.sentence.conditions import BE, being, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition, Constraint
 
@@ -148,7 +148,7 @@ class _Clauses:
                 condition=condition_of(self.tree, verb, nodes, said),
             )
         if clause.kind in STATED:
-            condition = happening(self.tree, nodes, said)
+            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
             if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"
                 return None

@@ -196,8 +196,9 @@ class _Composer:
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
         for requirement in times.requirements:
-            if requirement.constraint in SAID_WHEN and requirement.grain in SUB_DAY:
-                self.moment = replace(self.moment, since=requirement.earliest)
+            if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
+                since = requirement.latest if requirement.earliest is None else requirement.earliest
+                self.moment = replace(self.moment, since=since)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]

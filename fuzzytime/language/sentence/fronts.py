@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
-from fuzzytime.language.sentence.conditions import BE, happening
+from fuzzytime.language.sentence.conditions import BE, being, happening
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Waiting
 
@@ -18,6 +18,9 @@ CARRIER = "please "
 
 BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
 """Tags of words that do not end a clause, and that no order follows."""
+
+COMPARED = frozenset({"JJR", "RBR"})
+"""Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
 COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
 EVENTFUL = frozenset({"after", "before", "until", "into"})
@@ -71,7 +74,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        if start <= first or here == 0 or not node.may_act or node.lower != node.lemma:
+        bare = node.lower == node.lemma or node.tag in COMPARED
+        if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = any(a <= start < b for a, b in (phrase.span for phrase in source.phrases))
         if timed or _binds(tree, here - 1, lexicon):
@@ -105,4 +109,5 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     if kind in EVENTFUL:
         # "Before the guests get here": a plural has its verb behind it.
         return node.tag in {"NN", "NNP"}
-    return happening(tree, range(len(tree.nodes)), tree.text) is not None
+    whole = range(len(tree.nodes))
+    return any(read(tree, whole, tree.text) is not None for read in (happening, being))

@@ -214,6 +214,8 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         if above == root:
             return False
         node = tree.nodes[above]
-        if node.relation in EMBEDDED and node.tag not in FINITE:
+        # "Leave the dough covered and shape it": a bare verb is no second participle.
+        apart = node.tag == "VBN" and tree.nodes[place].tag == "VB"
+        if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False

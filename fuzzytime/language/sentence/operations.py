@@ -242,7 +242,7 @@ class Reader:
         """Whether a preposition still has what it governs: that may have been a time."""
         if self.tree.nodes[place].relation != "prep":
             return True
-        return any(child in words for child in self.tree.children(place))
+        return any(below in words for below in self.tree.below(place) if below != place)
 
     # -- words ------------------------------------------------------------------------------------------
 

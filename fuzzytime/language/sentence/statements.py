@@ -14,6 +14,11 @@ JOINTS = frozenset({",", ";", "-", "so"})
 DUE = frozenset({"should", "must", "has", "have", "needs"})
 """Helping verbs of what is asked for."""
 
+PHASES = frozenset(
+    {"starts", "begins", "ends", "finishes", "opens", "closes", "leaves", "departs", "arrives"}
+)
+"""What things with a time of their own do."""
+
 COUNTABLE = frozenset({"NN", "NNP"})
 
 
@@ -25,8 +30,8 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     root = tree.root
     if root is None or tree.nodes[root].tag != "NNS" or root + 1 not in timed:
         return tree
-    subject = next((p for p in tree.children(root, "compound") if p == root - 1), None)
-    if subject is None or tree.nodes[subject].tag not in COUNTABLE:
+    subject = _subject(tree, root)
+    if subject is None:
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
     nodes = list(tree.nodes)
@@ -35,6 +40,14 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
     return Tree(tree.text, tuple(nodes))
+
+
+def _subject(tree: Tree, verb: int) -> int | None:
+    """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes"."""
+    for place in tree.children(verb, "compound", "amod"):
+        if place == verb - 1 and (tree.nodes[place].tag in COUNTABLE or tree.nodes[verb].lower in PHASES):
+            return place
+    return None
 
 
 def _singular(verb: str) -> str:
@@ -69,5 +82,5 @@ def _is_statement(tree: Tree, place: int) -> bool:
     """Whether a verb before an order says what happens; a tree may take it for who does what is ordered."""
     node = tree.nodes[place]
     if node.relation in SUBJECTS:
-        return node.tag in {"VBZ", "NNS"} and bool(tree.children(place, "compound"))
+        return node.tag in {"VBZ", "NNS"} and _subject(tree, place) is not None
     return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
