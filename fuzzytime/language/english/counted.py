@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     UnitWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -252,6 +253,14 @@ def after_number(number: Integer) -> Said | None:
     return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.AFTER, "after")
 
 
+@grammar.rule("said", "for <integer>", weight=-0.5)
+def for_number(number: Integer) -> Said | None:
+    """(simmer) for 40, which is no hour: so many minutes, or of the unit that was said before."""
+    if number.value <= HOURS:
+        return None
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")
 def halfway() -> Said:
     """(bake for forty minutes, turning) halfway: of what was said to last."""
@@ -262,6 +271,34 @@ def halfway() -> Said:
 def so_far_in(duration: Duration) -> Said:
     """Ten minutes in: counted from what was begun."""
     return Said(Offset(replace(duration, hedges=())), None, "later", duration.hedges)
+
+
+@grammar.rule("said", "<duration> after", weight=0.05)
+def after_it(duration: Duration) -> Said | None:
+    """(call me) ten minutes after: counted from what was said before; but "the day after"."""
+    if any(unit not in SUB_DAY for _, unit in duration.terms):
+        return None
+    return so_far_in(duration)
+
+
+@grammar.rule("said", "<duration> before", weight=0.05)
+def before_it(duration: Duration) -> Said | None:
+    """(be there) ten minutes before: counted from what was said before; but "the night before"."""
+    if any(unit not in SUB_DAY for _, unit in duration.terms):
+        return None
+    return Said(Offset(replace(duration, hedges=()), -1), None, "earlier", duration.hedges)
+
+
+@grammar.rule("said", "after", weight=-0.5)
+def after_all_that() -> Said:
+    """(fluff it) after: when that is done which was said before."""
+    return Said(TimeWord("afterwards", Constraint.VAGUE))
+
+
+@grammar.rule("said", "before", weight=-0.5)
+def before_all_that() -> Said:
+    """(wash it) before: ahead of that which was said before."""
+    return Said(TimeWord("beforehand", Constraint.VAGUE))
 
 
 @grammar.rule("said", "<duration> <back>", weight=0.3)

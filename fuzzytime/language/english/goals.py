@@ -127,4 +127,4 @@ def soon_after(duration: Duration, goal: Goal) -> Range | None:
 
 def _counts_from(goal: Goal) -> bool:
     vague = isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT
-    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending))
+    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending, HourMark))

@@ -95,6 +95,9 @@ class Borders:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
+        if first in {"round", "around"}:
+            # "Bring the car round at six"
+            return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _names_event(self, piece: Piece) -> bool:

@@ -45,6 +45,10 @@ SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practic
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
 
+HOURS = 24
+"""Numbers beyond this are no hours."""
+
+
 def _lacks_unit(said: Said) -> bool:
     """Whether it is a share, or a number without a unit, of what was said to last."""
     time = said.time
@@ -52,8 +56,18 @@ def _lacks_unit(said: Said) -> bool:
         return time.word == HALFWAY
     length = time.every if isinstance(time, Repeat) else time
     after = said.constraint is Constraint.AFTER or isinstance(time, Repeat)
+    if said.constraint is Constraint.FOR and isinstance(time, Duration) and time.terms:
+        # "For 40"; but "for another five".
+        after = time.terms[0][0] > HOURS
     bare = isinstance(length, Duration) and length.bare_end and len(length.terms) == 1
     return after and bare and isinstance(length, Duration) and length.until is None
+
+
+MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
+"""Words behind a number of minutes without their unit."""
+
+STOPS = frozenset({",", ".", ";", "and", "then"})
+"""Words behind which another order begins."""
 
 
 class Judge:
@@ -82,7 +96,7 @@ class Judge:
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if self._seats(piece, time):
             return False
-        if said.preposition == "for" and number and not lent and not self._appoints(piece):
+        if said.preposition == "for" and number and not (lent or self._times(piece) or self._appoints(piece)):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
         if said.preposition == "in" and self._counts_from_that(piece):
@@ -111,6 +125,8 @@ class Judge:
     def _is_lent(self, piece: Piece, said: Said) -> bool:
         """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""
         lent = any(self.around.is_unit(place) for place in range(piece.start))
+        if said.constraint is Constraint.FOR and isinstance(said.time, Duration):
+            return self._times(piece) or (lent and self.around.may_end(piece))
         if not lent or not self.around.may_end(piece):
             return False
         if isinstance(said.time, TimeWord):
@@ -127,6 +143,10 @@ class Judge:
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic"
             return self.around.follower(piece) in {"", ",", "."}
+        if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
+            # "Call me ten minutes after"; but "after lunch call me", and "the night before".
+            led = piece.start > 0 and not self.around.timely(piece.start - 1)
+            return led and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
         if isinstance(time, HourMark) and time.open:
@@ -204,6 +224,13 @@ class Judge:
         """Whether words before make "for" say when: "an alarm for two hours before noon"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
+
+    def _times(self, piece: Piece) -> bool:
+        """Whether what is done is measured in minutes: "simmer for ten", "steep the tea for four"."""
+        verbs = [place for place in range(piece.start) if self.texts[place] in self.lexicon.timing]
+        whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
+        told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
+        return told and self.around.follower(piece) in MAY_FOLLOW
 
     def _seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it is for how many: "a table for four on friday"."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Wall
 from fuzzytime.language.meaning.times_of_day import Half
@@ -11,8 +12,14 @@ from fuzzytime.requirement import Constraint, Unit
 LISTING = frozenset({",", "and", "&", "or"})
 """Words between the times of a list."""
 
+LENT = frozenset({Constraint.AFTER, Constraint.FOR})
+"""How numbers bind that are no hours, and take a unit said before."""
+
 PARTICIPLE = "ing"
 """The ending of a verb that goes on beside another."""
+
+HOURS = 24
+"""Numbers beyond this are hardly of hours."""
 
 NOON = 12 * 3600
 
@@ -26,7 +33,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
     if not isinstance(length.time, Duration) or length.constraint is not Constraint.FOR:
         return phrase
     unit = length.time.terms[-1][1]
-    if isinstance(said.time, Duration) and said.time.bare_end and said.constraint is Constraint.AFTER:
+    if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
         return replace(phrase, said=replace(said, time=_counted(said.time, unit)))
     if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
         return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
@@ -42,9 +49,24 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
     return replace(phrase, said=replace(said, time=duration, constraint=constraint))
 
 
+def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read a number alone as minutes where only a length of time can be meant: "simmer for ten"."""
+    said = phrase.said
+    bare = said.preposition == "for" and isinstance(said.time, Wall) and said.time.bare
+    clock = said.time.clock if isinstance(said.time, Wall) else None
+    before = {word.text for word in words[: phrase.first]}
+    alone = phrase.first > 0 and words[phrase.first - 1].text in lexicon.timing_alone
+    measured = before & lexicon.timing and not before & lexicon.appointing
+    if not bare or clock is None or not (alone or measured):
+        return phrase
+    duration = Duration(((clock.hour, Unit.MINUTE),))
+    return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
+
+
 def _counted(number: Duration, unit: Unit) -> Duration:
-    """Give as many of a unit."""
-    return Duration(((number.terms[0][0], unit),))
+    """Give as many of a unit: "for an hour, … for 40" are minutes."""
+    count = number.terms[0][0]
+    return Duration(((count, Unit.MINUTE if unit is Unit.HOUR and count > HOURS else unit),))
 
 
 def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:

@@ -62,6 +62,8 @@ class Lexicon:
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
         Verbs whose object is called by its time: "catch the 7:42".
+    timing, timing_alone
+        Words behind which, and right behind which, "for" and a number alone say how many minutes.
     citing
         What two numbers with a colon belong to: "John 3:16".
     lasting
@@ -117,6 +119,8 @@ class Lexicon:
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]
+    timing: frozenset[str]
+    timing_alone: frozenset[str]
     citing: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]

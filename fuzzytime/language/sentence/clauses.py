@@ -21,6 +21,9 @@ DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
+WAITING = frozenset({"wait", "waiting", "hold", "hang"})
+"""Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -73,6 +76,7 @@ def clauses_of(
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
+        form = form or reader.awaited(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -99,9 +103,18 @@ class _Clauses:
         self.covered = covered
         self.named = named
 
+    def awaited(self, place: int) -> tuple[str, ...] | None:
+        """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
+        before = self.words[place - 1].text if place else ""
+        if self.words[place].text != "for" or before not in WAITING or place in self.covered:
+            return None
+        tree = self.tree
+        marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
+        return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses[form]
+        kind = self.lexicon.clauses.get(form, "until")
         first = place + len(form)
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)

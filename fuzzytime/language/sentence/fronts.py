@@ -107,7 +107,7 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:
-        # "Before the guests get here": a plural has its verb behind it.
-        return node.tag in {"NN", "NNP"}
+        # "Before the guests get here": a plural has its verb behind it; but "after three rings".
+        return node.tag in {"NN", "NNP"} or (node.tag == "NNS" and bool(tree.children(root, "nummod")))
     whole = range(len(tree.nodes))
     return any(read(tree, whole, tree.text) is not None for read in (happening, being))

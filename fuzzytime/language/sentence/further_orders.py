@@ -13,6 +13,9 @@ OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
+PAST_ALIKE = frozenset({"lay", "saw"})
+"""Bare verbs that are the past of another."""
+
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
@@ -170,7 +173,8 @@ def _is_passive_order(tree: Tree, place: int) -> bool:
 
 def _is_bare(node: Node) -> bool:
     """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
-    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
+    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in PAST_ALIKE)
+    return node.tag in IMPERATIVE or past
 
 
 def _follows_order(tree: Tree, root: int) -> int | None:

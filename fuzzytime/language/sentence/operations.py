@@ -228,6 +228,9 @@ class Reader:
             child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
         )
         counted = node.relation == "npadvmod" and any(numbers)
+        if node.relation == "advmod" and node.lower in self.lexicon.particles:
+            # "Go back to the dock"
+            return bool(self.tree.children(place, "prep"))
         return node.relation == "prep" or counted or node.lower in self.lexicon.places
 
     def _behind_times(self, verb: int) -> Iterator[int]:

@@ -87,6 +87,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         catching=frozenset(form[0] for form in speech.words("catching")),
+        timing=frozenset(form[0] for form in speech.words("timing", "verbs")),
+        timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
@@ -117,7 +119,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling", "catching", "citing", "spelling",
+    "machines", "rescheduling", "catching", "citing", "spelling", "timing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
