@@ -261,6 +261,12 @@ def for_number(number: Integer) -> Said | None:
     return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
 
 
+@grammar.rule("said", "for <integer> more|longer", "for another <integer>", weight=-0.4)
+def for_more(number: Integer) -> Said | None:
+    """(blend) for 10 more: of the unit that was said before."""
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+
+
 @grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")
 def halfway() -> Said:
     """(bake for forty minutes, turning) halfway: of what was said to last."""

@@ -34,6 +34,9 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
         return phrase
     unit = length.time.terms[-1][1]
     if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
+        many = said.constraint is Constraint.FOR and said.time.terms[0][0] > HOURS
+        # "Cool it for an hour and chill it for 40" minutes
+        unit = Unit.MINUTE if many and unit is Unit.HOUR else unit
         return replace(phrase, said=replace(said, time=_counted(said.time, unit)))
     if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
         return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
@@ -64,9 +67,8 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
 
 
 def _counted(number: Duration, unit: Unit) -> Duration:
-    """Give as many of a unit: "for an hour, … for 40" are minutes."""
-    count = number.terms[0][0]
-    return Duration(((count, Unit.MINUTE if unit is Unit.HOUR and count > HOURS else unit),))
+    """Give as many of a unit."""
+    return Duration(((number.terms[0][0], unit),))
 
 
 def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:

@@ -68,8 +68,11 @@ class Surroundings:
         # "By five call mum": what more than one counts is a plural.
         counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
-        orders = behind in BEHIND_VERBS or (
-            number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha()
+        called = follower in self.lexicon.addressing and behind in self.lexicon.persons
+        orders = (
+            called
+            or behind in BEHIND_VERBS
+            or (number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha())
         )
         return before in SENTENCE_STARTS and orders and not plural
 

@@ -118,7 +118,7 @@ class _Clauses:
         first = place + len(form)
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
-        time = next((phrase for phrase in last if _is_apart(phrase)), None)
+        time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
         if said_end <= first:
             return None
@@ -299,9 +299,10 @@ def _happens(clause: Clause) -> bool:
     return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
 
 
-def _is_apart(phrase: Phrase) -> bool:
+def _is_apart(phrase: Phrase, kind: str) -> bool:
     """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
-    lasting = phrase.said.constraint is Constraint.FOR
+    within = kind == "if" and phrase.said.preposition == "within"
+    lasting = phrase.said.constraint is Constraint.FOR or within
     return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
 
 

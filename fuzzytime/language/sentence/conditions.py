@@ -8,6 +8,9 @@ from fuzzytime.requirement import Condition
 BE = frozenset(
     {"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go", "sound", "smell", "taste"}
 )
+SHORT_BE = frozenset({"m", "re", "s", "'m", "'re", "'s"})
+"""How "am", "are" and "is" are often typed: "when im back"."""
+
 STARTING = frozenset({"start", "begin", "stop", "cease"})
 """What goes on is what matters: "when it starts to rain"."""
 
@@ -49,7 +52,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     node = tree.nodes[verb]
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
-    if node.lemma not in BE or not said:
+    if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
         below = [p for p in tree.children(verb, "xcomp") if p in inside and node.lemma in STARTING]
         action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
@@ -68,6 +71,9 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
     *before, last = (tree.nodes[p] for p in nodes)
     named = [node.lower for node in before if node.tag not in DETERMINERS]
+    if named and before[-1].tag == "NNS" and last.tag in {"NN", "JJ"} and last.may_act:
+        # "When the edges brown"
+        return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
         last.tag != "NNS"
         or len(named) == len(before)

@@ -51,7 +51,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if place > 1 and place != root:
         if _is_overlooked(tree, place, timed, lexicon):
             return place
-        if _is_led_by_time(tree, place, timed):
+        if _is_led_by_time(tree, place, timed, lexicon):
             return _behind_joint(tree, place, timed)
     if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
         return place
@@ -144,7 +144,7 @@ def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
 
 
-def _is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
+def _is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
@@ -152,7 +152,9 @@ def _is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
     while first and first - 1 in timed:
         first -= 1
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
-    return led and node.may_act and node.lower == node.lemma and behind in ARTICLES | OBJECTS
+    bare = node.may_act and node.lower == node.lemma
+    called = node.lower in lexicon.addressing and behind in lexicon.persons
+    return led and bare and (called or behind in ARTICLES | OBJECTS)
 
 
 def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -23,6 +23,10 @@ PLACES = ("prep", "advmod", "npadvmod")
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
 )
+STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
+DUE = frozenset({"due", "over", "back"})
+"""What is said of things that have a time: "the delivery is due at two"."""
+
 TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
 """Who may come and go, and asks nobody to: "we land at nine"."""
 
@@ -46,16 +50,19 @@ class Reader:
         whole = moved or self._object(verb, particle, clause)
         split = self._place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
+        stated = self._is_stated(verb)
         return Operation(
             verb=node.lower,
             lemma=node.lemma,
             span=(node.start, node.end),
-            object=self._said(whole[:split]) or self._subject(verb),
+            object=(self._subject(verb) if stated else None)
+            or self._said(whole[:split])
+            or self._subject(verb),
             place=self._said(sorted({*whole[split:], *self._place(verb, [*whole[:split], *places])})),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=self._said(result),
             negated=action.negated,
-            stated=self._is_stated(verb),
+            stated=stated,
         )
 
     def timed(self, place: int) -> bool:
@@ -133,7 +140,9 @@ class Reader:
         if not words:
             # "Wake Tim up", "move my three o'clock": what is named was taken for a measure.
             names = self.tree.children(verb, "npadvmod")
+            near = [p for p in names if self.tree.reach(p)[0] == verb + 1]
             owned = [p for p in names if self.tree.children(p, "poss")]
+            owned += [p for p in near if self.tree.children(p, "det")]
             named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
             words = self._words([p for p in named if not self.timed(p)], verb)
         if not words:
@@ -212,7 +221,9 @@ class Reader:
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
-        return told and finite and not self.tree.children(verb, "dobj", "acomp", "oprd", "xcomp", "ccomp")
+        due = DUE | self.lexicon.results if helping & FUTURE else DUE
+        rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        return told and finite and not rest
 
     # -- places -----------------------------------------------------------------------------------------
 
@@ -257,7 +268,8 @@ class Reader:
                 if place <= verb:
                     continue
                 if self.timed(place):
-                    if self._describes(place):
+                    if place < part or self._describes(place):
+                        # "Drive ten minutes north", "a ten minute walk"
                         continue
                     break
                 found.append(place)
