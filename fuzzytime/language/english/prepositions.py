@@ -75,18 +75,6 @@ def leisure() -> str:
     return "time"
 
 
-@grammar.rule("said", "by|before|until|till then", weight=0.3)
-def before_then() -> Said:
-    """By then: before that which was said before."""
-    return Said(TimeWord("beforehand", Constraint.VAGUE), None, "before")
-
-
-@grammar.rule("said", "from then on|onwards|onward", weight=0.6)
-def from_then_on() -> Said:
-    """From then on: after that which was said before."""
-    return Said(TimeWord("afterwards", Constraint.VAGUE), None, "after")
-
-
 @grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
 def before_it_is_over(days: Calendar) -> Said:
     """Before the week is out."""

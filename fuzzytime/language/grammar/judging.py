@@ -4,13 +4,13 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.borders import COMPARING, Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
-    HALFWAY,
     Coming,
     Duration,
     HourMark,
@@ -18,7 +18,6 @@ from fuzzytime.language.meaning.expressions import (
     Range,
     Repeat,
     Said,
-    Time,
     TimeWord,
     Wall,
 )
@@ -45,31 +44,6 @@ SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practic
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
 
-HOURS = 24
-"""Numbers beyond this are no hours."""
-
-
-def _lacks_unit(said: Said) -> bool:
-    """Whether it is a share, or a number without a unit, of what was said to last."""
-    time = said.time
-    if isinstance(time, TimeWord):
-        return time.word == HALFWAY
-    length = time.every if isinstance(time, Repeat) else time
-    after = said.constraint is Constraint.AFTER or isinstance(time, Repeat)
-    if said.constraint is Constraint.FOR and isinstance(time, Duration) and time.terms:
-        # "For 40"; but "for another five".
-        after = time.terms[0][0] > HOURS
-    bare = isinstance(length, Duration) and length.bare_end and len(length.terms) == 1
-    return after and bare and isinstance(length, Duration) and length.until is None
-
-
-MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
-"""Words behind a number of minutes without their unit."""
-
-STOPS = frozenset({",", ".", ";", "and", "then"})
-"""Words behind which another order begins."""
-
-
 class Judge:
     """What stands around a reading, and whether it makes it doubtful."""
 
@@ -81,6 +55,7 @@ class Judge:
         self.around = Surroundings(words, lexicon)
         self.borders = Borders(words, lexicon, self.around)
         self.walls = Walls(words, lexicon, self.measures, self.around)
+        self.lent = Lent(words, lexicon, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -89,14 +64,18 @@ class Judge:
             return False
         time = said.time
         if self._is_whole(piece):
-            return not _lacks_unit(said) and self._accepts_alone(said)
-        if _lacks_unit(said):
-            return self._is_lent(piece, said)
+            return not lacks_unit(said) and self._accepts_alone(said)
+        if lacks_unit(said):
+            return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
-        if self._seats(piece, time):
+        if self.lent.seats(piece, time):
             return False
-        if said.preposition == "for" and number and not (lent or self._times(piece) or self._appoints(piece)):
+        if (
+            said.preposition == "for"
+            and number
+            and not (lent or self.lent.times(piece) or self._appoints(piece))
+        ):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
         if said.preposition == "in" and self._counts_from_that(piece):
@@ -121,17 +100,6 @@ class Judge:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
         distances = (["before", "that"], ["after", "that"])
         return any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2))
-
-    def _is_lent(self, piece: Piece, said: Said) -> bool:
-        """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""
-        lent = any(self.around.is_unit(place) for place in range(piece.start))
-        if said.constraint is Constraint.FOR and isinstance(said.time, Duration):
-            return self._times(piece) or (lent and self.around.may_end(piece))
-        if not lent or not self.around.may_end(piece):
-            return False
-        if isinstance(said.time, TimeWord):
-            return self.around.follower(piece) in {"", ".", ",", ";", "!", "and"}
-        return True
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
@@ -224,21 +192,6 @@ class Judge:
         """Whether words before make "for" say when: "an alarm for two hours before noon"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
-
-    def _times(self, piece: Piece) -> bool:
-        """Whether what is done is measured in minutes: "simmer for ten", "steep the tea for four"."""
-        verbs = [place for place in range(piece.start) if self.texts[place] in self.lexicon.timing]
-        whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
-        told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
-        return told and self.around.follower(piece) in MAY_FOLLOW
-
-    def _seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
-        """Whether it is for how many: "a table for four on friday"."""
-        clock = time.clock if isinstance(time, Wall) else None
-        hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
-        worded = not OF_CLOCKS & set(self.texts[piece.start : piece.end])
-        begin = piece.start + (self.texts[piece.start] == "for")
-        return hour and worded and self.texts[max(0, begin - 2) : begin] == ["table", "for"]
 
     def _is_share(self, piece: Piece) -> bool:
         """Whether it is of how many: "one in five"."""

@@ -7,7 +7,7 @@ from itertools import chain
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
-from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import Mentions, best_of, content_words
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement

@@ -1,16 +1,16 @@
 """Clauses about time: "when the pan is hot", "after setting the table", "five minutes before you serve"."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.conditions import BE, being, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.requirement import Condition, Constraint
+from fuzzytime.requirement import Constraint
 
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -31,31 +31,6 @@ REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
-
-
-@dataclass(frozen=True, slots=True)
-class Clause:
-    """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
-
-    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
-    says must hold; ``time`` when it says that is ("before the guests arrive at seven").
-    """
-
-    kind: str
-    marker: str
-    span: Span
-    content: Span
-    verb: str | None = None
-    object: str | None = None
-    condition: Condition | None = None
-    distance: Duration | None = None
-    is_event: bool = False
-    time: Phrase | None = None
-
-    def moved(self, by: int) -> "Clause":
-        """Give the same clause that many characters further on."""
-        (a, b), (c, d) = self.span, self.content
-        return replace(self, span=(a + by, b + by), content=(c + by, d + by))
 
 
 def clauses_of(

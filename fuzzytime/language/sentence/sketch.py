@@ -15,7 +15,8 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
-from fuzzytime.language.sentence.clauses import Clause, clauses_of
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
