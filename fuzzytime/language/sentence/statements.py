@@ -28,10 +28,10 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ``timed`` are the words about time: one stands right behind the verb.
     """
     root = tree.root
-    if root is None or tree.nodes[root].tag != "NNS" or root + 1 not in timed:
+    if root is None or tree.nodes[root].tag not in {"NNS", "VBZ"} or root + 1 not in timed:
         return tree
     subject = _subject(tree, root)
-    if subject is None:
+    if subject is None or tree.children(root, *SUBJECTS):
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
     nodes = list(tree.nodes)
