@@ -211,6 +211,9 @@ class _Clauses:
         node = self.tree.nodes[place]
         if node.relation in {"relcl", "acl"}:
             return node.head in nodes
+        if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
+            # "Remind me the day before the exam to print my notes"
+            return True
         return node.relation in {"aux", "auxpass", "amod", "compound"}
 
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:

@@ -53,7 +53,9 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
     if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
-        below = [p for p in tree.children(verb, "xcomp") if p in inside and node.lemma in STARTING]
+        starts = node.lemma in STARTING
+        below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
+        below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]
         action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
     last = said[-1]

@@ -93,7 +93,9 @@ def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
     node = tree.nodes[place]
     apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
-    return node.tag in BINDING and not apart
+    # "If the parcel hasn't come"
+    helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
+    return helps or (node.tag in BINDING and not apart)
 
 
 def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:

@@ -49,6 +49,9 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
         return place
     if place > 1 and place != root:
+        if tree.nodes[place - 1].lower == "so" and place - 2 in timed and tree.nodes[place].may_act:
+            # "Guests are coming at 8 so hoover at 7"
+            return place
         if _is_overlooked(tree, place, timed, lexicon):
             return place
         if _is_led_by_time(tree, place, timed, lexicon):
@@ -64,6 +67,9 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> 
     if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
         return None
     if tree.children(place, *SUBJECTS, "aux", "mark"):
+        return None
+    if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"
         return None
     start = _behind_joint(tree, _first_of(tree, place), timed)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
@@ -221,7 +227,7 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
             return False
         node = tree.nodes[above]
         # "Leave the dough covered and shape it": a bare verb is no second participle.
-        apart = node.tag == "VBN" and tree.nodes[place].tag == "VB"
+        apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
         if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False

@@ -17,6 +17,7 @@ NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
 FINITE = frozenset({"VBZ", "VBP", "VBD"})
+PRESENT = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 FUTURE = frozenset({"will", "'ll", "’ll"})
 
 PLACES = ("prep", "advmod", "npadvmod")
@@ -220,6 +221,7 @@ class Reader:
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
