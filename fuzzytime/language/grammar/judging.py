@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
@@ -262,7 +262,7 @@ class Judge:
         if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
-        if self.around.before(piece) in POSSESSIVES:
+        if self.around.is_owned(piece):
             # "Move my three o'clock to five"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]

@@ -109,12 +109,15 @@ class Surroundings:
         behind = self.words[piece.end : piece.end + 1]
         return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
 
+    def is_owned(self, piece: Piece) -> bool:
+        """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
+        return self.before(piece) in POSSESSIVES or self.before(piece).endswith("'s")
+
     def is_put_off(self, piece: Piece) -> bool:
         """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
         owner = piece.start if self.texts[piece.start] in OWNING else piece.start - 1
-        return (
-            owner > 0 and self.texts[owner] in OWNING and self.texts[owner - 1] in self.lexicon.rescheduling
-        )
+        owning = owner > 0 and (self.texts[owner] in OWNING or self.is_owned(piece))
+        return owning and self.texts[owner - 1] in self.lexicon.rescheduling
 
     def is_caught(self, piece: Piece) -> bool:
         """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York"."""

@@ -100,8 +100,8 @@ class Walls:
         if said.preposition is None and counting and self._is_ambiguous(piece.start):
             # "March 3 steps forward"
             return not self.around.may_end(piece)
-        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
-            # "Cancel my three o'clock"
+        if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
+            # "Cancel my three o'clock", "move tomorrow's ten o'clock"
             return True
         if wall.clock is not None and self._is_called(piece, said, wall):
             return True

@@ -197,7 +197,7 @@ class Grounding:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
             known = plausible if self.listed else moments
-            follows = [moment for moment in known if self.since < moment < self.since + FOLLOWING]
+            follows = [moment for moment in known if self.since < moment <= self.since + FOLLOWING]
             if wall.days is not None:
                 # "On friday mow at ten and rake at six": the six of that day that follows, however late.
                 follows += [moment for moment in plausible if self.since < moment]

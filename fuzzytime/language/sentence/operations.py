@@ -104,7 +104,19 @@ class Reader:
         node = self.tree.nodes[place]
         # "On the way back"
         owned = self.tree.nodes[node.head].relation == "pobj"
-        return verb in self.tree.above(place) and node.tag in {"IN", "RP", "RB"} and not owned
+        # "Remind me to take it out"
+        nearest = next((above for above in self.tree.above(place) if self._acts(above)), verb)
+        return (
+            nearest == verb
+            and verb in self.tree.above(place)
+            and node.tag in {"IN", "RP", "RB"}
+            and not owned
+        )
+
+    def _acts(self, place: int) -> bool:
+        """Whether a word is a verb with "to", which has particles of its own."""
+        marks = (self.tree.nodes[p].lower for p in self.tree.children(place, "aux"))
+        return self.tree.nodes[place].tag == "VB" and "to" in marks
 
     def _governs_nothing(self, place: int) -> bool:
         """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""
@@ -232,6 +244,7 @@ class Reader:
     def _place(self, verb: int, taken: Iterable[int]) -> list[int]:
         below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
+        kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         words = [p for p in self._words(kept, verb) if p not in set(taken)]
         return [p for p in words if self._has_content(p, words)]
 
@@ -245,6 +258,12 @@ class Reader:
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
         return node.relation == "prep" or counted or node.lower in self.lexicon.places
+
+    def _is_numbered(self, place: int) -> bool:
+        """Whether a verb with "to" is a place with a number: "take it to station 4"."""
+        numbers = (p for p in self.tree.children(place, "dobj", "nummod") if self.tree.nodes[p].tag == "CD")
+        known = self.lexicon.machines | self.lexicon.measure_nouns
+        return self.tree.nodes[place].lower in known and self._acts(place) and any(numbers)
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
