@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from fuzzytime.scheduling import shares, small
-from fuzzytime.scheduling.exact import MANY, Labels
+from fuzzytime.scheduling.exact import MANY, Labels, beam_search
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
@@ -44,17 +44,19 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
-            better = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
-            if len(problem.jobs) > STRETCHES.length + STRETCHES.rejected:
-                better = STRETCHES.improve(problem, watch.share(0.4), better)
+            if len(problem.jobs) > PARTS.length + PARTS.rejected:
+                better = PARTS.improve(problem, watch.share(0.5), best)
+            else:
+                better = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
             other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
 
 
-def _solve_stretch(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
-    return Auto().search(part, watch, warm)
+def _solve_part(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
+    """Solve a stretch of all agents, or look for a better day of one."""
+    return beam_search(part, watch, warm) if part.agents == 1 else Auto().search(part, watch, warm)
 
 
-STRETCHES = Stretches(_solve_stretch, length=14, rejected=8)
+PARTS = Stretches(_solve_part, length=14, rejected=8)
 """For what labels do not know: a stretch of several agents is small enough for shares."""

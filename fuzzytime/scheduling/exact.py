@@ -16,16 +16,19 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.backward import used_below
 from fuzzytime.scheduling.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.dynasearch import only_order_counts
-from fuzzytime.scheduling.grid import Grid, Ints, grid_of
+from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.labels import Found
 from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.refinement import CLOSED, STEPS, GridSearch
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.refinement import CLOSED, FINER, STEPS, GridSearch, bytes_for
+from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.solver import Draft
 from fuzzytime.scheduling.stretches import Stretches
+
+FIRST_SLOTS = 1500
+"""Slots of the first grid, at least."""
 
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
@@ -42,8 +45,8 @@ STRETCH = 30
 REJECTED = 25
 """Skills that may come into it."""
 
-STRETCH_BEAM = 300
-"""Sets a block in the beam for a stretch."""
+PART_BEAM = 300
+"""Sets a block in the beam for a part."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -74,7 +77,7 @@ class Labels:
 class _Search(GridSearch):
     """Labels below a rising threshold."""
 
-    first_slots = 1500
+    first_slots = FIRST_SLOTS
     enough = 0.3
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
@@ -105,7 +108,7 @@ class _Search(GridSearch):
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
             threshold = min(self.best.cost, self.lower + delta)
-            program, found = self._labels(relaxation, threshold, budget, None)
+            program, found = self.labels(relaxation, threshold, budget, None)
             if self.is_closed():
                 return True
             if found.exact and self.best.cost <= threshold:
@@ -145,7 +148,7 @@ class _Search(GridSearch):
         """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
         known = self.best.cost
         self._follow_path(relaxation)
-        self._labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
+        self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
         if len(self.problem.jobs) > MOST_TOGETHER and self._is_doubtful():
             self._search_stretches(relaxation)
         self._learn(relaxation, known)
@@ -154,12 +157,7 @@ class _Search(GridSearch):
         """Search stretch by stretch on the same grid, by labels in a beam, at prices good for all."""
 
         def solve(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
-            search = _Search(part, watch, warm)
-            prices = relaxation.prices[members]
-            around = Relaxation(part, grid_of(part, relaxation.grid.step), warm.cost, prices)
-            around.improve(warm.cost, STEPS, search.left_over, watch, rounds=1)
-            search._labels(around, warm.cost, watch.limits.memory // 16, STRETCH_BEAM)
-            return search.best
+            return beam_search(part, watch, warm, relaxation.grid.step, relaxation.prices[members])
 
         self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
 
@@ -170,7 +168,7 @@ class _Search(GridSearch):
             relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)
             self.lower = max(self.lower, relaxation.lower)
 
-    def _labels(
+    def labels(
         self, relaxation: Relaxation, threshold: float, cells: int, width: int | None
     ) -> tuple[LabelProgram, Found]:
         """Run labels below a threshold once, and learn from what they find."""
@@ -189,3 +187,32 @@ class _Search(GridSearch):
 
     def _timed(self, grid: Grid, slots: Ints) -> Draft:
         return self.timed(grid, slots, np.full(slots.size, self.problem.lanes[0].agents[0], np.int64))
+
+
+def beam_search(
+    problem: Problem, watch: Stopwatch, warm: Draft, step: float | None = None, prices: Floats | None = None
+) -> Draft:
+    """Look once for a better schedule of one agent, mostly of a part, by labels in a beam; no bound.
+
+    Parameters
+    ----------
+    problem
+        For one agent.
+    watch
+        For time and memory.
+    warm
+        A schedule to begin with.
+    step
+        Of the grid, in seconds.
+    prices : array of shape (jobs,)
+        λ, from where on to search better ones: what the schedule says unless given.
+    """
+    step = step_for(problem, FIRST_SLOTS, FINER) if step is None else step
+    if bytes_for(problem, step) > watch.limits.memory:
+        return warm
+    grid, search = grid_of(problem, step), _Search(problem, watch, warm)
+    prices = prices_from(problem, grid, warm) if prices is None else prices
+    relaxation = Relaxation(problem, grid, warm.cost, prices)
+    relaxation.improve(warm.cost, STEPS, search.left_over, watch, rounds=1)
+    search.labels(relaxation, warm.cost, watch.limits.memory // 16, PART_BEAM)
+    return search.best

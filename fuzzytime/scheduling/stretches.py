@@ -1,49 +1,50 @@
-"""Improve a long schedule stretch by stretch, each solved exactly while the rest stands still.
+"""Improve a long schedule part by part, each solved while the rest stands still.
 
-A stretch is some skills that are done next to each other in time, together with those rejected that might fit
-there. Where many crowd, no single skill may be better elsewhere though a rearrangement of two dozen gains
-much, and a problem of two dozen is what exact methods are fast at. Taillard and Voss, POPMUSIC: Partial
-optimization metaheuristic under special intensification conditions, Essays and Surveys in Metaheuristics
-(2002) 613-629.
+A part is some skills that are done, together with those rejected that might fit there. Where many crowd,
+no single skill may be better elsewhere though a rearrangement of two dozen gains much, and a problem of two
+dozen is what exact methods are fast at. A *stretch* is a row of skills next to each other in time. Of several
+agents the *day* of one, while the others keep to theirs, is a part as well: a problem of one agent. Taillard
+and Voss, POPMUSIC: Partial optimization metaheuristic under special intensification conditions, Essays and
+Surveys in Metaheuristics (2002) 613-629.
 """
 
 import math
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
-from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import Job, Problem, in_common
-from fuzzytime.scheduling.settle import in_turn, settled
+from fuzzytime.scheduling.parts import part_of
+from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.settle import in_turn, lanes_of_agents, sequences, settled
 from fuzzytime.scheduling.solver import Draft, draft_of
 
-LARGEST_SHARE = 0.2
-"""Of the time left for one stretch, at most."""
+LARGEST_SHARE = 0.3
+"""Of the time left for one part, at most."""
 
 NEAR = 1.0
 """Seconds around its place in which a skill that is not log-concave is timed anew."""
 
 IMPROVEMENT = 1e-7
-"""A new stretch must gain more than this."""
+"""A new part must gain more than this."""
 
 SolvePart = Callable[[Problem, list[int], Stopwatch, Draft], Draft]
-"""Solves the problem of a stretch, of which the second argument names the members, from a warm draft on."""
+"""Solves the problem of a part, of which the second argument names the members, from a warm draft on."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stretches:
-    """Solve stretches in turn.
+    """Solve parts in turn.
 
     Parameters
     ----------
     solve
-        For one stretch.
+        For one part.
     length
         Skills of a stretch that are done.
     rejected
-        Skills that may come in, at most: those that would gain most for their time.
+        Skills that may come into a stretch, at most: those that would gain most for their time.
     """
 
     solve: SolvePart
@@ -51,123 +52,67 @@ class Stretches:
     rejected: int
 
     def improve(self, problem: Problem, watch: Stopwatch, best: Draft) -> Draft:
-        """Improve until no stretch is better, half a stretch further in every other round."""
+        """Improve until nothing is better: each agent's day, all stretches, and those half of one further."""
+        search = _Search(self, problem, watch, best)
+        rounds = [lambda: search.try_stretches(0), lambda: search.try_stretches(self.length // 2)]
+        if problem.agents > 1:
+            rounds.insert(0, search.try_days)
         number, since = 0, 0
-        # Two rounds see every place that one cuts.
-        while since < 2 and not watch.is_over():
-            known = best.cost
-            best = self._round(problem, watch, best, self.length // 2 * (number % 2))
-            number, since = number + 1, since + 1 if best.cost == known else 0
-        return best
+        while since < len(rounds) and not watch.is_over():
+            known = search.best.cost
+            rounds[number % len(rounds)]()
+            number, since = number + 1, since + 1 if search.best.cost == known else 0
+        return search.best
 
-    def _round(self, problem: Problem, watch: Stopwatch, best: Draft, offset: int) -> Draft:
-        count = int(np.count_nonzero(~np.isnan(best.starts)))
-        firsts = range(offset - self.length if offset else 0, count, self.length)
+
+class _Search:
+    """The best schedule so far, and the parts that are solved."""
+
+    def __init__(self, method: Stretches, problem: Problem, watch: Stopwatch, best: Draft) -> None:
+        self._method, self._problem, self._watch = method, problem, watch
+        self.best = best
+        self._solved: set[tuple[object, ...]] = set()
+
+    def try_days(self) -> None:
+        """Try to improve what one agent does, and then the next."""
+        team = lanes_of_agents(self._problem)
+        for done, agent in enumerate(team):
+            day = sequences(self._problem, self.best.starts, self.best.agents)[agent]
+            self._try(day, len(team) - done, len(self._problem.jobs), [agent])
+
+    def try_stretches(self, offset: int) -> None:
+        """Try to improve stretch after stretch from a place on."""
+        count, length = int(np.count_nonzero(~np.isnan(self.best.starts))), self._method.length
+        firsts = range(offset - length if offset else 0, count, length)
         for done, first in enumerate(firsts):
-            if watch.is_over():
-                break
-            share = min(LARGEST_SHARE, 1 / (len(firsts) - done))
-            stretch = in_turn(problem, best.starts)[max(first, 0) : first + self.length]
-            try:
-                best = self._improved(problem, watch.share(share), best, stretch)
-            except KeyboardInterrupt:
-                watch.stop()
-        return best
+            stretch = in_turn(self._problem, self.best.starts)[max(first, 0) : first + length]
+            self._try(stretch, len(firsts) - done, self._method.rejected)
 
-    def _improved(self, problem: Problem, watch: Stopwatch, best: Draft, stretch: list[int]) -> Draft:
-        """Solve a stretch, and give the better draft."""
-        members, part = part_of(problem, best, stretch, self.rejected)
-        if not members:
-            return best
+    def _try(self, moving: list[int], left: int, rejected: int, team: list[int] | None = None) -> None:
+        """Try to improve a part, the first of some that are left to try."""
+        if self._watch.is_over():
+            return
+        try:
+            self._improve(moving, self._watch.share(min(LARGEST_SHARE, 1 / left)), rejected, team)
+        except KeyboardInterrupt:
+            self._watch.stop()
+
+    def _improve(self, moving: list[int], watch: Stopwatch, rejected: int, team: list[int] | None) -> None:
+        best = self.best
+        members, part = part_of(self._problem, best, moving, rejected, team)
         warm = draft_of(part, best.starts[members], best.agents[members])
-        found = self.solve(part, members, watch, warm)
+        key = (*members, *(job.windows for job in part.jobs), warm.cost)
+        if not members or key in self._solved:
+            return
+        found = self._method.solve(part, members, watch, warm)
         if found.cost > warm.cost - IMPROVEMENT:
-            return best
+            if not watch.is_over():
+                self._solved.add(key)
+            return
         starts, agents = best.starts.copy(), best.agents.copy()
         starts[members], agents[members] = found.starts, found.agents
-        after = draft_of(problem, starts, agents)
-        if any(math.isnan(starts[lag.first]) > math.isnan(starts[lag.second]) for lag in problem.lags):
+        after = draft_of(self._problem, starts, agents)
+        if any(math.isnan(starts[lag.first]) > math.isnan(starts[lag.second]) for lag in self._problem.lags):
             # What stood still must not come after a skill that is rejected now.
-            after = settled(problem, starts, agents, NEAR)
-        return after if after.cost < best.cost else best
-
-
-def part_of(
-    problem: Problem, draft: Draft, stretch: Sequence[int], rejected: int
-) -> tuple[list[int], Problem]:
-    """Give the problem of a stretch while everything else stands still.
-
-    Parameters
-    ----------
-    problem, draft
-        All skills, and where they are.
-    stretch
-        Skills that are done next to each other: a piece of all, in turn.
-    rejected
-        How many rejected skills may come in.
-
-    Returns
-    -------
-    members : list of int
-        The problem's jobs in the part, those of the stretch first; none if nothing can be moved.
-    part : Problem
-        Each agent for itself, with windows cut to where the others leave room and lags to them are kept.
-    """
-    space = _Space(problem, draft, stretch)
-    cuts = {job: space.cut(job) for job in [*stretch, *np.flatnonzero(np.isnan(draft.starts)).tolist()]}
-    if not all(any(cuts[job].windows) for job in stretch):
-        return [], problem.select([])
-    outside = [job for job, cut in cuts.items() if math.isnan(draft.starts[job]) and any(cut.windows)]
-    outside.sort(key=lambda job: (_gain_for_time(cuts[job]), job), reverse=True)
-    members = [*stretch, *outside[:rejected]]
-    # What must come after a rejected skill comes in with it, or not at all.
-    while followers := [job for job in members if not space.leaders(job) <= {*members}]:
-        members = [job for job in members if job not in followers]
-    part = problem.select(members)
-    return members, replace(part, jobs=tuple(cuts[job] for job in members), lanes=tuple(space.lanes))
-
-
-class _Space:
-    """Where the jobs of a stretch may go."""
-
-    def __init__(self, problem: Problem, draft: Draft, stretch: Sequence[int]) -> None:
-        self._problem, self._draft, self._moving = problem, draft, set(stretch)
-        self._lane_of = [number for number, lane in enumerate(problem.lanes) for _ in lane.agents]
-        self.lanes = [replace(lane, agents=(agent,)) for lane in problem.lanes for agent in lane.agents]
-        self._free = {lane.agents[0]: [-math.inf, math.inf] for lane in self.lanes}
-        before = True
-        for job in in_turn(problem, draft.starts):
-            before &= job not in self._moving
-            start, duration = float(draft.starts[job]), problem.jobs[job].duration
-            free = self._free[int(draft.agents[job])]
-            if before:
-                free[0] = max(free[0], start + duration)
-            elif job not in self._moving:
-                free[1] = min(free[1], start)
-
-    def cut(self, job: int) -> Job:
-        """Cut a job's windows to the room of each agent, and to where it keeps lags to what stands still."""
-        old = self._problem.jobs[job]
-        least, most = -math.inf, math.inf
-        for lag in self._problem.lags:
-            other = lag.first if lag.second == job else lag.second
-            start = self._draft.starts[other]
-            if job not in {lag.first, lag.second} or other in self._moving or math.isnan(start):
-                continue
-            low, high = (lag.low, lag.high) if lag.second == job else (-lag.high, -lag.low)
-            least, most = max(least, start + low), min(most, start + high)
-        windows = []
-        for lane, number in zip(self.lanes, self._lane_of, strict=True):
-            low, high = self._free[lane.agents[0]]
-            room = Interval(max(low, least), min(high - old.duration, most))
-            windows.append(in_common(old.windows[number], [room]))
-        return replace(old, windows=tuple(windows))
-
-    def leaders(self, job: int) -> set[int]:
-        """Give the rejected jobs without which one is rejected, too."""
-        lags = (lag for lag in self._problem.lags if lag.second == job)
-        return {lag.first for lag in lags if math.isnan(self._draft.starts[lag.first])}
-
-
-def _gain_for_time(job: Job) -> float:
-    return (job.rejection - job.least) / max(job.duration, 1.0)
+            after = settled(self._problem, starts, agents, NEAR)
+        self.best = after if after.cost < best.cost else best

@@ -12,9 +12,10 @@ from hypothesis import strategies as st
 from fuzzytime.satisfaction import Triangle
 from fuzzytime.scheduling import Auto, LocalSearch, exact, solve
 from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.parts import part_of
 from fuzzytime.scheduling.problem import Problem, problem_of
 from fuzzytime.scheduling.solver import Draft, draft_of, nothing
-from fuzzytime.scheduling.stretches import Stretches, part_of
+from fuzzytime.scheduling.stretches import Stretches
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults, random_task
@@ -113,6 +114,31 @@ def test_a_skill_comes_in_only_with_what_must_come_before_it() -> None:
     rejecting = nothing(problem)
     assert part_of(problem, rejecting, [], rejected=2)[0] in ([0, 1], [1, 0])
     assert part_of(problem, rejecting, [], rejected=1)[0] in ([0], [])
+
+
+def test_a_rejected_skill_comes_in_with_the_one_that_it_waits_for() -> None:
+    problem = row(100, 110, 120, precedences=(Precedence(2, 0, 0.0, math.inf),))
+    draft = draft_of(problem, np.array([math.nan, 110.0, 149.0]), np.ones(3, np.int64))
+    assert part_of(problem, draft, [1], rejected=1)[0] == [1]
+    members, part = part_of(problem, draft, [1], rejected=2)
+    assert members == [1, 0, 2]
+    assert [(job.earliest, job.latest) for job in part.jobs] == [(80, 140), (100, 130), (90, 150)]
+
+
+def test_a_day_of_one_agent_has_room_between_what_the_agent_does_not_move() -> None:
+    problem = row(100, 105, 110, 115, agents=2)
+    draft = draft_of(problem, np.array([100.0, 105.0, 110.0, math.nan]), np.array([1, 2, 1, 1]))
+    members, part = part_of(problem, draft, [1], rejected=9, agents=[2])
+    assert members == [1, 3]
+    assert [lane.agents for lane in part.lanes] == [(2,)]
+    assert [(job.earliest, job.latest) for job in part.jobs] == [(75.0, 135.0), (85.0, 145.0)]
+
+
+def test_a_day_does_not_take_from_others_what_a_skill_waits_for() -> None:
+    problem = row(100, 110, 120, agents=2, precedences=(Precedence(2, 0, 0.0, math.inf),))
+    draft = draft_of(problem, np.array([math.nan, 110.0, 149.0]), np.array([1, 1, 2]))
+    assert part_of(problem, draft, [1], rejected=9, agents=[1])[0] == [1]
+    assert part_of(problem, draft, [1], rejected=9)[0] == [1, 0, 2]
 
 
 @pytest.mark.parametrize("seed", range(700, 730))
