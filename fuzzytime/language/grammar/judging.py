@@ -247,13 +247,20 @@ class Judge:
         if last.ordinal_end or last.bare_end:
             return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
-            # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
-            follower = self.around.follower(piece)
-            if follower == "of":
-                # "Do ten minutes of yoga"
-                return self.around.before(piece) in SPENDING
-            return follower in self.lexicon.lasting or self.around.may_end(piece)
+            return self._accepts_length(piece)
         return True
+
+    def _accepts_length(self, piece: Piece) -> bool:
+        """Whether a length of time without a preposition says how long something takes."""
+        # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
+        follower = self.around.follower(piece)
+        if follower == "of":
+            # "Do ten minutes of yoga"
+            return self.around.before(piece) in SPENDING
+        if self.around.before(piece) in {"spend", "take"}:
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
+        return follower in self.lexicon.lasting or self.around.may_end(piece)
 
     def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
         if self.around.is_put_off(piece):

@@ -182,7 +182,9 @@ def _is_passive_order(tree: Tree, place: int) -> bool:
 def _is_bare(node: Node) -> bool:
     """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
     past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in PAST_ALIKE)
-    return node.tag in IMPERATIVE or past
+    # "Deburr it": what ends in no -s has no other person.
+    bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
+    return bare or past
 
 
 def _follows_order(tree: Tree, root: int) -> int | None:

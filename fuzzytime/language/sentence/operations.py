@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import takewhile
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation
@@ -62,8 +61,11 @@ class Reader(Places):
     # -- particles --------------------------------------------------------------------------------------
 
     def _result(self, clause: SmallClause) -> list[int]:
-        """Give the words that say what an object does or becomes, up to the first that is about time."""
-        return list(takewhile(lambda place: not self.timed(place), clause.result(self.tree)))
+        """Give the words that say what an object does or becomes, without those about time."""
+        # "Until the end of the film": of what, belongs to the time.
+        timed = {place for place in clause.result(self.tree) if self.timed(place)}
+        words = [p for p in clause.result(self.tree) if timed.isdisjoint((p, *self.tree.above(p)))]
+        return [place for place in words if self.has_content(place, words)]
 
     def _participle(self, verb: int) -> list[int]:
         """Give the participle behind "get", as in "get dressed"."""
@@ -144,6 +146,10 @@ class Reader(Places):
         if not words:
             # "Say hello"
             words = [p for p in self.tree.children(verb, "intj") if p == verb + 1]
+        if not words and particle == verb + 1:
+            # "Turn off oven": without an article, the tree has the thing for an adverb.
+            near = [p for p in self.tree.children(verb, "advmod") if p == verb + 2 and not self.timed(p)]
+            words = [p for p in near if self.tree.nodes[p].lower not in self.lexicon.places]
         if not words:
             # "Clear it away": a pronoun behind the verb was taken for who does it.
             words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]

@@ -5,6 +5,9 @@ from dataclasses import dataclass
 
 from fuzzytime.language.sentence.wording import Wording
 
+EACH = frozenset({"every", "each"})
+"""Words that say of which things: "measure every tenth part"."""
+
 PLACES = ("prep", "advmod", "npadvmod")
 
 
@@ -18,14 +21,15 @@ class Places(Wording):
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
-        return [p for p in words if self._has_content(p, words)]
+        return [p for p in words if self.has_content(p, words)]
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]
         numbers = (
             child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
         )
-        counted = node.relation == "npadvmod" and any(numbers)
+        each = any(self.tree.nodes[p].lower in EACH for p in self.tree.children(place, "det"))
+        counted = node.relation == "npadvmod" and (each or any(numbers))
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
@@ -45,7 +49,7 @@ class Places(Wording):
             if said and not self.timed(place) and self.timed(node.head):
                 yield place
 
-    def _has_content(self, place: int, words: Sequence[int]) -> bool:
+    def has_content(self, place: int, words: Sequence[int]) -> bool:
         """Whether a preposition still has what it governs: that may have been a time."""
         if self.tree.nodes[place].relation != "prep":
             return True
@@ -58,7 +62,7 @@ class Places(Wording):
             node = self.tree.nodes[place]
             head = self.tree.nodes[node.head]
             of_noun = node.relation == "prep" and node.head in inside and head.relation in {"dobj", "pobj"}
-            where = node.lower in self.lexicon.places and of_noun and self._has_content(place, words)
+            where = node.lower in self.lexicon.places and of_noun and self.has_content(place, words)
             if where and set(words[position:]) <= set(self._preposed(words[position:])):
                 return position
         return len(words)
