@@ -294,3 +294,24 @@ def test_two_times_with_nothing_but_joints_between_them_are_of_one_thing() -> No
         "within the next 3 hours",
         "within the next 5 hours",
     ]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("add the stock a ladle at noon", "ladle"),
+        ("remind me for tomorrow interview", "interview"),
+        ("set an alarm for five o'clock labelled taxi", "taxi"),
+    ],
+)
+def test_names_that_neither_an_operation_nor_a_time_holds_are_pointed_at(text: str, words: str) -> None:
+    reading = language().read(text, now=NOW)
+    unused = [text[slice(*r.span)] for r in reading.remarks if r.message.endswith("is not used")]
+    assert unused == [words]
+
+
+def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
+    texts = [row["text"] for row in CORPUS["sentences"]]
+    readings = language().read_independent([(text, NOW) for text in texts])
+    unused = [(r.text, m.message) for r in readings for m in r.remarks if m.message.endswith("is not used")]
+    assert unused == [("Keep the door closed until the end of the film", "'film' is not used")]

@@ -150,8 +150,9 @@ class Judge:
 
     def _is_rate(self, piece: Piece) -> bool:
         """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""
-        if self.measures.is_number(piece.start - 1):
-            # "Within two working days"
+        named = self.texts[piece.start - 2 : piece.start - 1] if piece.start > 1 else []
+        if self.measures.is_number(piece.start - 1) and not (self.lexicon.measure_nouns & set(named)):
+            # "Within two working days"; but "pick from bin 4 every ten seconds"
             return True
         if "to" in {self.around.before(piece), self.texts[piece.start]}:
             return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)

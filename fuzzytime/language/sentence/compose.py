@@ -24,7 +24,7 @@ from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_c
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
-from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders
+from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
@@ -106,6 +106,7 @@ class _Composer:
             self.moment = replace(self.moment, listed=listed, follows=follows)
             instructions.append(self._instruction(sketch, self.first + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
+        self.remarks += self._unused(sketches)
         tokens, strict = self._tokens()
         return Reading(
             text=self.draft.text,
@@ -116,6 +117,16 @@ class _Composer:
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
         )
+
+    def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
+        """Point at what no operation and no time holds, where nothing else is said of it."""
+        told = [*self.explained, *self.draft.unfinished, *(remark.span for remark in self.remarks)]
+        found: list[Remark] = []
+        for sketch in sketches:
+            if sketch.operation is not None:
+                text, part = self.draft.text, sketch.part
+                found += unused_words(text, part, sketch.operation, [*told, *sketch.heard], self.lexicon)
+        return found
 
     def _doubts(self, sketch: Sketch) -> list[Remark]:
         part, words = sketch.part, self.draft.scanned.words

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import BE, being, happening
+from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Waiting
 
@@ -103,6 +104,7 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     root = tree.root
     if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
         return False
+    tree = as_statement(tree, frozenset(range(len(tree.nodes))))
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
         return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))

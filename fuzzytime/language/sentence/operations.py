@@ -43,17 +43,21 @@ class Reader(Places):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        stated = self._is_stated(verb)
+        stated, subject = self._is_stated(verb), self._subject(verb)
+        direct, complement = self.said(whole[:split]), self.said(result)
+        if subject is not None and (stated or direct is None):
+            direct = subject
+        elif subject is not None and node.lemma == "be":
+            # "The coffee should be ready by then"
+            direct, complement = subject, direct
         return Operation(
             verb=node.lower,
             lemma=node.lemma,
             span=(node.start, node.end),
-            object=(self._subject(verb) if stated else None)
-            or self.said(whole[:split])
-            or self._subject(verb),
+            object=direct,
             place=self.said(sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})),
             particle=None if particle is None else self.tree.nodes[particle].lower,
-            complement=self.said(result),
+            complement=complement,
             negated=action.negated,
             stated=stated,
         )
@@ -82,6 +86,9 @@ class Reader(Places):
             return named
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
+            if self.tree.nodes[place - 1].tag == "CC":
+                # "To the gate and back"
+                continue
             if verbs is None or place in result or self.timed(place) or not self._hangs_on(place, verb):
                 continue
             stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs

@@ -5,6 +5,10 @@ from dataclasses import dataclass
 
 from fuzzytime.language.sentence.wording import Wording
 
+SIDES = frozenset({"left", "right"})
+BEHIND = frozenset({"for", "about", "with", "from"})
+"""Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
+
 EACH = frozenset({"every", "each"})
 """Words that say of which things: "measure every tenth part"."""
 
@@ -20,6 +24,8 @@ class Places(Wording):
         below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
+        # "Turn left": a participle too.
+        kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
         return [p for p in words if self.has_content(p, words)]
 
@@ -45,7 +51,7 @@ class Places(Wording):
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
         for place in self.tree.below(verb):
             node = self.tree.nodes[place]
-            said = node.relation == "prep" and node.lower in self.lexicon.places
+            said = node.relation == "prep" and node.lower in self.lexicon.places | BEHIND
             if said and not self.timed(place) and self.timed(node.head):
                 yield place
 
