@@ -48,12 +48,7 @@ class Walls:
         if said.preposition == "of" and self._is_ordinal(piece.end - 1):
             # "Within a minute of the first"
             return False
-        if (
-            wall.clock is not None
-            and wall.days is None
-            and said.preposition is None
-            and self.measures.named(piece)
-        ):
+        if wall.clock is not None and said.preposition is None and self.measures.named(piece):
             # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:

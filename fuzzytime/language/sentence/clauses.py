@@ -160,7 +160,9 @@ class _Clauses:
             return False
         if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
-        clause = longest_match(self.words, place + 1, self.lexicon.clauses)
+        # "Before you leave and again when you get back"
+        behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
+        clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
 

@@ -13,6 +13,9 @@ OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
+TELLING = frozenset({"should", "will", "'ll", "must"})
+"""Helping verbs of what is told behind an order: "watch the rice, it should be done in ten minutes"."""
+
 PAST_ALIKE = frozenset({"lay", "saw"})
 """Bare verbs that are the past of another."""
 
@@ -195,7 +198,8 @@ def _follows_order(tree: Tree, root: int) -> int | None:
     subjects = tree.children(root, *SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else _first_of(tree, root)
     joint = tree.nodes[start - 1].lower if start else ""
-    if joint not in JOINTS or (subjects and joint != ",") or tree.children(root, "aux"):
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    if joint not in JOINTS or (subjects and joint != ",") or not helping <= TELLING:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
