@@ -4,13 +4,18 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import NEAR
+from fuzzytime.language.grammar.surroundings import POSSESSIVES
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.requirement import Constraint, Unit
 
 LISTING = frozenset({",", "and", "&", "or"})
 """Words between the times of a list."""
+
+MOVING = frozenset({"move", "shift", "reschedule", "postpone", "rebook", "change", "push", "delay"})
+"""Verbs that give another time to what has one."""
 
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
@@ -64,6 +69,17 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
         return phrase
     duration = Duration(((clock.hour, Unit.MINUTE),))
     return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
+
+
+def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read the second of two times as that of what is given another: "move the meeting from two to three"."""
+    said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
+    if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
+        return phrase
+    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
+    if not named or not MOVING & set(before):
+        return phrase
+    return replace(phrase, said=Said(said.time.last, None, "to"))
 
 
 def _counted(number: Duration, unit: Unit) -> Duration:

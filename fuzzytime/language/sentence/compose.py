@@ -18,6 +18,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.grounding import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
@@ -199,7 +200,10 @@ class _Composer:
         """Remember the last clock time said: the next is hardly before it."""
         for requirement in times.requirements:
             if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
-                since = requirement.latest if requirement.earliest is None else requirement.earliest
+                since, latest = requirement.earliest, requirement.latest
+                if latest is not None and (since is None or latest - since > FOLLOWING.total_seconds()):
+                    # "Charge overnight and be ready at seven"
+                    since = latest
                 self.moment = replace(self.moment, since=since)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:

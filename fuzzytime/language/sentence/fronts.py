@@ -78,8 +78,10 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         bare = node.lower == node.lemma or node.tag in COMPARED
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
-        timed = any(a <= start < b for a, b in (phrase.span for phrase in source.phrases))
-        if timed or _binds(tree, here - 1, lexicon):
+        timed = one.timed(tree)
+        # "Below 2 bar": a noun behind a number is counted.
+        counted = tree.nodes[here - 1].tag == "CD" and node.tag == "NN" and here - 1 not in timed
+        if here in timed or counted or _binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])

@@ -81,7 +81,10 @@ class Reader(Places):
 
         A tree has it for a preposition where a time follows ("on in ten minutes").
         """
-        named = next((p for p in self.tree.children(verb, "prt") if not self.timed(p)), None)
+        level = self.level(verb)
+        named = next(
+            (p for p in self.tree.children(verb, "prt") if not self.timed(p) and p not in level), None
+        )
         if named is not None:
             return named
         for place in range(verb + 1, len(self.tree.nodes)):
@@ -89,7 +92,13 @@ class Reader(Places):
             if self.tree.nodes[place - 1].tag == "CC":
                 # "To the gate and back"
                 continue
-            if verbs is None or place in result or self.timed(place) or not self._hangs_on(place, verb):
+            if (
+                verbs is None
+                or place in level
+                or place in result
+                or self.timed(place)
+                or not self._hangs_on(place, verb)
+            ):
                 continue
             stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
             bare = not self.tree.children(verb, "dobj") or not self.tree.children(place)
@@ -132,7 +141,8 @@ class Reader(Places):
         if clause is not None:
             about = clause.about(self.tree)
             return [place for place in self.words([clause.noun], verb) if place in about]
-        direct = [*self.tree.children(verb, *OBJECTS), *self._asked(verb)]
+        level = self.level(verb)
+        direct = [p for p in (*self.tree.children(verb, *OBJECTS), *self._asked(verb)) if p not in level]
         words = self.words([p for p in direct if p > verb and not self.timed(p)], verb)
         if not words:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.

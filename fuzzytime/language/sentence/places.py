@@ -24,6 +24,7 @@ class Places(Wording):
         below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
+        kept += self.level(verb)
         # "Turn left": a participle too.
         kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.tree import Tree
 
+LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
+"""How strong a fire or a machine is on."""
+
 
 @dataclass(frozen=True, slots=True)
 class Wording:
@@ -21,6 +24,14 @@ class Wording:
         """Whether a word is about time."""
         node = self.tree.nodes[place]
         return any(first <= node.start < end for first, end in self.times)
+
+    def level(self, verb: int) -> list[int]:
+        """Give "on low", which trees take for a particle and an object: "cook on low"."""
+        for place in self.tree.children(verb, "prt"):
+            behind = place + 1
+            if self.tree.nodes[place].lower == "on" and behind < len(self.tree.nodes):
+                return [place, behind] if self.tree.nodes[behind].lower in LEVELS else []
+        return []
 
     def has_to(self, place: int) -> bool:
         """Whether a word is a verb with "to", which has particles of its own."""
