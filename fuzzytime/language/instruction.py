@@ -54,6 +54,9 @@ class Operation:
         if self.object is not None and self.object.lower() in PRONOUNS:
             inner = (self.object, self.particle)
         said: tuple[str | None, ...] = (self.verb, *inner, self.complement, self.place)
+        if self.lemma == "be" and (self.complement or self.place):
+            # "The coffee should be ready"
+            said = (self.object, self.verb, self.complement, self.place)
         if self.stated:
             # "Dinner is at seven": what is, is its name.
             said = (self.object, None if self.lemma == "be" else self.verb, self.particle, self.place)

@@ -38,6 +38,13 @@ def rows() -> list[Row]:
     return found
 
 
+def sentences() -> list[str]:
+    """Give the texts of the corpus of sentences, whose times may lend each other their units."""
+    return [
+        row["text"] for row in yaml.safe_load((FOLDER / "sentences.yaml").read_text("utf-8"))["sentences"]
+    ]
+
+
 def texts_without_time() -> list[str]:
     """Give the texts of the negative corpus."""
     return list(yaml.safe_load((FOLDER / "no_times.yaml").read_text("utf-8"))["texts"])

@@ -9,7 +9,7 @@ from fuzzytime.language.english import grammar
 from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.grammar.chart import Action, Grammar, Rule
 from fuzzytime.language.grammar.spans import Scanned
-from language.corpus_rows import Row, meant, rows, texts_without_time
+from language.corpus_rows import Row, meant, rows, sentences, texts_without_time
 
 
 def _is_bound(row: Row) -> bool:
@@ -60,7 +60,7 @@ def test_every_rule_has_a_row() -> None:
     counted = Grammar()
     for rule in grammar().rules:
         counted.add(rule._replace(action=counting(rule)))
-    for row in ROWS:
-        Scanned.of(row.phrase, counted, shipped_lexicon())
+    for text in (*(row.phrase for row in ROWS), *sentences()):
+        Scanned.of(text, counted, shipped_lexicon())
     idle = sorted({rule.name for rule in grammar().rules} - {name for name, count in made.items() if count})
     assert not idle

@@ -111,7 +111,7 @@ def test_colour_comes_where_it_is_forced(tmp_path: Path) -> None:
 
 
 def test_a_page_says_each_problem_once(tmp_path: Path) -> None:
-    words = ("-i", "Flip the pancakes when the pan is hot", "-i", "Stir the soup at half past")
+    words = ("-i", "Flip the pancakes when the pan is hot", "-i", "Stir the soup for a while")
     page = written(tmp_path, "html", *words)
     assert page.count("not enough readings of pan_temp") == 1
     assert page.count("looks like a time and was not understood") == 1

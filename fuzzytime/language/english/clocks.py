@@ -219,19 +219,16 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "for some time",
     "half past",
     "a? <fraction> past",
-    "<minutes of clock> past",
-    "at|around|about|by|before|after|until a? <fraction> to",
-    "by|before|until|till|from|since then",
+    "since then",
     "the eve of the|a|my|our",
     "at the very? end|start|beginning",
     "halfway|midway through",
     "closing|opening|boarding|quitting|departure|arrival time",
     "half way through",
     "the <part> before|after",
-    "at|before|after|until|till|by <minutes of clock>|<bare minutes of clock> past|to",
 )
-def of_no_hour(minutes: float | Part | None = None) -> bool:
-    """At half past, at ten to, for a while, the night before: of what, or how long, is not said."""
+def of_no_hour(part: Part | None = None) -> bool:
+    """For a while, the night before: of what, or how long, is not said."""
     return True
 
 

@@ -60,6 +60,18 @@ def to_the_hour(minutes: float) -> HourMark:
     return HourMark(60 - int(minutes))
 
 
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past", weight=0.1)
+def past_no_hour(minutes: float) -> HourMark:
+    """(at) a quarter past: of the hour that was said before, or of the next."""
+    return HourMark(int(minutes), open=True)
+
+
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> to", weight=0.1)
+def to_no_hour(minutes: float) -> HourMark:
+    """(at) ten to: of the hour that was said before, or of the next."""
+    return HourMark(60 - int(minutes), open=True)
+
+
 @grammar.rule("goal", "<same>")
 def goal_like_now(time: SameTime | HourMark) -> Goal:
     """A time of day that depends on the one now."""
@@ -115,4 +127,4 @@ def soon_after(duration: Duration, goal: Goal) -> Range | None:
 
 def _counts_from(goal: Goal) -> bool:
     vague = isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT
-    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending))
+    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending, HourMark))

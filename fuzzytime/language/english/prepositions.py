@@ -58,6 +58,8 @@ def when_it_is(wall: Wall) -> Said | None:
     "word",
     "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you're|youre free|available|idle",
+    "when|whenever|if|once you are free|available|idle",
     "when|whenever|if|once you get|come|can|manage round|around? to it|that",
     "as soon as you get|have|find|got a|some|any|the? spare|free|quiet? <leisure>",
     weight=0.2,

@@ -133,6 +133,12 @@ def every_part(part: Part) -> Repeat:
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
 
 
+@grammar.rule("repeat", "every|each other|second <part>", "on? alternate <parts>", weight=0.3)
+def every_other_part(part: Part) -> Repeat:
+    """Every other morning."""
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),), skip=2)
+
+
 @grammar.rule("repeat", "every|each <part> and|& <part>", weight=0.3)
 def every_two_parts(first: Part, second: Part) -> Repeat:
     """Every morning and evening."""

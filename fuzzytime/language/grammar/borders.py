@@ -68,7 +68,9 @@ class Borders:
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
-        before = self.texts[max(0, piece.start - 3) : piece.start]
+        before = self.texts[max(0, piece.start - 4) : piece.start]
+        if before[-1:] in (["on"], ["at"], ["in"]):
+            before.pop()
         if before[-1:] == ["but"] and self._is_added(piece):
             return False
         return bool({"except", "excluding", "but"} & set(before[-1:])) or before[-2:] in (
@@ -94,7 +96,10 @@ class Borders:
             return True
         if first == "over":
             # "Turn the steaks over every two minutes"
-            return rest[:1] in (["every"], ["each"])
+            return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
+        if first in {"round", "around"}:
+            # "Bring the car round at six"
+            return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _names_event(self, piece: Piece) -> bool:

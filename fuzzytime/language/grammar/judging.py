@@ -4,14 +4,16 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.borders import COMPARING, Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
+    HourMark,
     Offset,
     Range,
     Repeat,
@@ -29,6 +31,11 @@ BINDING = frozenset(
 
 ASKED = frozenset({"me", "us", "just"})
 """Words before "a second" that make it no length of time."""
+
+OF_HOURS = frozenset(
+    {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
+)
+"""Prepositions of minutes past an hour that is not said: "at half past"."""
 
 UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
 """Words before a length of time that make it another thing than how long: "by ten minutes"."""
@@ -48,6 +55,7 @@ class Judge:
         self.around = Surroundings(words, lexicon)
         self.borders = Borders(words, lexicon, self.around)
         self.walls = Walls(words, lexicon, self.measures, self.around)
+        self.lent = Lent(words, lexicon, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -56,11 +64,21 @@ class Judge:
             return False
         time = said.time
         if self._is_whole(piece):
-            return self._accepts_alone(said)
+            return not lacks_unit(said) and self._accepts_alone(said)
+        if lacks_unit(said):
+            return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
-        if said.preposition == "for" and number and not lent and not self._appoints(piece):
+        if self.lent.seats(piece, time):
+            return False
+        if (
+            said.preposition == "for"
+            and number
+            and not (lent or self.lent.times(piece) or self._appoints(piece))
+        ):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
+            return False
+        if said.preposition == "in" and self._counts_from_that(piece):
             return False
         if (
             said.preposition == "in"
@@ -78,15 +96,35 @@ class Judge:
             return self.walls.accept(piece, said, time)
         return self._accepts_other(piece, said)
 
+    def _counts_from_that(self, piece: Piece) -> bool:
+        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
+        distances = (["before", "that"], ["after", "that"])
+        return any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2))
+
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
         if isinstance(time, TimeWord) and self._begins_clause(piece):
             return False
+        if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
+            # "Call me then"; "then call me" is a step behind another.
+            return piece.start > 0 and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic"
             return self.around.follower(piece) in {"", ",", "."}
+        if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
+            # "Call me ten minutes after"; but "after lunch call me", and "the night before".
+            led = piece.start > 0 and not self.around.timely(piece.start - 1)
+            return led and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
+        if isinstance(time, HourMark) and time.open:
+            # "Walk at ten to the gate", "half past the volume"
+            follower = self.around.follower(piece)
+            sure = (
+                said.preposition in {"at", "by", "before", "after", "until", "around", "from"} or said.hedges
+            )
+            counts = follower in OWNING or self.measures.is_number(piece.end)
+            return bool(sure) and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
             # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
             return said.preposition not in {None, "at", "for"}
@@ -112,8 +150,9 @@ class Judge:
 
     def _is_rate(self, piece: Piece) -> bool:
         """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""
-        if self.measures.is_number(piece.start - 1):
-            # "Within two working days"
+        named = self.texts[piece.start - 2 : piece.start - 1] if piece.start > 1 else []
+        if self.measures.is_number(piece.start - 1) and not (self.lexicon.measure_nouns & set(named)):
+            # "Within two working days"; but "pick from bin 4 every ten seconds"
             return True
         if "to" in {self.around.before(piece), self.texts[piece.start]}:
             return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)
@@ -209,13 +248,20 @@ class Judge:
         if last.ordinal_end or last.bare_end:
             return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
         if said.constraint is Constraint.FOR and said.preposition is None:
-            # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
-            follower = self.around.follower(piece)
-            if follower == "of":
-                # "Do ten minutes of yoga"
-                return self.around.before(piece) in SPENDING
-            return follower in self.lexicon.lasting or self.around.may_end(piece)
+            return self._accepts_length(piece)
         return True
+
+    def _accepts_length(self, piece: Piece) -> bool:
+        """Whether a length of time without a preposition says how long something takes."""
+        # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
+        follower = self.around.follower(piece)
+        if follower == "of":
+            # "Do ten minutes of yoga"
+            return self.around.before(piece) in SPENDING
+        if self.around.before(piece) in {"spend", "take"}:
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
+        return follower in self.lexicon.lasting or self.around.may_end(piece)
 
     def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
         if self.around.is_put_off(piece):
@@ -224,7 +270,7 @@ class Judge:
         if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
-        if self.around.before(piece) in POSSESSIVES:
+        if self.around.is_owned(piece):
             # "Move my three o'clock to five"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]

@@ -54,6 +54,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)
+                    or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
                     or (around.describes(piece) and around.follower(piece) not in AWAY)
                     or _is_compound(piece, around)
                 ):
@@ -79,6 +80,9 @@ def _is_compound(piece: Piece, around: Surroundings) -> bool:
 
 def _is_noun(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
+    if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
+        # "Push the meeting back by half an hour": how much later, and no time.
+        return True
     named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}

@@ -60,6 +60,12 @@ class Lexicon:
         Words that begin what says where.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
+    catching
+        Verbs whose object is called by its time: "catch the 7:42".
+    timing, timing_alone
+        Words behind which, and right behind which, "for" and a number alone say how many minutes.
+    citing
+        What two numbers with a colon belong to: "John 3:16".
     lasting
         Nouns that a length of time before them is about: "a ten minute walk".
     persons, addressing
@@ -84,6 +90,8 @@ class Lexicon:
         Words that begin a question, by how they do, and words that show that a text is not English.
     function_words
         Words that may follow a bare number without making it a count.
+    misspelt
+        What is meant by words as they are often mistyped.
     """
 
     entries: Mapping[str, tuple[Entry, ...]]
@@ -110,6 +118,10 @@ class Lexicon:
     places: frozenset[str]
     appointing: frozenset[str]
     lasting: frozenset[str]
+    catching: frozenset[str]
+    timing: frozenset[str]
+    timing_alone: frozenset[str]
+    citing: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     rescheduling: frozenset[str]
@@ -126,6 +138,7 @@ class Lexicon:
     questions: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
+    misspelt: Mapping[str, str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
 

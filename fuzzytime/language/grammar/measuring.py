@@ -92,7 +92,7 @@ class Measures:
         """Whether what has an amount stands right before: "the thermostat at 20", "seat 12A"."""
         # "Floor 5" is a place, and "the floor just after 5" is swept.
         bare = piece.value.preposition is None and self.is_number(piece.start)
-        nouns = self.lexicon.measure_nouns if bare else self.lexicon.amount_nouns
+        nouns = self.lexicon.measure_nouns | self.lexicon.machines if bare else self.lexicon.amount_nouns
         return piece.start > 0 and self.texts[piece.start - 1] in nouns
 
 

@@ -10,20 +10,14 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
+from fuzzytime.language.grammar.lending import in_half, in_minutes, in_unit, moved_to
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Wall
-from fuzzytime.language.meaning.times_of_day import Half
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.language.meaning.expressions import Phrase
 
 WIDTH = 0.35
 """What each piece costs: two neighbours are worth less than one piece over the same words."""
-
-LISTING = frozenset({",", "and", "&", "or"})
-"""Words between the times of a list."""
-
-NOON = 12 * 3600
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +31,7 @@ class Scanned:
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
-        words = _parted(words_of(text), lexicon)
+        words = _parted([_spelt(word, lexicon) for word in words_of(text)], lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
@@ -48,6 +42,12 @@ class Scanned:
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
         return [piece for cell in self.cells for piece in cell.get(category, {}).values()]
+
+
+def _spelt(word: Word, lexicon: Lexicon) -> Word:
+    """Give a word as it is meant: "quater" is a quarter."""
+    meant = lexicon.misspelt.get(word.text)
+    return word if meant is None else replace(word, text=meant)
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
@@ -100,39 +100,12 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
     found = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     for place in range(1, len(found)):
-        found[place] = _in_unit(found[place], found[place - 1])
+        found[place] = in_unit(found[place], found[place - 1], scanned.words)
+    found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
+    found = [moved_to(phrase, scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
-        found[place] = _in_half(found[place], found[place + 1], scanned.words)
+        found[place] = in_half(found[place], found[place + 1], scanned.words)
     return tuple(found)
-
-
-def _in_unit(phrase: Phrase, before: Phrase) -> Phrase:
-    """Lend a number the unit of the length of time before it: "for two minutes, … and for one"."""
-    said, length = phrase.said, before.said
-    lasting = isinstance(length.time, Duration) and length.constraint is Constraint.FOR
-    if said.preposition != "for" or not isinstance(said.time, Wall) or not said.time.bare or not lasting:
-        return phrase
-    clock, unit = said.time.clock, length.time.terms[-1][1] if isinstance(length.time, Duration) else None
-    if clock is None or unit is None or clock.grain is not Unit.HOUR:
-        return phrase
-    duration = Duration(((clock.hour, unit),))
-    return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
-
-
-def _in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
-    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am"."""
-    joints = {word.text for word in words[phrase.end : following.first]}
-    first, second = phrase.said.time, following.said.time
-    if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
-        return phrase
-    if first.clock is None or second.clock is None or first.days is not None or first.part is not None:
-        return phrase
-    half = second.clock.half
-    open_half = first.clock.is_open and first.clock.half is None and half in {Half.AM, Half.PM}
-    if not open_half or first.clock.seconds % NOON >= second.clock.seconds % NOON:
-        return phrase
-    clock = replace(first.clock, half=half, bare=False)
-    return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))
 
 
 def _best(pieces: Sequence[Piece], length: int) -> list[Piece]:

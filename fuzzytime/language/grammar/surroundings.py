@@ -16,6 +16,8 @@ SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
 OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
 """Words that open a noun: "the Sunday suit"."""
 POSSESSIVES = frozenset({"my", "our", "your", "his", "her", "their"})
+BOUND_FOR = frozenset({"to", "from", "into", "out", "back", "home", "and", "then", "please"})
+"""Words behind a train that is called by its time."""
 WAYS = frozenset({"back", "forward", "up", "down", "ahead", "out"})
 """Words between what is given another time and that time: "push it back to nine"."""
 OF_CLOCKS = frozenset({"o'clock", "oclock", "am", "pm", "a.m.", "p.m.", ":", "half", "quarter", "past"})
@@ -66,8 +68,11 @@ class Surroundings:
         # "By five call mum": what more than one counts is a plural.
         counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
-        orders = behind in BEHIND_VERBS or (
-            number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha()
+        called = follower in self.lexicon.addressing and behind in self.lexicon.persons
+        orders = (
+            called
+            or behind in BEHIND_VERBS
+            or (number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha())
         )
         return before in SENTENCE_STARTS and orders and not plural
 
@@ -104,11 +109,32 @@ class Surroundings:
         behind = self.words[piece.end : piece.end + 1]
         return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
 
+    def is_owned(self, piece: Piece) -> bool:
+        """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
+        return self.before(piece) in POSSESSIVES or self.before(piece).endswith("'s")
+
     def is_put_off(self, piece: Piece) -> bool:
         """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
         owner = piece.start if self.texts[piece.start] in OWNING else piece.start - 1
+        owning = owner > 0 and (self.texts[owner] in OWNING or self.is_owned(piece))
+        return owning and self.texts[owner - 1] in self.lexicon.rescheduling
+
+    def is_caught(self, piece: Piece) -> bool:
+        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York"."""
+        owner = piece.start - 1
+        behind = self.follower(piece)
+        ends = not behind[:1].isalnum() or behind in BOUND_FOR or self.timely(piece.end)
+        return owner > 0 and self.texts[owner - 1] in self.lexicon.catching and ends
+
+    def cites(self, place: int) -> bool:
+        """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""
+        before = self.texts[max(0, place - 3) : place]
+        if before[-1:] == ["of"]:
+            before.pop()
         return (
-            owner > 0 and self.texts[owner] in OWNING and self.texts[owner - 1] in self.lexicon.rescheduling
+            before[-1:] != []
+            and before[-1] in self.lexicon.citing
+            and not self.lexicon.addressing & {*before}
         )
 
     def puts_off(self, piece: Piece) -> bool:

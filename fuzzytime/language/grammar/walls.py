@@ -48,12 +48,7 @@ class Walls:
         if said.preposition == "of" and self._is_ordinal(piece.end - 1):
             # "Within a minute of the first"
             return False
-        if (
-            wall.clock is not None
-            and wall.days is None
-            and said.preposition is None
-            and self.measures.named(piece)
-        ):
+        if wall.clock is not None and said.preposition is None and self.measures.named(piece):
             # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
@@ -91,14 +86,19 @@ class Walls:
     def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it only names something, or belongs to what does."""
         before = self.around.before(piece)
+        if said.preposition is None and wall.clock is not None and self.around.is_caught(piece):
+            # What is caught is caught then: "catch the 7:42 to York".
+            return False
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
             return True
         counting = self.words[piece.end - 1].is_digits and self.around.follower(piece).endswith("s")
         if said.preposition is None and counting and self._is_ambiguous(piece.start):
             # "March 3 steps forward"
             return not self.around.may_end(piece)
-        if said.preposition is None and wall.clock is not None and before in POSSESSIVES:
-            # "Cancel my three o'clock"
+        if said.preposition is None and wall.clock is not None and self.around.is_owned(piece):
+            # "Cancel my three o'clock", "move tomorrow's ten o'clock"
+            return True
+        if wall.clock is not None and self._is_called(piece, said, wall):
             return True
         if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
             # "Move the 3 pm to five"
@@ -128,6 +128,20 @@ class Walls:
             and self.texts[piece.start] in POSSESSIVES
             and not self.around.may_end(piece)
         )
+
+    def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether something is called by a clock time, or by two numbers that look like one."""
+        if said.preposition in {None, "of"} and self.around.cites(piece.start):
+            # As in "Read John 3:16".
+            return True
+        if wall.days is not None or wall.clock is None:
+            return False
+        if said.preposition is None and self.around.before(piece) == "the":
+            # As in "Cancel the 7:42".
+            return True
+        # As in "Book me on the 7:42".
+        minutes = wall.clock.grain is Unit.MINUTE and not wall.clock.pair
+        return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"
 
     def _is_ambiguous(self, place: int) -> bool:
         return self.texts[place] in self.lexicon.ambiguous

@@ -136,6 +136,10 @@ class Range:
     last: "Time"
 
 
+HALFWAY = "halfway"
+"""The time word that counts from the start of what was said to last."""
+
+
 @dataclass(frozen=True, slots=True)
 class TimeWord:
     """A word that is a time by itself: "now", "soon"."""
@@ -160,9 +164,13 @@ class SameTime:
 
 @dataclass(frozen=True, slots=True)
 class HourMark:
-    """A minute of whichever hour comes next: "on the hour", "at half past"."""
+    """A minute of whichever hour comes next: "on the hour", "at half past".
+
+    ``open`` says that not even "the hour" was said.
+    """
 
     minute: int
+    open: bool = False
 
 
 Time = Wall | Ending | Offset | Coming | Range | TimeWord | Rest | SameTime | HourMark

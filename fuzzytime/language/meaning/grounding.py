@@ -97,8 +97,9 @@ class Grounding:
             moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
-            moment = self.now.replace(minute=said.minute, second=0, microsecond=0)
-            moment += timedelta(hours=moment <= self.now)
+            begun = self.now if self.since is None else max(self.now, self.since)
+            moment = begun.replace(minute=said.minute, second=0, microsecond=0)
+            moment += timedelta(hours=moment <= begun)
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
@@ -196,7 +197,7 @@ class Grounding:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
             known = plausible if self.listed else moments
-            follows = [moment for moment in known if self.since < moment < self.since + FOLLOWING]
+            follows = [moment for moment in known if self.since < moment <= self.since + FOLLOWING]
             if wall.days is not None:
                 # "On friday mow at ten and rake at six": the six of that day that follows, however late.
                 follows += [moment for moment in plausible if self.since < moment]

@@ -186,6 +186,9 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
     # "Every day", "every two weeks": any time in a day, in a week; "twice a day": in each half of one.
     length = step if repeat.shared else UNIT_SECONDS[repeat.every.unit] if repeat.walls else 0.0
     start = first if first is not None else (step if sub_day and not length else 0.0)
+    if sub_day and last is not None and 0.0 < last < start:
+        # "Every hour from dawn till dusk", said in the morning: it goes on already.
+        start = 0.0
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
 
 

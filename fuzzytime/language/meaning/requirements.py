@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
     Ending,
+    HourMark,
     Offset,
     Phrase,
     Range,
@@ -64,7 +65,7 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
 class _Grounder:
     def __init__(self, phrase: Phrase, text: str, moment: Moment) -> None:
         self.phrase = phrase
-        self.said = phrase.said
+        self.said = _bounded(phrase.said)
         self.text = text[phrase.span[0] : phrase.span[1]]
         self.moment = moment
         self._deciding = Deciding(self.text, phrase.span, moment)
@@ -185,11 +186,14 @@ class _Grounder:
         latest = None if constraint is Constraint.AFTER else end
         duration = time.duration if isinstance(time, (Offset, Coming)) else None
         hedges = self.said.hedges if duration is None else (*self.said.hedges, *duration.hedges)
-        grain = found.grain if isinstance(time, (Wall, Range, Ending, Rest)) else None
+        grain = found.grain if isinstance(time, (Wall, Range, Ending, Rest, HourMark)) else None
         requirement = self._requirement(
             constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
         )
         remarks, questions = self._deciding.of_instants(found, zone)
+        if isinstance(time, HourMark) and time.open:
+            message = f"{self.text!r} is taken as {found.start:%H:%M}: of which hour is not said"
+            remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))
         if self._has_begun(time, found, zone):
             message = (
                 f"{self.text!r} is taken as before {found.end:%H:%M}, as it began at {found.start:%H:%M}"
@@ -240,6 +244,13 @@ class _Grounder:
         if self.said.edge is Edge.START:
             return not isinstance(time, (Ending, Range, Rest))
         return isinstance(time, Wall) and time.part is not None
+
+
+def _bounded(said: Said) -> Said:
+    """Read "up to tomorrow at seven", "six at most" as a deadline: a time of day is no amount."""
+    if said.constraint is not None or not isinstance(said.time, Wall) or not UPPER & set(said.hedges):
+        return said
+    return replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST)
 
 
 def _grain_of(wall: Wall) -> Unit:

@@ -10,6 +10,7 @@ from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
+COPULAS = frozenset({"be", "'s"})
 RESULTS = frozenset({"JJ", "VBN"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
@@ -33,14 +34,9 @@ def is_doubtful(tree: Tree) -> bool:
 
 def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start"."""
-    root = tree.root
+    root = _governing(tree)
     if root is None:
         return None
-    if not tree.nodes[root].is_verb:
-        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
-        if root is None:
-            return None
-    root = _order_before(tree, root)
     negated = _is_negated(tree, root)
     reference: Reference | None = None
     for _ in range(4):
@@ -73,6 +69,28 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
+
+
+def _governing(tree: Tree) -> int | None:
+    """Find the verb of the sentence; None where it has none, or says only that something is so."""
+    root = tree.root
+    if root is not None and not tree.nodes[root].is_verb:
+        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
+    if root is None:
+        return None
+    root = _order_before(tree, root)
+    return None if _only_is(tree, root) else root
+
+
+def _only_is(tree: Tree, root: int) -> bool:
+    """Whether something is so and nothing is to be done: "it's hot in here"; but "it's time to eat"."""
+    told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
+    return (
+        told
+        and tree.nodes[root].lemma in COPULAS
+        and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
+        and not tree.children(root, "aux")
+    )
 
 
 def _order_before(tree: Tree, root: int) -> int:
@@ -154,7 +172,8 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 def _is_negated(tree: Tree, place: int) -> bool:
     return any(
-        tree.nodes[p].lower in {"not", "n't", "n’t", "never"} for p in tree.children(place, "neg", "advmod")
+        tree.nodes[p].lower in {"not", "n't", "n’t", "nt", "never"}
+        for p in tree.children(place, "neg", "advmod")
     )
 
 

@@ -7,7 +7,7 @@ from itertools import chain
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
-from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import Mentions, best_of, content_words
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
@@ -15,10 +15,24 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 FIRST = frozenset({"before", "until", "by the time"})
 """Clauses whose instruction comes first."""
 
-ORDERING = {"afterwards": Constraint.AFTER, "beforehand": Constraint.BEFORE}
+ORDERING = {
+    "afterwards": Constraint.AFTER,
+    "beforehand": Constraint.BEFORE,
+    "then": Constraint.AT,
+}
 """The time words that are about the instruction before it."""
 
-COUNTED: dict[str | None, Constraint] = {"later": Constraint.AFTER, "earlier": Constraint.BEFORE}
+BACK = frozenset({"it", "that", "this"})
+"""Words for an event that is the instruction before."""
+
+INTO = "into"
+"""The preposition of times that count from the start of the instruction before."""
+
+COUNTED: dict[str | None, Constraint] = {
+    "later": Constraint.AFTER,
+    "earlier": Constraint.BEFORE,
+    INTO: Constraint.AFTER,
+}
 """The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
 
 
@@ -43,6 +57,9 @@ class Anchors:
         here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
+        if clause.is_event and (clause.object or "").lower() in BACK and self.position > 0:
+            # "The meeting starts at three, remind me ten minutes before it"
+            return self.position - 1
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
         if target is not None or not self.awaits:
             return target
@@ -123,7 +140,7 @@ class Anchors:
         time = phrase.said.time
         if isinstance(time, TimeWord) and time.word in ORDERING and self.position > 0:
             constraint = ORDERING[time.word]
-            edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
+            edge = Edge.END if constraint is Constraint.AFTER else Edge.START
             anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
         side = (
@@ -131,7 +148,7 @@ class Anchors:
         )
         if side is None or self.position == 0:
             return None
-        edge = Edge.START if side is Constraint.BEFORE else Edge.END
+        edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
         lag = requirement.t_spec or 0.0
         anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge, lag=lag, exact=True)
         return _only(requirement, anchor, side)

@@ -1,16 +1,16 @@
 """Clauses about time: "when the pan is hot", "after setting the table", "five minutes before you serve"."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.sentence.conditions import BE, condition_of, happening, state
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.conditions import BE, being, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.requirement import Condition, Constraint
+from fuzzytime.requirement import Constraint
 
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -21,6 +21,9 @@ DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
+WAITING = frozenset({"wait", "waiting", "hold", "hang"})
+"""Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -28,31 +31,6 @@ REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
-
-
-@dataclass(frozen=True, slots=True)
-class Clause:
-    """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
-
-    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
-    says must hold; ``time`` when it says that is ("before the guests arrive at seven").
-    """
-
-    kind: str
-    marker: str
-    span: Span
-    content: Span
-    verb: str | None = None
-    object: str | None = None
-    condition: Condition | None = None
-    distance: Duration | None = None
-    is_event: bool = False
-    time: Phrase | None = None
-
-    def moved(self, by: int) -> "Clause":
-        """Give the same clause that many characters further on."""
-        (a, b), (c, d) = self.span, self.content
-        return replace(self, span=(a + by, b + by), content=(c + by, d + by))
 
 
 def clauses_of(
@@ -73,6 +51,7 @@ def clauses_of(
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
+        form = form or reader.awaited(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -99,13 +78,22 @@ class _Clauses:
         self.covered = covered
         self.named = named
 
+    def awaited(self, place: int) -> tuple[str, ...] | None:
+        """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
+        before = self.words[place - 1].text if place else ""
+        if self.words[place].text != "for" or before not in WAITING or place in self.covered:
+            return None
+        tree = self.tree
+        marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
+        return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses[form]
+        kind = self.lexicon.clauses.get(form, "until")
         first = place + len(form)
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
-        time = next((phrase for phrase in last if _is_apart(phrase)), None)
+        time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
         if said_end <= first:
             return None
@@ -148,7 +136,7 @@ class _Clauses:
                 condition=condition_of(self.tree, verb, nodes, said),
             )
         if clause.kind in STATED:
-            condition = happening(self.tree, nodes, said)
+            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
             if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"
                 return None
@@ -172,7 +160,9 @@ class _Clauses:
             return False
         if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
-        clause = longest_match(self.words, place + 1, self.lexicon.clauses)
+        # "Before you leave and again when you get back"
+        behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
+        clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
 
@@ -223,6 +213,9 @@ class _Clauses:
         node = self.tree.nodes[place]
         if node.relation in {"relcl", "acl"}:
             return node.head in nodes
+        if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
+            # "Remind me the day before the exam to print my notes"
+            return True
         return node.relation in {"aux", "auxpass", "amod", "compound"}
 
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
@@ -286,9 +279,10 @@ def _happens(clause: Clause) -> bool:
     return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
 
 
-def _is_apart(phrase: Phrase) -> bool:
+def _is_apart(phrase: Phrase, kind: str) -> bool:
     """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
-    lasting = phrase.said.constraint is Constraint.FOR
+    within = kind == "if" and phrase.said.preposition == "within"
+    lasting = phrase.said.constraint is Constraint.FOR or within
     return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
 
 

@@ -18,29 +18,21 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.grounding import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
-from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
-from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders
+from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
 from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
-
-TURNED = {
-    Constraint.BEFORE: Constraint.AFTER,
-    Constraint.AFTER: Constraint.BEFORE,
-    Constraint.FOR: Constraint.AFTER,
-}
-"""What "don't … before", "don't … after" and "don't … for" ask for."""
-
-LONGER = "more than"
-"""The hedge of a length of time that is not to be exceeded."""
 
 DOERS = frozenset({"you", "i", "we"})
 """Subjects of clauses that refer to what is done, and not to what readings could tell."""
@@ -115,6 +107,7 @@ class _Composer:
             self.moment = replace(self.moment, listed=listed, follows=follows)
             instructions.append(self._instruction(sketch, self.first + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
+        self.remarks += self._unused(sketches)
         tokens, strict = self._tokens()
         return Reading(
             text=self.draft.text,
@@ -126,6 +119,16 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
         )
 
+    def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
+        """Point at what no operation and no time holds, where nothing else is said of it."""
+        told = [*self.explained, *self.draft.unfinished, *(remark.span for remark in self.remarks)]
+        found: list[Remark] = []
+        for sketch in sketches:
+            if sketch.operation is not None:
+                text, part = self.draft.text, sketch.part
+                found += unused_words(text, part, sketch.operation, [*told, *sketch.heard], self.lexicon)
+        return found
+
     def _doubts(self, sketch: Sketch) -> list[Remark]:
         part, words = sketch.part, self.draft.scanned.words
         return list(doubts_of(self.draft.text, part.segment.span, words, part.tree, self.lexicon))
@@ -133,7 +136,7 @@ class _Composer:
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
-        sketch = _awaiting(sketch)
+        sketch = awaiting(sketch)
         times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
@@ -165,9 +168,9 @@ class _Composer:
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        if operation is not None and operation.negated and any(map(_is_turned, requirements)):
+        if operation is not None and operation.negated and any(map(is_turned, requirements)):
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
-            requirements = [_turned(requirement, duration) for requirement in requirements]
+            requirements = [turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
         return Instruction(
             span=sketch.part.segment.span,
@@ -196,8 +199,12 @@ class _Composer:
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
         for requirement in times.requirements:
-            if requirement.constraint in SAID_WHEN and requirement.grain in SUB_DAY:
-                self.moment = replace(self.moment, since=requirement.earliest)
+            if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
+                since, latest = requirement.earliest, requirement.latest
+                if latest is not None and (since is None or latest - since > FOLLOWING.total_seconds()):
+                    # "Charge overnight and be ready at seven"
+                    since = latest
+                self.moment = replace(self.moment, since=since)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
@@ -257,47 +264,6 @@ def _follows_nothing(said: str, span: Span) -> Remark:
     """Point at words that order an instruction beside another, where it is the first."""
     message = f"{said!r} is about an instruction before it, and none was given so far"
     return Remark(RemarkKind.UNRESOLVED, span, message)
-
-
-def _awaiting(sketch: Sketch) -> Sketch:
-    """Read "don't serve it until the guests arrive" as: serve it, when they do."""
-    operation = sketch.operation
-    if operation is None or not operation.negated or all(c.kind != "until" for c in sketch.clauses):
-        return sketch
-    clauses = tuple(
-        replace(clause, kind="when", marker="when") if clause.kind == "until" else clause
-        for clause in sketch.clauses
-    )
-    return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
-
-
-def _is_turned(requirement: TimeRequirement) -> bool:
-    """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
-    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
-    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
-
-
-def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
-    """Read "don't open it before six" as: open it, not before six."""
-    if not _is_turned(requirement):
-        return requirement
-    if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
-        # "Don't boil it for more than a minute": for a minute at most.
-        return replace(requirement, fuzziness=("at most",))
-    constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
-    time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
-    if requirement.constraint is Constraint.BETWEEN:
-        # "Don't stir it for the first ten minutes": after them.
-        time = requirement.latest
-    after = constraint is Constraint.AFTER
-    return replace(
-        requirement,
-        constraint=constraint,
-        preposition="not before" if after else "no later than",
-        t_spec=time,
-        earliest=time if after else None,
-        latest=None if after else time,
-    )
 
 
 def _referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:

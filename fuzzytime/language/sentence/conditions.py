@@ -5,7 +5,12 @@ from collections.abc import Sequence
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition
 
-BE = frozenset({"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go"})
+BE = frozenset(
+    {"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go", "sound", "smell", "taste"}
+)
+SHORT_BE = frozenset({"m", "re", "s", "'m", "'re", "'s"})
+"""How "am", "are" and "is" are often typed: "when im back"."""
+
 STARTING = frozenset({"start", "begin", "stop", "cease"})
 """What goes on is what matters: "when it starts to rain"."""
 
@@ -15,6 +20,13 @@ UNLESS = "unless"
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
+POSSESSIVE = "POS"
+ITS = "its"
+"""How "it's" is often typed."""
+
+SHORTEST_BEING = 2
+"""Words of "its dark"."""
+
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
 DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
 
@@ -23,6 +35,9 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
     inside = set(nodes)
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p in inside]
+    if not subjects:
+        # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
+        subjects = [p for p in nodes if p == verb - 1 and tree.nodes[p].tag in {"PRP", "PRP$"}]
     negated = any(p in inside for p in tree.children(verb, "neg"))
     negated ^= text.lower().startswith(UNLESS)
     if not subjects:
@@ -32,11 +47,15 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         for p in sorted(tree.below(subjects[0]))
         if p in inside and tree.nodes[p].tag not in DETERMINERS
     )
+    if subjects and tree.nodes[subjects[0]].lower == ITS:
+        subject = "it"
     node = tree.nodes[verb]
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
-    if node.lemma not in BE or not said:
-        below = [p for p in tree.children(verb, "xcomp") if p in inside and node.lemma in STARTING]
+    if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
+        starts = node.lemma in STARTING
+        below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
+        below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]
         action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
     last = said[-1]
@@ -54,6 +73,9 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
     *before, last = (tree.nodes[p] for p in nodes)
     named = [node.lower for node in before if node.tag not in DETERMINERS]
+    if named and before[-1].tag == "NNS" and last.tag in {"NN", "JJ"} and last.may_act:
+        # "When the edges brown"
+        return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
         last.tag != "NNS"
         or len(named) == len(before)
@@ -62,6 +84,18 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     ):
         return None
     return Condition(text=text, subject=" ".join(named), word=last.lower)
+
+
+def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "everyone's asleep", where the tree takes the verb for a possessive."""
+    said = [tree.nodes[p] for p in nodes]
+    if len(said) == SHORTEST_BEING and said[0].lower == ITS:
+        # "When its dark"
+        return Condition(text=text, subject="it", word=said[-1].lower)
+    subject = [node.lower for node in said[:-2] if node.tag not in DETERMINERS]
+    if not subject or said[-2].tag != POSSESSIVE:
+        return None
+    return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
 
 
 def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:

@@ -39,6 +39,11 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
     """Leave out times that are denied beside others: "not today but tomorrow"."""
     kept = list(phrases)
     for old, new in pairwise(phrases):
+        denied = _denied(scanned, old)
+        if denied is not None and old in kept:
+            kept.remove(old)
+            remarks.append(denied)
+            continue
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
         if between in ([",", "not"], ["and", "not"], ["not"], [",", "and", "not"]) and old in kept:
@@ -56,6 +61,17 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             message = f"{scanned.text[slice(*old.span)]!r} is corrected by {said!r}"
             remarks.append(Remark(RemarkKind.CORRECTED, span, message))
     return kept
+
+
+def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:
+    """Give what to say of a time that is denied alone in front: "not now, do it in an hour"."""
+    texts = [word.text for word in scanned.words]
+    alone = texts[: phrase.first] == ["not"] and texts[phrase.end : phrase.end + 1] in ([","], ["."], [";"])
+    if not alone or phrase.end + 1 >= len(texts) or texts[phrase.end + 1] == "but":
+        return None
+    said = scanned.text[slice(*phrase.span)]
+    span = (scanned.words[0].start, scanned.words[phrase.end].end)
+    return Remark(RemarkKind.CORRECTED, span, f"{said!r} is not meant: another time follows")
 
 
 def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexicon: Lexicon) -> Phrase | None:

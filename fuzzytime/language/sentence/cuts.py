@@ -7,6 +7,8 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import TimeWord
+from fuzzytime.language.sentence.anchors import ORDERING
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.segments import ARTICLES, Segment
 from fuzzytime.language.sentence.tree import Node
@@ -24,6 +26,9 @@ AGAIN = frozenset({"back", "again", "then"})
 
 SHORTEST_GAP = 2
 """Words at least between two times of which the second is another thing's: "and lunch"."""
+
+THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
+"""Tags of words that name a thing, or what is called out: "goodbye"."""
 
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 """How times bind that say when."""
@@ -106,7 +111,9 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
     found = []
     root = part.tree.root
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj")))
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
+    objects = part.tree.children(root, "dobj") if root is not None else ()
+    things = {part.tree.nodes[p].lower for p in objects}
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns(between, lexicon):
@@ -119,10 +126,11 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         if len(between) < SHORTEST_GAP:
             continue
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-        nouns = all(part.tree.nodes[p].tag in {"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN"} for p in nodes)
+        nouns = all(part.tree.nodes[p].tag in THINGS or part.tree.nodes[p].lower in things for p in nodes)
         alike = (
             old.said.constraint is new.said.constraint
             or {old.said.constraint, new.said.constraint} <= MOMENTS
+            or (isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING)
         )
         named = between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
         if nouns and named and alike:

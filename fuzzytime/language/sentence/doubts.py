@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -13,6 +13,12 @@ OBJECTS = ("dobj", "attr", "oprd")
 ORDERS = frozenset({"VB", "VBP"})
 BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
 """Relations of a verb that may be a further order, and was not cut off."""
+NAMES = ("NN", "CD")
+"""How tags of words begin that name or count something."""
+
+NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
+"""Names of nothing that is used: "it's time to eat"."""
+
 DETERMINERS = frozenset({"DT", "PRP$"})
 
 
@@ -46,6 +52,27 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         span = (tree.nodes[min(below)].start + part.offset, tree.nodes[max(below)].end + part.offset)
         message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def unused_words(
+    text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
+) -> Iterator[Remark]:
+    """Point at names and numbers of an instruction that neither its operation nor a time holds."""
+    held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
+    known = held | {word.removesuffix("'s") for word in held}
+    known |= lexicon.persons | lexicon.machines | lexicon.addresses | NOTHING
+    left = [
+        place
+        for place, node in enumerate(part.tree.nodes)
+        if node.tag.startswith(NAMES)
+        and node.text[0].isalnum()
+        and not any(word.text in known for word in words_of(node.text))
+        and not any(a <= node.start + part.offset < b for a, b in heard)
+    ]
+    for first in (place for place in left if place - 1 not in left):
+        last = next(place for place in left if place >= first and place + 1 not in left)
+        span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
+        yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
 
 
 def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:

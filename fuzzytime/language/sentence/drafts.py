@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.segments import segments_of
+from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
@@ -122,7 +123,7 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = tree.without_carrier(carrier, texts[place], skipped)
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
-    return found
+    return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

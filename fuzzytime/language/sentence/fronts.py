@@ -9,7 +9,8 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
-from fuzzytime.language.sentence.conditions import BE, happening
+from fuzzytime.language.sentence.conditions import BE, being, happening
+from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Waiting
 
@@ -18,6 +19,9 @@ CARRIER = "please "
 
 BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
 """Tags of words that do not end a clause, and that no order follows."""
+
+COMPARED = frozenset({"JJR", "RBR"})
+"""Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
 COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
 EVENTFUL = frozenset({"after", "before", "until", "into"})
@@ -57,7 +61,7 @@ def fronts_of(
     fronts: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in fronts and _is_clause(clause, attempt.kind) and _is_order(order):
+        if attempt.one not in fronts and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
             fronts[attempt.one] = attempt.front
     return fronts
 
@@ -71,10 +75,13 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        if start <= first or here == 0 or not node.may_act or node.lower != node.lemma:
+        bare = node.lower == node.lemma or node.tag in COMPARED
+        if start <= first or here == 0 or not node.may_act or not bare:
             continue
-        timed = any(a <= start < b for a, b in (phrase.span for phrase in source.phrases))
-        if timed or tree.nodes[here - 1].tag in BINDING:
+        timed = one.timed(tree)
+        # "Below 2 bar": a noun behind a number is counted.
+        counted = tree.nodes[here - 1].tag == "CD" and node.tag == "NN" and here - 1 not in timed
+        if here in timed or counted or _binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
@@ -85,17 +92,28 @@ def _is_order(tree: Tree) -> bool:
     return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
-def _is_clause(tree: Tree, kind: str) -> bool:
+def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
+    node = tree.nodes[place]
+    apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    # "If the parcel hasn't come"
+    helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
+    return helps or (node.tag in BINDING and not apart)
+
+
+def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     root = tree.root
-    if root is None or tree.nodes[-1].tag in BINDING:
+    if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
         return False
+    tree = as_statement(tree, frozenset(range(len(tree.nodes))))
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
         return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:
-        # "Before the guests get here": a plural has its verb behind it.
-        return node.tag in {"NN", "NNP"}
-    return happening(tree, range(len(tree.nodes)), tree.text) is not None
+        # "Before the guests get here": a plural has its verb behind it; but "after three rings".
+        return node.tag in {"NN", "NNP"} or (node.tag == "NNS" and bool(tree.children(root, "nummod")))
+    whole = range(len(tree.nodes))
+    return any(read(tree, whole, tree.text) is not None for read in (happening, being))

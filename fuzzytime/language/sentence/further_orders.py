@@ -5,10 +5,20 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments import ARTICLES, ENDS
+from fuzzytime.language.sentence.statements import order_behind_statement, result_behind_statement
 from fuzzytime.language.sentence.tree import Node, Tree
 
-JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also"})
+JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also", "so"})
 OBJECTS = frozenset({"it", "them", "me", "us", "him"})
+SHORTEST = 2
+"""Words of an order at least, before a participle that goes on beside it."""
+
+TELLING = frozenset({"should", "will", "'ll", "must"})
+"""Helping verbs of what is told behind an order: "watch the rice, it should be done in ten minutes"."""
+
+PAST_ALIKE = frozenset({"lay", "saw"})
+"""Bare verbs that are the past of another."""
+
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
@@ -23,43 +33,84 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
     timed = {place for span in times for place in tree.at(*span)}
-    second = _follows_order(tree, root)
-    found = [] if second is None else [second]
-    for place, node in enumerate(tree.nodes):
+    first = (_follows_order(tree, root), order_behind_statement(tree, root, timed))
+    found = [start for start in first if start is not None]
+    for place in range(len(tree.nodes)):
         if place in timed and place != root:
             continue
-        alone = node.lower in lexicon.alone
-        if (
-            place > 1
-            and place != root
-            and _governs(tree, place, lexicon)
-            and (alone or place + 1 not in timed)
-        ):
-            found.append(place)
-            continue
-        if place > 1 and place != root and _is_order_before_time(tree, place, timed):
-            found.append(place)
-            continue
-        if place > 1 and place != root and place - 2 in timed and _stands_alone(tree, place, lexicon):
-            found.append(place)
-            continue
-        if place > 1 and place != root and _is_led_by_time(tree, place, timed):
-            found.append(_behind_joint(tree, place, timed))
-            continue
-        if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
-            found.append(place)
-            continue
-        if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
-            continue
-        if tree.children(place, *SUBJECTS) or tree.children(place, "aux", "mark"):
-            continue
-        start = _first_of(tree, place)
-        start = _behind_joint(tree, start, timed)
-        if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
-            continue
-        if place > root or _leads(tree, place, root):
+        start = _start_at(tree, place, root, timed, lexicon)
+        if start is not None:
             found.append(start)
     return found
+
+
+def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give where the further instruction of a word begins; None where it has none."""
+    told = result_behind_statement(tree, place, root, timed)
+    if told is not None:
+        return told
+    if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
+        return place
+    if place > 1 and place != root:
+        if tree.nodes[place - 1].lower == "so" and place - 2 in timed and tree.nodes[place].may_act:
+            # "Guests are coming at 8 so hoover at 7"
+            return place
+        if _is_overlooked(tree, place, timed, lexicon):
+            return place
+        if _is_led_by_time(tree, place, timed, lexicon):
+            return _behind_joint(tree, place, timed)
+    if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+        return place
+    return _start_of_coordinate(tree, place, root, timed)
+
+
+def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
+    """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
+    node = tree.nodes[place]
+    if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
+        return None
+    if tree.children(place, *SUBJECTS, "aux", "mark"):
+        return None
+    if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"
+        return None
+    start = _behind_joint(tree, _first_of(tree, place), timed)
+    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+        return None
+    return start if place > root or _leads(tree, place, root) else None
+
+
+def _is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether it is an order that a tree took for something else: "wipe the rug and empty the bins"."""
+    alone = tree.nodes[place].lower in lexicon.alone
+    return (
+        (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
+        or _is_order_before_time(tree, place, timed)
+        or (place - 2 in timed and _stands_alone(tree, place, lexicon))
+    )
+
+
+def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether a participle with its own time goes on beside an order: "simmer it, stirring every ten"."""
+    node = tree.nodes[place]
+    if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
+        return False
+    behind = next(
+        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in JOINTS), len(tree.nodes)
+    )
+    apart = place - 1 in timed or tree.nodes[place - 1].text == ","
+    before = any(earlier in timed for earlier in range(place))
+    return (
+        place >= SHORTEST and apart and before and any(later in timed for later in range(place + 1, behind))
+    )
+
+
+def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
+    """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
+    node = tree.nodes[place]
+    beside = node.relation == "conj" and node.head == root and tree.nodes[place - 1].lower in JOINTS
+    told = tree.nodes[root].tag == node.tag == "VBZ" and bool(tree.children(root, *SUBJECTS))
+    return beside and told and not tree.children(place, *SUBJECTS)
 
 
 def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
@@ -102,7 +153,7 @@ def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
 
 
-def _is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
+def _is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
@@ -110,7 +161,9 @@ def _is_led_by_time(tree: Tree, place: int, timed: set[int]) -> bool:
     while first and first - 1 in timed:
         first -= 1
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
-    return led and node.may_act and node.lower == node.lemma and behind in ARTICLES | OBJECTS
+    bare = node.may_act and node.lower == node.lemma
+    called = node.lower in lexicon.addressing and behind in lexicon.persons
+    return led and bare and (called or behind in ARTICLES | OBJECTS)
 
 
 def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -131,7 +184,10 @@ def _is_passive_order(tree: Tree, place: int) -> bool:
 
 def _is_bare(node: Node) -> bool:
     """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
-    return node.tag in IMPERATIVE or (node.tag in {"VBD", "VBN"} and node.lower == node.lemma)
+    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in PAST_ALIKE)
+    # "Deburr it": what ends in no -s has no other person.
+    bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
+    return bare or past
 
 
 def _follows_order(tree: Tree, root: int) -> int | None:
@@ -142,7 +198,8 @@ def _follows_order(tree: Tree, root: int) -> int | None:
     subjects = tree.children(root, *SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else _first_of(tree, root)
     joint = tree.nodes[start - 1].lower if start else ""
-    if joint not in JOINTS or (subjects and joint != ",") or tree.children(root, "aux"):
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    if joint not in JOINTS or (subjects and joint != ",") or not helping <= TELLING:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
@@ -160,9 +217,13 @@ def _leads(tree: Tree, place: int, root: int) -> bool:
 def _first_of(tree: Tree, place: int) -> int:
     """Give where the instruction of a verb begins: adverbs right before it belong to it."""
     start = place
-    while start and tree.nodes[start - 1].tag in {"RB", "UH"} and tree.nodes[start - 1].head == place:
+    while start and _is_own_adverb(tree.nodes[start - 1], place):
         start -= 1
     return start
+
+
+def _is_own_adverb(node: Node, verb: int) -> bool:
+    return node.tag in {"RB", "UH"} and node.head == verb and node.lower != "so"
 
 
 def _is_embedded(tree: Tree, place: int, root: int) -> bool:
@@ -171,6 +232,8 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         if above == root:
             return False
         node = tree.nodes[above]
-        if node.relation in EMBEDDED and node.tag not in FINITE:
+        # "Leave the dough covered and shape it": a bare verb is no second participle.
+        apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
+        if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False

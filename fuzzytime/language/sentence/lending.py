@@ -4,11 +4,12 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
-from fuzzytime.language.meaning.expressions import Duration, Said
+from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Said, TimeWord
+from fuzzytime.language.sentence.anchors import INTO
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
@@ -79,6 +80,57 @@ def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
     """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
     said = [word for word in text.lower().split() if word not in AGAIN]
     return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
+
+
+def within(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let times count from the start of what lasts: "roast it for an hour and turn it after ten minutes".
+
+    What goes on beside it has its object ("bake the bread for an hour, turning it"), and what happens to the
+    same thing next is stated too ("the roast goes in at ten and comes out at two").
+    """
+    found = sketches[:1]
+    for sketch in sketches[1:]:
+        before, told = found[-1], sketch
+        if before.operation is not None and sketch.operation is not None:
+            between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+            joined = between.strip(" ,").lower() == "and"
+            operation = _beside(before.operation, sketch, sketch.operation, joined=joined)
+            told = replace(sketch, operation=operation)
+        if sketch.part.segment.connective != "then":
+            length = _length(before)
+            told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
+        found.append(told)
+    return found
+
+
+def _length(sketch: Sketch) -> float:
+    """Give how long an instruction was said to last, in seconds; 0 where nothing was said."""
+    lengths = (p.said.time for p in sketch.phrases if p.said.constraint is Constraint.FOR)
+    return next((time.seconds for time in lengths if isinstance(time, Duration)), 0.0)
+
+
+def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: bool) -> Operation:
+    """Give an operation with the object of the one before, which it is about too."""
+    tree = sketch.part.tree
+    if operation.object is not None or before.object is None or tree.root is None:
+        return operation
+    node = tree.nodes[tree.root]
+    if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
+        return replace(operation, object=before.object, stated=True)
+    return replace(operation, object=before.object) if node.tag == "VBG" and not before.stated else operation
+
+
+def _counted_in(phrase: Phrase, length: float) -> Phrase:
+    """Give a time that lies inside what lasts as one from its start."""
+    said = phrase.said
+    time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
+    if isinstance(time, TimeWord) and time.word == HALFWAY and length:
+        time = Duration(((length / 2, Unit.SECOND),))
+    elif not isinstance(time, Duration) or said.preposition not in {"after", "later"}:
+        return phrase
+    if said.constraint is Constraint.FOR or not time.seconds < length:
+        return phrase
+    return replace(phrase, said=Said(Offset(replace(time, hedges=())), None, INTO, said.hedges))
 
 
 def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:

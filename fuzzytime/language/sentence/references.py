@@ -10,7 +10,7 @@ from itertools import groupby
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.clauses import Clause
+from fuzzytime.language.sentence.clause import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})

@@ -15,7 +15,8 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
-from fuzzytime.language.sentence.clauses import Clause, clauses_of
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
@@ -33,6 +34,9 @@ BOUNDS = {
     "after": (Constraint.AFTER, "after"),
 }
 """How the time of an event binds what is said to be at, before or after it."""
+
+SPENDING = frozenset({"spend", "take"})
+"""Verbs whose object may be a length of time."""
 
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
@@ -100,13 +104,18 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
-    """Give the verb below one that is about time itself: "take your time peeling the potatoes"."""
+    """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
-    found = next(verbs, None) if action.place in timed else None
+    spends = part.tree.nodes[action.place].lemma in SPENDING and not timed.isdisjoint(
+        part.tree.children(action.place, "dobj", "npadvmod")
+    )
+    if spends:
+        verbs = (place for place in verbs if place > action.place)
+    found = next(verbs, None) if spends or action.place in timed else None
     return action if found is None else replace(action, place=found)
 
 

@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.lending import led, repeated, shared
+from fuzzytime.language.sentence.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.sketch import Sketch, sketch_of
 from fuzzytime.requirement import Constraint
 
@@ -25,7 +25,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    for whole in shared(sketches, draft.text, lexicon):
+    for whole in shared(within(sketches, draft.text), draft.text, lexicon):
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))

@@ -13,7 +13,7 @@ from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
 
-JOINT = re.compile(r"[\s,;&]*(\band\b)?[\s,;&]*$", re.IGNORECASE)
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
 JOINING = (["and"], ["&"], ["then"], ["but"])
@@ -133,6 +133,11 @@ class Waiting:
             end = leading.end if leading is not None else places[0] + 1
             places = [place for place in places if place >= end]
         return 0
+
+    def timed(self, tree: Tree) -> frozenset[int]:
+        """Give the words of its tree that are about time."""
+        spans = (phrase.span for phrase in self.source.phrases)
+        return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
 
     def _overlooks_order(self, tree: Tree) -> bool:
         """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
+from fuzzytime.language.grammar.spelling import misspellings
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
 from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
@@ -50,9 +51,13 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
+    number_words = numbers(days, "numbers")
+    function_words = frozenset(form[0] for form in speech.words("function_words"))
+    kept = {form[0] for form in speech.words("spelling", "kept")}
+    known = kept | entries.keys() | number_words.keys() | function_words
     return Lexicon(
         entries={first: tuple(found) for first, found in entries.items()},
-        numbers=numbers(days, "numbers"),
+        numbers=number_words,
         magnitudes={
             form[0]: int(name.text) for name, node in days.rows("magnitudes") for form in days.forms(node, "")
         },
@@ -81,6 +86,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         places=frozenset(form[0] for form in speech.words("places")),
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
+        catching=frozenset(form[0] for form in speech.words("catching")),
+        timing=frozenset(form[0] for form in speech.words("timing", "verbs")),
+        timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
+        citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
         rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
@@ -99,7 +108,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
         },
         foreign=frozenset(form[0] for form in speech.words("foreign")),
-        function_words=frozenset(form[0] for form in speech.words("function_words")),
+        function_words=function_words,
+        misspelt=misspellings((form[0] for form in speech.words("spelling", "words")), known),
         usual_hours=usual_hours,
         policy=policy,
     )
@@ -109,7 +119,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling",
+    "machines", "rescheduling", "catching", "citing", "spelling", "timing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

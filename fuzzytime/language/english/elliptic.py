@@ -1,0 +1,90 @@
+"""Times that take what they lack from what was said before: "… turning it after 30", "ten minutes after"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.counted import so_far_in
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.requirement import Constraint, Unit
+
+grammar = Grammar()
+
+HOURS = 24
+"""Numbers beyond this are no hours."""
+
+
+@grammar.rule("said", "every|each <integer>", weight=0.1)
+def every_number(number: Integer) -> Said | None:
+    """(bake for forty minutes, turning) every 10: of the unit that was said before."""
+    duration = Duration(((number.value, Unit.MINUTE),), bare_end=True)
+    return Said(Repeat(duration)) if number.value > 0 else None
+
+
+@grammar.rule("said", "after <integer>", weight=-0.5)
+def after_number(number: Integer) -> Said | None:
+    """(bake for forty minutes, turning it) after 30, which is no hour: of the unit that was said before."""
+    if number.value <= HOURS:
+        return None
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "for <integer>", weight=-0.5)
+def for_number(number: Integer) -> Said | None:
+    """(simmer) for 40, which is no hour: so many minutes, or of the unit that was said before."""
+    if number.value <= HOURS:
+        return None
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+
+
+@grammar.rule("said", "for <integer> more|longer", "for another <integer>", weight=-0.4)
+def for_more(number: Integer) -> Said | None:
+    """(blend) for 10 more: of the unit that was said before."""
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
+
+
+@grammar.rule("said", "halfway|midway", "halfway|midway through", "half way through?")
+def halfway() -> Said:
+    """(bake for forty minutes, turning) halfway: of what was said to last."""
+    return Said(TimeWord(HALFWAY, Constraint.FOR))
+
+
+@grammar.rule("said", "<duration> after", weight=0.05)
+def after_it(duration: Duration) -> Said | None:
+    """(call me) ten minutes after: counted from what was said before; but "the day after"."""
+    if any(unit not in SUB_DAY for _, unit in duration.terms):
+        return None
+    return so_far_in(duration)
+
+
+@grammar.rule("said", "<duration> before", weight=0.05)
+def before_it(duration: Duration) -> Said | None:
+    """(be there) ten minutes before: counted from what was said before; but "the night before"."""
+    if any(unit not in SUB_DAY for _, unit in duration.terms):
+        return None
+    return Said(Offset(replace(duration, hedges=()), -1), None, "earlier", duration.hedges)
+
+
+@grammar.rule("said", "after", weight=-0.5)
+def after_all_that() -> Said:
+    """(fluff it) after: when that is done which was said before."""
+    return Said(TimeWord("afterwards", Constraint.VAGUE))
+
+
+@grammar.rule("said", "before", weight=-0.5)
+def before_all_that() -> Said:
+    """(wash it) before: ahead of that which was said before."""
+    return Said(TimeWord("beforehand", Constraint.VAGUE))
+
+
+@grammar.rule("said", "by|before|until|till then", weight=0.3)
+def before_then() -> Said:
+    """By then: before that which was said before."""
+    return Said(TimeWord("beforehand", Constraint.VAGUE), None, "before")
+
+
+@grammar.rule("said", "from then on|onwards|onward", weight=0.6)
+def from_then_on() -> Said:
+    """From then on: after that which was said before."""
+    return Said(TimeWord("afterwards", Constraint.VAGUE), None, "after")

@@ -1,0 +1,103 @@
+"""What the times of a text lend each other: a unit to a number, a half of the day to a clock time."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import NEAR
+from fuzzytime.language.grammar.surroundings import POSSESSIVES
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.requirement import Constraint, Unit
+
+LISTING = frozenset({",", "and", "&", "or"})
+"""Words between the times of a list."""
+
+MOVING = frozenset({"move", "shift", "reschedule", "postpone", "rebook", "change", "push", "delay"})
+"""Verbs that give another time to what has one."""
+
+LENT = frozenset({Constraint.AFTER, Constraint.FOR})
+"""How numbers bind that are no hours, and take a unit said before."""
+
+PARTICIPLE = "ing"
+"""The ending of a verb that goes on beside another."""
+
+HOURS = 24
+"""Numbers beyond this are hardly of hours."""
+
+NOON = 12 * 3600
+
+
+def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
+    """Lend a number the unit of the length of time before it: "for two minutes, … and for one".
+
+    Behind "after" a number is an hour, unless it is said what goes on meanwhile: "rotating it after 20".
+    """
+    said, length = phrase.said, before.said
+    if not isinstance(length.time, Duration) or length.constraint is not Constraint.FOR:
+        return phrase
+    unit = length.time.terms[-1][1]
+    if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
+        many = said.constraint is Constraint.FOR and said.time.terms[0][0] > HOURS
+        # "Cool it for an hour and chill it for 40" minutes
+        unit = Unit.MINUTE if many and unit is Unit.HOUR else unit
+        return replace(phrase, said=replace(said, time=_counted(said.time, unit)))
+    if isinstance(said.time, Repeat) and said.time.every is not None and said.time.every.bare_end:
+        return replace(phrase, said=replace(said, time=Repeat(_counted(said.time.every, unit))))
+    if not isinstance(said.time, Wall) or not said.time.bare or said.preposition not in {"for", "after"}:
+        return phrase
+    clock = said.time.clock
+    between = words[before.end : phrase.first]
+    meanwhile = any(word.text.endswith(PARTICIPLE) for word in between)
+    if clock is None or clock.grain is not Unit.HOUR or (said.preposition == "after" and not meanwhile):
+        return phrase
+    duration = Duration(((clock.hour, unit),))
+    constraint = Constraint.FOR if said.preposition == "for" else said.constraint
+    return replace(phrase, said=replace(said, time=duration, constraint=constraint))
+
+
+def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read a number alone as minutes where only a length of time can be meant: "simmer for ten"."""
+    said = phrase.said
+    bare = said.preposition == "for" and isinstance(said.time, Wall) and said.time.bare
+    clock = said.time.clock if isinstance(said.time, Wall) else None
+    before = {word.text for word in words[: phrase.first]}
+    alone = phrase.first > 0 and words[phrase.first - 1].text in lexicon.timing_alone
+    measured = before & lexicon.timing and not before & lexicon.appointing
+    if not bare or clock is None or not (alone or measured):
+        return phrase
+    duration = Duration(((clock.hour, Unit.MINUTE),))
+    return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
+
+
+def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read the second of two times as that of what is given another: "move the meeting from two to three"."""
+    said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
+    if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
+        return phrase
+    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
+    if not named or not MOVING & set(before):
+        return phrase
+    return replace(phrase, said=Said(said.time.last, None, "to"))
+
+
+def _counted(number: Duration, unit: Unit) -> Duration:
+    """Give as many of a unit."""
+    return Duration(((number.terms[0][0], unit),))
+
+
+def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
+    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am"."""
+    joints = {word.text for word in words[phrase.end : following.first]}
+    first, second = phrase.said.time, following.said.time
+    if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
+        return phrase
+    if first.clock is None or second.clock is None or first.days is not None or first.part is not None:
+        return phrase
+    half = second.clock.half
+    open_half = first.clock.is_open and first.clock.half is None and half in {Half.AM, Half.PM}
+    if not open_half or first.clock.seconds % NOON >= second.clock.seconds % NOON:
+        return phrase
+    clock = replace(first.clock, half=half, bare=False)
+    return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))

@@ -1,0 +1,69 @@
+"""Numbers that lack their unit: "stirring every 10", "simmer for ten"; and what is for so many people."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS, Surroundings
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Repeat, Said, Time, TimeWord, Wall
+from fuzzytime.requirement import Constraint, Unit
+
+HOURS = 24
+"""Numbers beyond this are no hours."""
+
+
+MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
+"""Words behind a number of minutes without their unit."""
+
+STOPS = frozenset({",", ".", ";", "and", "then"})
+"""Words behind which another order begins."""
+
+
+def lacks_unit(said: Said) -> bool:
+    """Whether it is a share, or a number without a unit, of what was said to last."""
+    time = said.time
+    if isinstance(time, TimeWord):
+        return time.word == HALFWAY
+    length = time.every if isinstance(time, Repeat) else time
+    after = said.constraint is Constraint.AFTER or isinstance(time, Repeat)
+    if said.constraint is Constraint.FOR and isinstance(time, Duration) and time.terms:
+        # "For 40"; but "for another five".
+        after = time.terms[0][0] > HOURS
+    bare = isinstance(length, Duration) and length.bare_end and len(length.terms) == 1
+    return after and bare and isinstance(length, Duration) and length.until is None
+
+
+class Lent:
+    """What stands around numbers without a unit, and whether it tells their unit."""
+
+    def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
+        self.lexicon = lexicon
+        self.around = around
+        self.texts = [word.text for word in words]
+
+    def accept(self, piece: Piece, said: Said) -> bool:
+        """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        if said.constraint is Constraint.FOR and isinstance(said.time, Duration):
+            return self.times(piece) or (lent and self.around.may_end(piece))
+        if not lent or not self.around.may_end(piece):
+            return False
+        if isinstance(said.time, TimeWord):
+            return self.around.follower(piece) in {"", ".", ",", ";", "!", "and"}
+        return True
+
+    def times(self, piece: Piece) -> bool:
+        """Whether what is done is measured in minutes: "simmer for ten", "steep the tea for four"."""
+        verbs = [place for place in range(piece.start) if self.texts[place] in self.lexicon.timing]
+        whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
+        told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
+        return told and self.around.follower(piece) in MAY_FOLLOW
+
+    def seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
+        """Whether it is for how many: "a table for four on friday"."""
+        clock = time.clock if isinstance(time, Wall) else None
+        hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
+        worded = not OF_CLOCKS & set(self.texts[piece.start : piece.end])
+        begin = piece.start + (self.texts[piece.start] == "for")
+        return hour and worded and self.texts[max(0, begin - 2) : begin] == ["table", "for"]

@@ -1,0 +1,26 @@
+"""Words about time as they are often mistyped: letters swapped, left out, or doubled inside the word."""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping
+
+
+def misspellings(words: Iterable[str], known: Collection[str]) -> Mapping[str, str]:
+    """Give what is meant by each misspelling of some words, except by what is a word itself.
+
+    >>> found = misspellings(["quarter", "every"], {"very"})
+    >>> found["quater"], found["qaurter"], "very" in found
+    ('quarter', 'quarter', False)
+    """
+    found: dict[str, str] = {}
+    for word in words:
+        for typed in _mistyped(word):
+            if typed not in known:
+                found.setdefault(typed, word)
+    return found
+
+
+def _mistyped(word: str) -> Iterator[str]:
+    """Give a word with one slip that leaves its first and its last letter in place, or swaps the last two."""
+    for place in range(1, len(word) - 1):
+        yield word[:place] + word[place + 1] + word[place] + word[place + 2 :]
+        yield word[:place] + word[place + 1 :]
+        yield word[:place] + word[place] + word[place:]

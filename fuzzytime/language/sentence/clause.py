@@ -1,0 +1,32 @@
+"""One clause about time, as read: what begins it, and what it says."""
+
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.requirement import Condition
+
+
+@dataclass(frozen=True, slots=True)
+class Clause:
+    """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
+
+    ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
+    says must hold; ``time`` when it says that is ("before the guests arrive at seven").
+    """
+
+    kind: str
+    marker: str
+    span: Span
+    content: Span
+    verb: str | None = None
+    object: str | None = None
+    condition: Condition | None = None
+    distance: Duration | None = None
+    is_event: bool = False
+    time: Phrase | None = None
+
+    def moved(self, by: int) -> "Clause":
+        """Give the same clause that many characters further on."""
+        (a, b), (c, d) = self.span, self.content
+        return replace(self, span=(a + by, b + by), content=(c + by, d + by))

@@ -1,0 +1,57 @@
+"""What negations ask for: "don't open it before six" is not before six, "don't … until" when it is so."""
+
+from dataclasses import replace
+
+from fuzzytime.language.sentence.sketch import Sketch
+from fuzzytime.requirement import Constraint, TimeRequirement
+
+TURNED = {
+    Constraint.BEFORE: Constraint.AFTER,
+    Constraint.AFTER: Constraint.BEFORE,
+    Constraint.FOR: Constraint.AFTER,
+}
+"""What "don't … before", "don't … after" and "don't … for" ask for."""
+
+LONGER = "more than"
+"""The hedge of a length of time that is not to be exceeded."""
+
+
+def awaiting(sketch: Sketch) -> Sketch:
+    """Read "don't serve it until the guests arrive" as: serve it, when they do."""
+    operation = sketch.operation
+    if operation is None or not operation.negated or all(c.kind != "until" for c in sketch.clauses):
+        return sketch
+    clauses = tuple(
+        replace(clause, kind="when", marker="when") if clause.kind == "until" else clause
+        for clause in sketch.clauses
+    )
+    return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
+
+
+def is_turned(requirement: TimeRequirement) -> bool:
+    """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
+    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
+    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+
+
+def turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
+    """Read "don't open it before six" as: open it, not before six."""
+    if not is_turned(requirement):
+        return requirement
+    if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
+        # "Don't boil it for more than a minute": for a minute at most.
+        return replace(requirement, fuzziness=("at most",))
+    constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
+    time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
+    if requirement.constraint is Constraint.BETWEEN:
+        # "Don't stir it for the first ten minutes": after them.
+        time = requirement.latest
+    after = constraint is Constraint.AFTER
+    return replace(
+        requirement,
+        constraint=constraint,
+        preposition="not before" if after else "no later than",
+        t_spec=time,
+        earliest=time if after else None,
+        latest=None if after else time,
+    )

@@ -1,0 +1,81 @@
+"""Where something is to be done, by the words below a verb: "in the pan", "back to the dock"."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.sentence.wording import Wording
+
+SIDES = frozenset({"left", "right"})
+BEHIND = frozenset({"for", "about", "with", "from"})
+"""Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
+
+EACH = frozenset({"every", "each"})
+"""Words that say of which things: "measure every tenth part"."""
+
+PLACES = ("prep", "advmod", "npadvmod")
+
+
+@dataclass(frozen=True, slots=True)
+class Places(Wording):
+    """Reads places off a tree."""
+
+    def place(self, verb: int, taken: Iterable[int]) -> list[int]:
+        """Give the words that say where."""
+        below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
+        kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
+        kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
+        kept += self.level(verb)
+        # "Turn left": a participle too.
+        kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
+        words = [p for p in self.words(kept, verb) if p not in set(taken)]
+        return [p for p in words if self.has_content(p, words)]
+
+    def _is_place(self, place: int) -> bool:
+        node = self.tree.nodes[place]
+        numbers = (
+            child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
+        )
+        each = any(self.tree.nodes[p].lower in EACH for p in self.tree.children(place, "det"))
+        counted = node.relation == "npadvmod" and (each or any(numbers))
+        if node.relation == "advmod" and node.lower in self.lexicon.particles:
+            # "Go back to the dock"
+            return bool(self.tree.children(place, "prep"))
+        return node.relation == "prep" or counted or node.lower in self.lexicon.places
+
+    def _is_numbered(self, place: int) -> bool:
+        """Whether a verb with "to" is a place with a number: "take it to station 4"."""
+        numbers = (p for p in self.tree.children(place, "dobj", "nummod") if self.tree.nodes[p].tag == "CD")
+        known = self.lexicon.machines | self.lexicon.measure_nouns
+        return self.tree.nodes[place].lower in known and self.has_to(place) and any(numbers)
+
+    def _behind_times(self, verb: int) -> Iterator[int]:
+        """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
+        for place in self.tree.below(verb):
+            node = self.tree.nodes[place]
+            said = node.relation == "prep" and node.lower in self.lexicon.places | BEHIND
+            if said and not self.timed(place) and self.timed(node.head):
+                yield place
+
+    def has_content(self, place: int, words: Sequence[int]) -> bool:
+        """Whether a preposition still has what it governs: that may have been a time."""
+        if self.tree.nodes[place].relation != "prep":
+            return True
+        return any(below in words for below in self.tree.below(place) if below != place)
+
+    def place_within(self, words: Sequence[int]) -> int:
+        """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""
+        inside = set(words)
+        for position, place in enumerate(words[1:], start=1):
+            node = self.tree.nodes[place]
+            head = self.tree.nodes[node.head]
+            of_noun = node.relation == "prep" and node.head in inside and head.relation in {"dobj", "pobj"}
+            where = node.lower in self.lexicon.places and of_noun and self.has_content(place, words)
+            if where and set(words[position:]) <= set(self._preposed(words[position:])):
+                return position
+        return len(words)
+
+    def _preposed(self, words: Sequence[int]) -> Iterator[int]:
+        """Give the words that are below a preposition among them."""
+        for place in words:
+            if self.tree.nodes[place].relation == "prep":
+                yield from self.tree.below(place)

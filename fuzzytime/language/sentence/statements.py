@@ -1,0 +1,86 @@
+"""What happens and is not to be done, while others count from it: "the train leaves at 8:40, be early"."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.sentence.tree import Tree
+
+SUBJECTS = ("nsubj", "nsubjpass", "expl")
+BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
+"""How trees join a statement to an order behind it."""
+
+FINITE = frozenset({"VBZ", "VBP", "VBD", "VBG"})
+JOINTS = frozenset({",", ";", "-", "so"})
+DUE = frozenset({"should", "must", "has", "have", "needs"})
+"""Helping verbs of what is asked for."""
+
+PHASES = frozenset(
+    {"starts", "begins", "ends", "finishes", "opens", "closes", "leaves", "departs", "arrives"}
+)
+"""What things with a time of their own do."""
+
+COUNTABLE = frozenset({"NN", "NNP"})
+
+
+def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give the tree of "the train leaves at 8:40" its verb, which was taken for a plural: "train leaves".
+
+    ``timed`` are the words about time: one stands right behind the verb.
+    """
+    root = tree.root
+    if root is None or tree.nodes[root].tag not in {"NNS", "VBZ"} or root + 1 not in timed:
+        return tree
+    subject = _subject(tree, root)
+    if subject is None or tree.children(root, *SUBJECTS):
+        return tree
+    described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
+    nodes = list(tree.nodes)
+    nodes[root] = replace(nodes[root], tag="VBZ", lemma=_singular(nodes[root].lower))
+    nodes[subject] = replace(nodes[subject], relation="nsubj")
+    for place in described:
+        nodes[place] = replace(nodes[place], head=subject)
+    return Tree(tree.text, tuple(nodes))
+
+
+def _subject(tree: Tree, verb: int) -> int | None:
+    """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes"."""
+    for place in tree.children(verb, "compound", "amod"):
+        if place == verb - 1 and (tree.nodes[place].tag in COUNTABLE or tree.nodes[verb].lower in PHASES):
+            return place
+    return None
+
+
+def _singular(verb: str) -> str:
+    """Give the bare form of a verb in -s."""
+    return verb[:-2] if verb.endswith(("sses", "shes", "ches", "xes")) else verb[:-1]
+
+
+def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> int | None:
+    """Give where an order begins behind a statement with a time: "we land at nine, call me"."""
+    if tree.nodes[root].tag not in {"VB", "VBP"} or tree.children(root, "mark"):
+        return None
+    for place in tree.children(root, *BEFORE_ORDER):
+        said = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
+        end = max(said) + 1
+        joined = end < root and tree.nodes[end].lower in JOINTS
+        marked = tree.children(place, "mark", "advmod")
+        if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
+            return end + 1
+    return None
+
+
+def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> int | None:
+    """Give where begins what should be so by then: "the boss arrives at ten, coffee should be ready"."""
+    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    if place <= root or not helping & DUE or not _is_statement(tree, root) or timed.isdisjoint(range(place)):
+        return None
+    start = min(p for p in tree.below(place) if tree.nodes[p].relation != "punct")
+    return start if start > root and tree.nodes[start - 1].lower in {*JOINTS, "and"} else None
+
+
+def _is_statement(tree: Tree, place: int) -> bool:
+    """Whether a verb before an order says what happens; a tree may take it for who does what is ordered."""
+    node = tree.nodes[place]
+    if node.relation in SUBJECTS:
+        return node.tag in {"VBZ", "NNS"} and _subject(tree, place) is not None
+    return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))

@@ -1,0 +1,79 @@
+"""Words of a tree as they are said, without those about time."""
+
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.tree import Tree
+
+LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
+"""How strong a fire or a machine is on."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wording:
+    """The words of a tree; ``times`` are the stretches of characters that are about time."""
+
+    tree: Tree
+    lexicon: Lexicon
+    times: Sequence[Span]
+
+    def timed(self, place: int) -> bool:
+        """Whether a word is about time."""
+        node = self.tree.nodes[place]
+        return any(first <= node.start < end for first, end in self.times)
+
+    def level(self, verb: int) -> list[int]:
+        """Give "on low", which trees take for a particle and an object: "cook on low"."""
+        for place in self.tree.children(verb, "prt"):
+            behind = place + 1
+            if self.tree.nodes[place].lower == "on" and behind < len(self.tree.nodes):
+                return [place, behind] if self.tree.nodes[behind].lower in LEVELS else []
+        return []
+
+    def has_to(self, place: int) -> bool:
+        """Whether a word is a verb with "to", which has particles of its own."""
+        marks = (self.tree.nodes[p].lower for p in self.tree.children(place, "aux"))
+        return self.tree.nodes[place].tag == "VB" and "to" in marks
+
+    def words(self, parts: Sequence[int], verb: int) -> list[int]:
+        """Give the words under some words, up to the first that is about time."""
+        found: list[int] = []
+        for part in parts:
+            for place in sorted(self.tree.below(part)):
+                if place <= verb:
+                    continue
+                if self.timed(place):
+                    if place < part or self._describes(place):
+                        # "Drive ten minutes north", "a ten minute walk"
+                        continue
+                    break
+                found.append(place)
+        return sorted(set(found))
+
+    def _describes(self, place: int) -> bool:
+        """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
+        head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
+        return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
+
+    def said(self, words: Sequence[int]) -> str | None:
+        """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
+        kept = list(words)
+        while kept and not _names(self.tree.nodes[kept[-1]].text[-1]):
+            kept.pop()
+        while kept and not _names(self.tree.nodes[kept[0]].text[0]):
+            kept.pop(0)
+        text = ""
+        last = None
+        for place in kept:
+            node = self.tree.nodes[place]
+            text += ("" if last is None or last == node.start else " ") + node.text
+            last = node.end
+        return text.strip() or None
+
+
+def _names(character: str) -> bool:
+    """Whether a character is no mark: a picture says as much as a word, "€" what is paid."""
+    return character.isalnum() or unicodedata.category(character) in {"So", "Sk", "Sc", "Mn", "Me", "Cf"}
