@@ -144,7 +144,7 @@ class Solving:
     ] = None
     time_limit: Annotated[
         float | None,
-        typer.Option(metavar="SECONDS", min=0.01, help="When to take the best found so far (default 10)."),
+        typer.Option(metavar="SECONDS", min=0.01, help="When to take the best found so far (default 5)."),
     ] = None
     seed: Annotated[
         int | None, typer.Option(metavar="N", help="Repeats methods that draw at random (default 0).")

@@ -15,7 +15,7 @@ from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.satisfaction import Interval
+from fuzzytime.satisfaction import Interval, SatisfactionFunction
 from fuzzytime.skills import FuzzyTask, Precedence
 from fuzzytime.spelling import suggestion
 
@@ -161,10 +161,26 @@ class _Tie:
         return Precedence(target, this, x.low + offset, x.high + offset)
 
     def follower(self) -> Interpreted:
-        """Give this skill with ψ following the target's, where the distance is exact and the target timed."""
-        timed = any(requirement.anchor is None for requirement in self.target.requirements)
-        if not (self.anchor.exact and timed):
+        """Give this skill with what an exact distance says of its own time: its ψ, and the start named."""
+        if not self.anchor.exact:
             return self.this
+        skill = replace(self.this.skill, satisfaction=self._satisfaction(), preferred=self._preferred())
+        return replace(self.this, skill=skill)
+
+    def _preferred(self) -> float | None:
+        """Give the start at the very distance from where the target is named, or could be at the earliest."""
+        target, named = self.target.skill, self.this.skill.preferred
+        expected = (
+            target.preferred if target.preferred is not None else max(0.0, target.satisfaction.best.low)
+        )
+        if named is not None or not math.isfinite(expected):
+            return named
+        return expected + self.moment + self.anchor.lag
+
+    def _satisfaction(self) -> SatisfactionFunction:
+        """Let ψ follow the target's, where that is timed."""
+        if all(requirement.anchor is not None for requirement in self.target.requirements):
+            return self.this.skill.satisfaction
         leeway = self.allowed()
         follows = self.target.skill.satisfaction.shifted(self.moment + self.anchor.lag)
         own = self.this.skill.satisfaction
@@ -175,8 +191,7 @@ class _Tie:
             else 1.0
         )
         wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
-        joined = wide if alone else both(own, wide)
-        return replace(self.this, skill=replace(self.this.skill, satisfaction=joined))
+        return wide if alone else both(own, wide)
 
 
 def _without_circles(

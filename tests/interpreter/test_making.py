@@ -50,3 +50,24 @@ def test_what_happens_by_itself_needs_nobody_s_hands(interpreter: Interpreter) -
     (arriving,) = skills(interpreter, "the guests arrive at six")
     assert arriving.skill.name == "the guests arrive"
     assert (arriving.skill.duration, arriving.skill.time_until_done) == (0, 0)
+
+
+@pytest.mark.parametrize(
+    ("text", "start"),
+    [
+        ("Put the bread in the oven at eight, ten minutes later set the table", HOUR + MINUTE + 10 * MINUTE),
+        (
+            "Ten minutes before you serve the soup, warm the plates. Serve the soup at noon",
+            5 * HOUR - 10 * MINUTE,
+        ),
+    ],
+)
+def test_an_exact_distance_names_a_start(interpreter: Interpreter, text: str, start: float) -> None:
+    tied = next(made.skill for made in skills(interpreter, text) if made.requirements[0].anchor is not None)
+    assert tied.preferred == start
+
+
+def test_a_distance_from_what_has_no_time_is_kept_from_the_earliest(interpreter: Interpreter) -> None:
+    mixing, kneading = skills(interpreter, "Mix the dough. Ten minutes later, knead it")
+    assert mixing.skill.preferred is None
+    assert kneading.skill.preferred == mixing.skill.time_until_done + 10 * MINUTE

@@ -85,6 +85,19 @@ def test_a_later_text_refers_to_an_earlier_one() -> None:
     assert first.remarks == ()
 
 
+def test_what_is_later_counts_from_the_text_before() -> None:
+    texts = [
+        "Ten minutes later, call the bakery",
+        "Put the lasagne in the oven",
+        "Take it out 45 minutes later",
+    ]
+    first, _, third = language().read_all([(text, NOW) for text in texts])
+    assert first.instructions[0].requirements[0].t_spec == 600
+    anchor = third.instructions[0].requirements[0].anchor
+    assert anchor is not None
+    assert (anchor.target, anchor.lag, anchor.exact) == (1, 2700, True)
+
+
 def test_a_distance_from_a_meal_counts_from_the_instruction_that_makes_it() -> None:
     texts = [
         "Cook dinner at seven pm",

@@ -33,6 +33,7 @@ NOW = ("--now", "2026-03-04T09:00")
         (("plan", "-i", "x", "--rules", "tests/data/mistakes.yaml"), Exit.BAD_CONFIG),
         (("rules", "check", "tests/data/mistakes.yaml"), Exit.BAD_CONFIG),
         (("plan", "-i", "stir the soup soon", "-o", "no/such/folder/plan.json", *NOW), Exit.IO_ERROR),
+        (("explain", "examples/breakfast.txt", *NOW), Exit.USAGE),
         (("nonsense",), Exit.USAGE),
     ],
 )

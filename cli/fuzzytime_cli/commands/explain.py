@@ -1,6 +1,7 @@
 """`fuzzytime explain`: one instruction, from its words to its start."""
 
 import os
+import shlex
 import sys
 from collections.abc import Iterator
 from itertools import groupby
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.faults import UsageError
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
 
 if TYPE_CHECKING:
@@ -32,6 +34,11 @@ def explain(
     solving: Solving,
 ) -> None:
     """Explain an instruction: tree, time requirement, rows and rules, satisfaction, and why it starts so."""
+    if os.path.isfile(text):  # noqa: PTH113 - a path raises on a long sentence
+        raise UsageError(
+            f"explain takes an instruction, got the file {text!r}: "
+            f"fuzzytime explain 'one of its lines' --beside {shlex.quote(text)}"
+        )
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import is_fault, report_problem, request_of
     from fuzzytime_cli.drawing.svg import chart_svg

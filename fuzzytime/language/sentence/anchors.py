@@ -133,9 +133,9 @@ class Anchors:
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
-        """Read "ten minutes later" as a distance from the instruction before, in the same text.
+        """Read "ten minutes later" as a distance from the instruction before, in the same text or another.
 
-        "Afterwards" is after it and "before that" before it, at whatever distance, in another text too.
+        "Afterwards" is after it and "before that" before it, at whatever distance.
         """
         time = phrase.said.time
         if isinstance(time, TimeWord) and time.word in ORDERING and self.position > 0:
@@ -146,7 +146,7 @@ class Anchors:
         side = (
             COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
         )
-        if side is None or self.position == self.first:
+        if side is None or self.position == 0:
             return None
         edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
         lag = requirement.t_spec or 0.0
