@@ -20,6 +20,9 @@ CARRIER = "please "
 BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
 """Tags of words that do not end a clause, and that no order follows."""
 
+OPENING = frozenset({"DT", "PRP", "PRP$"})
+"""Tags of words that begin what an order is about."""
+
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
@@ -79,12 +82,16 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
-        # "Below 2 bar": a noun behind a number is counted.
-        counted = tree.nodes[here - 1].tag == "CD" and node.tag == "NN" and here - 1 not in timed
-        if here in timed or counted or _binds(tree, here - 1, lexicon):
+        if here in timed or _is_counted(tree, here) or _binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+
+
+def _is_counted(tree: Tree, place: int) -> bool:
+    """Whether a noun is what a number counts: "below 2 bar"; but "by five ring the depot"."""
+    behind = tree.nodes[place + 1].tag if place + 1 < len(tree.nodes) else ""
+    return tree.nodes[place - 1].tag == "CD" and tree.nodes[place].tag == "NN" and behind not in OPENING
 
 
 def _is_order(tree: Tree) -> bool:
