@@ -93,7 +93,9 @@ class Measures:
         # "Floor 5" is a place, and "the floor just after 5" is swept.
         bare = piece.value.preposition is None and self.is_number(piece.start)
         nouns = self.lexicon.measure_nouns | self.lexicon.machines if bare else self.lexicon.amount_nouns
-        return piece.start > 0 and self.texts[piece.start - 1] in nouns
+        # "Turn it down a degree at ten": how much is said.
+        told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
+        return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told
 
 
 def _is_bound_to_hour(said: Said) -> bool:
