@@ -141,6 +141,9 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if bare and (behind in THEM or (tree.nodes[place + 1].tag == "IN" and further in THEM)):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
+    if node.relation in COORDINATE and node.may_act and behind in ARTICLES and tree.children(place, "dobj"):
+        # "The painters come at nine, clear the room"
+        return True
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
 
@@ -211,14 +214,22 @@ def _follows_order(tree: Tree, root: int) -> int | None:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
-    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb)]
+    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and _is_verb(tree, p))]
     if joint == ",":
         # "Deglaze with wine, reduce it": a verb that the model does not know.
         orders += [p for p in tree.children(root, "advmod", "nsubj") if _is_unknown(tree, p, start)]
     if subjects and not brought:
         orders = [p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0]
-    ordered = any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+    ordered = any(
+        not tree.children(p, *SUBJECTS, "aux", "mark") and all(a > p for a in tree.children(p, "advmod"))
+        for p in orders
+    )
     return start if ordered else None
+
+
+def _is_verb(tree: Tree, place: int) -> bool:
+    """Whether a word is a verb, or has an object: "lower the hook"."""
+    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(tree.children(place, "dobj")))
 
 
 def _is_unknown(tree: Tree, place: int, end: int) -> bool:
