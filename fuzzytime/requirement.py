@@ -92,7 +92,8 @@ class Condition:
 
     ``subject`` is the noun without its determiner ("frying pan"), ``word`` what is said of it ("hot"),
     ``hedges`` the words between ("very"); a clause that does not have this form keeps its text only.
-    ``comparisons`` are the numbers in it, in the order of the words.
+    ``comparisons`` are the numbers in it, in the order of the words. ``target`` is the position of the
+    instruction that makes it so ("warm up the printer"), which counts where no reading tells.
     """
 
     text: str
@@ -102,6 +103,7 @@ class Condition:
     negated: bool = False
     lasting: Lasting | None = None
     comparisons: tuple[Comparison, ...] = ()
+    target: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

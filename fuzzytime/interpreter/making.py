@@ -8,7 +8,7 @@ from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -44,7 +44,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        said = [part for part in instruction.requirements if part.constraint is not Constraint.FOR]
+        said = [self._told(p) for p in instruction.requirements if p.constraint is not Constraint.FOR]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
@@ -52,6 +52,16 @@ class Maker:
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
         return [self._one(wish, reading, instruction, (_occurrence(repeated, *w), *once)) for w in windows]
+
+    def _told(self, requirement: TimeRequirement) -> TimeRequirement:
+        """Wait for the instruction that makes a condition true, where no reading tells of it."""
+        condition = requirement.condition
+        if condition is None or condition.target is None:
+            return requirement
+        if self.rulebook.tells_of(condition, self.request.context):
+            return requirement
+        anchor = Anchor(text=condition.text, target=condition.target)
+        return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
 
     def _one(
         self,

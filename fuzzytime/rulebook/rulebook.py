@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.requirement import Anchor, Reference, TimeRequirement
+from fuzzytime.requirement import Anchor, Condition, Reference, TimeRequirement
 from fuzzytime.rulebook.beside import measured_from_event
 from fuzzytime.rulebook.dependence import signals_for
 from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
@@ -146,7 +146,11 @@ class Rulebook:
 
     def tells(self, anchor: Anchor, context: Context) -> bool:
         """Tell whether readings can tell when something is: its words name an event, or a condition."""
-        return understand(condition_of(anchor), self.tables, context).formula is not None
+        return self.tells_of(condition_of(anchor), context)
+
+    def tells_of(self, condition: Condition, context: Context) -> bool:
+        """Tell whether readings can tell when a condition holds."""
+        return understand(condition, self.tables, context).formula is not None
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""

@@ -71,3 +71,19 @@ def test_a_distance_from_what_has_no_time_is_kept_from_the_earliest(interpreter:
     mixing, kneading = skills(interpreter, "Mix the dough. Ten minutes later, knead it")
     assert mixing.skill.preferred is None
     assert kneading.skill.preferred == mixing.skill.time_until_done + 10 * MINUTE
+
+
+def test_what_nothing_tells_of_has_not_happened_yet(interpreter: Interpreter) -> None:
+    (before,) = skills(interpreter, "Let the loaves cool for 20 minutes before the picnic")
+    assert before.skill.satisfaction(0.0) == 1.0
+    assert before.reason == ""
+    (after,) = skills(interpreter, "Wash the blanket after the picnic")
+    assert after.reason
+
+
+def test_a_state_is_waited_for_by_readings_or_else_by_what_brings_it_about(interpreter: Interpreter) -> None:
+    text = "Warm up the printer. As soon as it is warm, print the bracket"
+    request = Request(now=NOW, wishes=(SpokenWish(text=text, given=NOW),), horizon=HOUR)
+    made = interpreter.interpret(request)
+    assert [(order.first, order.second) for order in made.precedences] == [(0, 1)]
+    assert made.skills[1].reason == ""

@@ -225,13 +225,18 @@ class _Composer:
             and clause.kind in {"when", "if", "until", "while"}
         ):
             reference = Reference.FINISH if clause.kind == "until" else Reference.START
-            condition = replace(clause.condition, text=text, comparisons=numbers)
+            thing = _thing(clause, anchors, sketch)
+            condition = _named(replace(clause.condition, text=text, comparisons=numbers), thing, self.lexicon)
+            if clause.kind in RESULTING and not condition.negated:
+                # "Warm up the printer. Once it is warm, print"
+                made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
+                condition = replace(condition, target=anchors.target_of(made))
             return TimeRequirement(
                 text=text,
                 span=clause.span,
                 constraint=Constraint.WHEN,
                 preposition=clause.marker,
-                condition=_named(condition, _thing(clause, anchors, sketch), self.lexicon),
+                condition=condition,
                 reference=reference,
             )
         what = self.draft.text[slice(*clause.content)]
