@@ -171,7 +171,8 @@ class Walls:
         if piece.start > 1 and joins(self.words, before):
             # "A two-by-four"
             return False
-        if said.preposition == "by" and counted and not self.measures.is_amount(before):
+        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
+        if said.preposition == "by" and counted and not named and not self.measures.is_amount(before):
             # "Two by four"
             return False
         if said.preposition == "through" and counted:

@@ -70,7 +70,8 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
     for phrase in phrases:
         place = phrase.end + 2
         clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
-        if clock is None or texts[phrase.end : place] != [",", "not"] or place in starts:
+        denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
+        if clock is None or not denied or place in starts:
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"])
         if alone and "integer" in scanned.cells[place]:

@@ -53,8 +53,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
         return place
     if place > 1 and place != root:
-        if tree.nodes[place - 1].lower == "so" and place - 2 in timed and tree.nodes[place].may_act:
-            # "Guests are coming at 8 so hoover at 7"
+        if _follows_so(tree, place, timed):
             return place
         if _is_overlooked(tree, place, timed, lexicon):
             return place
@@ -63,6 +62,15 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
         return place
     return _start_of_coordinate(tree, place, root, timed)
+
+
+def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether a bare verb follows what has a time and "so": "guests are coming at 8, so hoover at 7"."""
+    node, before = tree.nodes[place], place - 2
+    if before > 0 and tree.nodes[before].text == ",":
+        before -= 1
+    bare = node.may_act and node.lower == node.lemma
+    return bare and tree.nodes[place - 1].lower == "so" and before in timed
 
 
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
