@@ -73,7 +73,7 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
         denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
         if clock is None or not denied or place in starts:
             continue
-        alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"])
+        alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
         if alone and "integer" in scanned.cells[place]:
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"
