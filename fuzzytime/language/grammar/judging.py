@@ -146,7 +146,9 @@ class Judge:
 
     def _accepts_repeat(self, piece: Piece) -> bool:
         # "Most evenings": which, is not said.
-        return not self._is_rate(piece) and self.around.before(piece) not in {"most", "some", "many", "few"}
+        some = self.around.before(piece) in {"most", "some", "many", "few"}
+        parted = any(wall.part is not None for wall in piece.value.time.walls)
+        return not some and (parted or not self._is_rate(piece))
 
     def _is_rate(self, piece: Piece) -> bool:
         """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""

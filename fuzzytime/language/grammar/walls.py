@@ -100,6 +100,8 @@ class Walls:
             return True
         if wall.clock is not None and self._is_called(piece, said, wall):
             return True
+        if said.preposition is None and self._is_next_in_row(piece, wall):
+            return True
         if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
             # "Move the 3 pm to five"
             return True
@@ -128,6 +130,14 @@ class Walls:
             and self.texts[piece.start] in POSSESSIVES
             and not self.around.may_end(piece)
         )
+
+    def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
+        """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""
+        days, begin = wall.days, piece.start - (self.around.before(piece) == "the")
+        if not isinstance(days, Fields) or days != Fields(day=days.day) or self.texts[begin] != "the":
+            return False
+        joined = begin > 0 and self.texts[begin - 1] in {"and", ","}
+        return joined and any(text in self.lexicon.ordinals for text in self.texts[:begin])
 
     def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether something is called by a clock time, or by two numbers that look like one."""
@@ -161,7 +171,8 @@ class Walls:
         if piece.start > 1 and joins(self.words, before):
             # "A two-by-four"
             return False
-        if said.preposition == "by" and counted and not self.measures.is_amount(before):
+        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
+        if said.preposition == "by" and counted and not named and not self.measures.is_amount(before):
             # "Two by four"
             return False
         if said.preposition == "through" and counted:

@@ -50,6 +50,8 @@ class Grounding:
         Whether it was said for the same thing to be done.
     follows : bool
         Whether what is asked for comes after it.
+    ends : bool
+        Whether it is a deadline, which is not now: nothing can be done by then.
     """
 
     now: datetime
@@ -58,6 +60,7 @@ class Grounding:
     since: datetime | None = None
     listed: bool = False
     follows: bool = False
+    ends: bool = False
 
     @property
     def today(self) -> Today:
@@ -187,7 +190,8 @@ class Grounding:
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)
-        return moment if moment >= self.now else moment + timedelta(days=1)
+        ahead = moment > self.now or (moment == self.now and not self.ends)
+        return moment if ahead else moment + timedelta(days=1)
 
     def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
         named = wall.days is not None

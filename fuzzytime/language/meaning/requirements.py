@@ -175,7 +175,8 @@ class _Grounder:
     def _of_instants(self, time: Time) -> Grounded:
         zone = _zone_in(time)
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
-        found = replace(self.moment.grounding(zone), lasting=lasting).instants(time)
+        ends = self.said.constraint is Constraint.BEFORE
+        found = replace(self.moment.grounding(zone), lasting=lasting, ends=ends).instants(time)
         start, end = self._bounds(time, found, zone)
         constraint = self.said.constraint or self._distance_bound(time)
         if constraint is None:

@@ -190,6 +190,9 @@ class _Composer:
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
         named = [sketch.operation.name] if sketch.operation is not None else []
+        # "Let me sleep until ten"
+        prepositions = [phrase.said.preposition or "" for phrase in sketch.phrases]
+        named += [f"{name} {preposition}" for name in named for preposition in prepositions]
         dated = (self.draft.text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
         words = words_of(" ; ".join((*dated, *named)))
         for place in range(len(words)):

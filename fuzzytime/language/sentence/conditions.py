@@ -8,6 +8,9 @@ from fuzzytime.requirement import Condition
 BE = frozenset(
     {"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go", "sound", "smell", "taste"}
 )
+GOING = frozenset({"go", "run", "turn", "stay", "look"})
+"""Verbs that say that something is so, and alone that it is done: "when you go"."""
+
 SHORT_BE = frozenset({"m", "re", "s", "'m", "'re", "'s"})
 """How "am", "are" and "is" are often typed: "when im back"."""
 
@@ -56,7 +59,8 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         starts = node.lemma in STARTING
         below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
         below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]
-        action = tree.nodes[below[0]].lower if below else node.lower if node.lemma not in BE else None
+        acts = node.lemma not in BE or node.lemma in GOING
+        action = tree.nodes[below[0]].lower if below else node.lower if acts else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
     last = said[-1]
     hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)

@@ -1,6 +1,6 @@
 """Taken back: in "at five, no, six" and "in ten minutes, I mean twenty" the later words count."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -38,6 +38,7 @@ def corrected(
 def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remark]) -> list[Phrase]:
     """Leave out times that are denied beside others: "not today but tomorrow"."""
     kept = list(phrases)
+    remarks += _numbers_denied(scanned, phrases)
     for old, new in pairwise(phrases):
         denied = _denied(scanned, old)
         if denied is not None and old in kept:
@@ -61,6 +62,22 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             message = f"{scanned.text[slice(*old.span)]!r} is corrected by {said!r}"
             remarks.append(Remark(RemarkKind.CORRECTED, span, message))
     return kept
+
+
+def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Remark]:
+    """Give what to say of a number alone that is denied behind a time: "at four, not three"."""
+    texts, starts = [word.text for word in scanned.words], {phrase.first for phrase in phrases}
+    for phrase in phrases:
+        place = phrase.end + 2
+        clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
+        denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
+        if clock is None or not denied or place in starts:
+            continue
+        alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
+        if alone and "integer" in scanned.cells[place]:
+            span = (scanned.words[phrase.end].start, scanned.words[place].end)
+            message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"
+            yield Remark(RemarkKind.CORRECTED, span, message)
 
 
 def _denied(scanned: Scanned, phrase: Phrase) -> Remark | None:

@@ -19,6 +19,7 @@ TELLING = frozenset({"should", "will", "'ll", "must"})
 PAST_ALIKE = frozenset({"lay", "saw"})
 """Bare verbs that are the past of another."""
 
+THEM = frozenset({"it", "them"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
@@ -52,8 +53,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
         return place
     if place > 1 and place != root:
-        if tree.nodes[place - 1].lower == "so" and place - 2 in timed and tree.nodes[place].may_act:
-            # "Guests are coming at 8 so hoover at 7"
+        if _follows_so(tree, place, timed):
             return place
         if _is_overlooked(tree, place, timed, lexicon):
             return place
@@ -62,6 +62,15 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
         return place
     return _start_of_coordinate(tree, place, root, timed)
+
+
+def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether a bare verb follows what has a time and "so": "guests are coming at 8, so hoover at 7"."""
+    node, before = tree.nodes[place], place - 2
+    if before > 0 and tree.nodes[before].text == ",":
+        before -= 1
+    bare = node.may_act and node.lower == node.lemma
+    return bare and tree.nodes[place - 1].lower == "so" and before in timed
 
 
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
@@ -133,8 +142,15 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return True
     if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
         return False
-    behind = tree.nodes[place + 1].lower
+    behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
     if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    if bare and (behind in THEM or (tree.nodes[place + 1].tag == "IN" and further in THEM)):
+        # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
+        return True
+    if node.relation in COORDINATE and node.may_act and behind in ARTICLES and tree.children(place, "dobj"):
+        # "The painters come at nine, clear the room"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
@@ -197,17 +213,37 @@ def _follows_order(tree: Tree, root: int) -> int | None:
     """
     subjects = tree.children(root, *SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else _first_of(tree, root)
+    brought = [p for p in tree.children(root, "aux") if p == start - 1 and tree.nodes[p].lower == "have"]
+    # "Scrub the potatoes, have them peeled"
+    start = min([start, *brought])
     joint = tree.nodes[start - 1].lower if start else ""
-    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
     if joint not in JOINTS or (subjects and joint != ",") or not helping <= TELLING:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
-    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and tree.nodes[p].is_verb)]
-    if subjects:
+    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and _is_verb(tree, p))]
+    if joint == ",":
+        # "Deglaze with wine, reduce it": a verb that the model does not know.
+        orders += [p for p in tree.children(root, "advmod", "nsubj") if _is_unknown(tree, p, start)]
+    if subjects and not brought:
         orders = [p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0]
-    ordered = any(not tree.children(p, *SUBJECTS, "aux", "mark", "advmod") for p in orders)
+    ordered = any(
+        not tree.children(p, *SUBJECTS, "aux", "mark") and all(a > p for a in tree.children(p, "advmod"))
+        for p in orders
+    )
     return start if ordered else None
+
+
+def _is_verb(tree: Tree, place: int) -> bool:
+    """Whether a word is a verb, or has an object: "lower the hook"."""
+    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(tree.children(place, "dobj")))
+
+
+def _is_unknown(tree: Tree, place: int, end: int) -> bool:
+    """Whether the first word of some before a comma is an order that was taken for a thing."""
+    said = tree.reach(place)
+    return place == 0 and tree.nodes[0].tag == "NN" and 1 < said[1] <= end and bool(tree.children(0, "prep"))
 
 
 def _leads(tree: Tree, place: int, root: int) -> bool:

@@ -11,6 +11,9 @@ from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
 
+GIVEN = frozenset({"me", "us", "him", "her", "them"})
+"""Who is given what is named behind."""
+
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
@@ -73,7 +76,11 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     thing = bool(part.tree.nodes) and part.tree.nodes[0].lower in ARTICLES
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
-    return replace(before, object=rest, place=None) if rest and named and before.object is not None else None
+    if not rest or not named or before.object is None:
+        return None
+    # "Hand me the wrench, then the pliers"
+    given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
+    return replace(before, object=" ".join((*given, rest)), place=None)
 
 
 def _particle_alone(text: str, lexicon: Lexicon) -> str | None:

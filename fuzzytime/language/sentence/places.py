@@ -6,8 +6,11 @@ from dataclasses import dataclass
 from fuzzytime.language.sentence.wording import Wording
 
 SIDES = frozenset({"left", "right"})
-BEHIND = frozenset({"for", "about", "with", "from"})
+BEHIND = frozenset({"for", "about", "with", "from", "between"})
 """Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
+
+BECOMING = frozenset({"dry", "clean", "flat", "smooth", "thin", "open", "shut", "loose", "tight", "crisp"})
+"""What something becomes, where a tree has it for how it is done: "pat it dry"."""
 
 EACH = frozenset({"every", "each"})
 """Words that say of which things: "measure every tenth part"."""
@@ -40,7 +43,8 @@ class Places(Wording):
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
-        return node.relation == "prep" or counted or node.lower in self.lexicon.places
+        known = node.lower in self.lexicon.places | BECOMING
+        return node.relation == "prep" or counted or known
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""

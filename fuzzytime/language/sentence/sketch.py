@@ -73,7 +73,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
     clauses: list[Clause] = []
     if part.front is not None:
-        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
+        leading = _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
+        clauses += [_with_deadline(clause, phrases, part.offset) for clause in leading]
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
@@ -101,6 +102,15 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         ),
         parameters=parameters_of(reader, action),
     )
+
+
+def _with_deadline(clause: Clause, phrases: Sequence[Phrase], main: int) -> Clause:
+    """Give a clause in front with the deadline that belongs to it: "unless I call before six, …"."""
+    for phrase in phrases:
+        behind = clause.span[1] < phrase.span[0] and phrase.span[1] <= main
+        if clause.kind == "if" and behind and phrase.said.constraint is Constraint.BEFORE:
+            return replace(clause, span=(clause.span[0], phrase.span[1]))
+    return clause
 
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:

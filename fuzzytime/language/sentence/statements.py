@@ -63,7 +63,7 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
         said = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
         end = max(said) + 1
         joined = end < root and tree.nodes[end].lower in JOINTS
-        marked = tree.children(place, "mark", "advmod")
+        marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
         if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
             return end + 1
     return None

@@ -151,6 +151,9 @@ class Waiting:
             # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
             joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
             return node.tag in {"VB", "VBP"} or (joined and tree.nodes[tree.root].tag == "VB")
+        if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
+            # "Pat it dry"
+            return True
         # "Fetch crate 4, bring it here": the first order is taken for who does the second.
         subjects = tree.children(tree.root, *SUBJECTS)
         taken = any(first in tree.below(place) for place in subjects)
