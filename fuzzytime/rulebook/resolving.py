@@ -137,6 +137,10 @@ def _clause(question: Question) -> Said:
         formula = understood.formula
     elif formula is not None and understood.formula not in (None, formula):
         formula = with_hedges_of(understood.formula, formula)
+    if formula is None and row.model == "until" and not rules and not understood.composed:
+        # What nothing can tell of is not said to have happened: it may begin.
+        note = f"not yet: nothing tells {condition.text!r}, so that any time from now on counts as before it"
+        return Said(satisfaction=ALWAYS, model="always", notes=(*notes, note))
     if formula is None:
         reason = understood.reason if understood.composed else None
         reason = reason or _why_not_understood(understood, rules, question)

@@ -77,6 +77,8 @@ def test_what_nothing_tells_of_has_not_happened_yet(interpreter: Interpreter) ->
     (before,) = skills(interpreter, "Let the loaves cool for 20 minutes before the picnic")
     assert before.skill.satisfaction(0.0) == 1.0
     assert before.reason == ""
+    (until,) = skills(interpreter, "Wait in the hall until Maria has signed")
+    assert until.skill.satisfaction(0.0) == 1.0
     (after,) = skills(interpreter, "Wash the blanket after the picnic")
     assert after.reason
 

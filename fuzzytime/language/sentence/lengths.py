@@ -4,23 +4,29 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.anchors import Anchors
-from fuzzytime.language.sentence.operations import TAKING
+from fuzzytime.language.sentence.operations import GOING, TAKING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
 
-def tells_length(operation: Operation | None, requirements: Sequence[TimeRequirement]) -> bool:
-    """Whether an instruction says of another how long it takes, and nothing else."""
-    told = operation is not None and operation.stated and operation.lemma in TAKING
-    return told and bool(requirements) and all(part.constraint is Constraint.FOR for part in requirements)
+def length_of(
+    operation: Operation | None, requirements: Sequence[TimeRequirement], text: str, anchors: Anchors
+) -> Anchor | None:
+    """Give the instruction of which another says how long it takes, and nothing else; None where it does not.
+
+    The anchor has no target where no instruction so far is meant.
+    """
+    if operation is None or not operation.stated or not requirements:
+        return None
+    if any(part.constraint is not Constraint.FOR for part in requirements):
+        return None
+    anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
+    if anchor is None or (operation.lemma in GOING and anchor.target is None):
+        return None
+    return anchor
 
 
-def length_of(operation: Operation | None, text: str, anchors: Anchors) -> Anchor:
-    """Give the instruction that such words are about; without a target none so far is."""
-    return anchors.lasting(None if operation is None else operation.object, text)
-
-
-def unknown_length(anchor: Anchor, span: Span) -> Iterator[Remark]:
+def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:
     """Point at a length of which nothing is known."""
-    if anchor.target is None:
+    if anchor is not None and anchor.target is None:
         message = f"{anchor.text!r} tells how long something takes, and no instruction so far is about that"
         yield Remark(RemarkKind.UNRESOLVED, span, message)

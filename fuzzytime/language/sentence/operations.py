@@ -28,7 +28,8 @@ FIRST_PERSON = frozenset({"i", "we"})
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
 TAKING = frozenset({"take", "last", "need", "require"})
-"""Verbs that say how long something goes on."""
+GOING = frozenset({"run", "go"})
+"""Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
 
 MODALS = frozenset({"should", "would", "may", "might", "can", "could", "'d"})
 
