@@ -101,6 +101,9 @@ class Interpreter:
                 skills.append(maker.direct(wish))
             elif isinstance(wish, SpokenWish):
                 for instruction, reading in self._readable(next(readings), wish, admitted, problems):
+                    if instruction.length_of is not None:
+                        skills = _lasting(maker, skills, instruction, links)
+                        continue
                     made = _made(maker, wish, reading, instruction, problems)
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
                     skills += made
@@ -151,6 +154,20 @@ class Interpreter:
             and requirement.anchor.target is None
             and self.rulebook.tells(requirement.anchor, context)
         }
+
+
+def _lasting(
+    maker: Maker, skills: Sequence[Interpreted], instruction: Instruction, links: Links
+) -> list[Interpreted]:
+    """Let skills go on for as long as an instruction tells of another: "it takes an hour"."""
+    told, length = instruction.length_of, instruction.duration
+    meant = range(0) if told is None or told.target is None else links.skills_of(told.target)
+    # Who refers to these words means what they are about.
+    links.instructions.append(meant)
+    return [
+        maker.lasting(made, length) if place in meant and length is not None else made
+        for place, made in enumerate(skills)
+    ]
 
 
 def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:

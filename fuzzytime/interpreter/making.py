@@ -12,10 +12,14 @@ from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
-from fuzzytime.times import seconds_between
+from fuzzytime.times import MINUTE, seconds_between
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
+
+
+TOUCH, LONG_BESIDE = 2 * MINUTE, 5
+"""What keeps hands for so long at most, and goes on for so many times that, was only begun by hand."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +48,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
+        instruction = _from_to(instruction)
         said = [self._told(p) for p in instruction.requirements if p.constraint is not Constraint.FOR]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         repeated = next((part for part in said if part.recurrence is not None), None)
@@ -158,19 +163,36 @@ class Maker:
         """
         if wish.hands_on is not None or wish.elapsed is not None:
             return self._given_duration(wish, instruction.operation)
-        table = self._table_duration(instruction.operation)
-        if instruction.operation is not None and instruction.operation.stated:
+        return self._said(instruction, instruction.duration)
+
+    def _said(self, instruction: Instruction, length: float | None) -> OperationDuration:
+        """Give the durations of an instruction that goes on for a length, the table's where none is said."""
+        operation = instruction.operation
+        table = self._table_duration(operation)
+        if operation is not None and operation.stated:
+            elapsed = length if length is not None else table.elapsed if table.known else 0.0
             # What happens by itself needs nobody's hands: "the guests arrive at six".
-            lasting = instruction.duration if instruction.duration is not None else 0.0
-            elapsed = table.elapsed if instruction.duration is None and table.known else lasting
-            return OperationDuration(hands_on=0.0, elapsed=elapsed, source="said", assumed=False)
-        if instruction.duration is None:
+            hands_on = elapsed if operation.attended else 0.0
+            return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="said", assumed=False)
+        if length is None:
             return table
         unattended = table.known and table.elapsed > table.hands_on
-        hands_on = min(table.hands_on, instruction.duration) if unattended else instruction.duration
-        return OperationDuration(
-            hands_on=hands_on, elapsed=instruction.duration, source="said", assumed=False
-        )
+        hands_on = min(table.hands_on, length) if unattended else length
+        return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
+
+    def lasting(self, made: Interpreted, length: float) -> Interpreted:
+        """Let a skill go on for as long as was told of it afterwards.
+
+        What begins with a quick touch by the table ("put the bread in the oven") goes on by itself.
+        """
+        if made.wish.hands_on is not None or made.wish.elapsed is not None or made.instruction is None:
+            return made
+        table = self._table_duration(made.instruction.operation)
+        duration = self._said(made.instruction, length)
+        if table.known and table.hands_on <= TOUCH and length >= LONG_BESIDE * table.hands_on:
+            duration = replace(duration, hands_on=table.hands_on)
+        skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
+        return replace(made, skill=skill, duration=duration)
 
     def _given_duration(self, wish: Wish, operation: Operation | None) -> OperationDuration:
         """Take what the wish gives; of hands-on and elapsed time, the one not given follows the table."""
@@ -184,6 +206,19 @@ class Maker:
     def _table_duration(self, operation: Operation | None) -> OperationDuration:
         lemma, thing = (operation.lemma, operation.object) if operation is not None else (None, None)
         return self.rulebook.duration_of(lemma, thing)
+
+
+def _from_to(instruction: Instruction) -> Instruction:
+    """Take the two ends of what happens as its start and its length: "I have a meeting from two to four"."""
+    operation, requirements = instruction.operation, list(instruction.requirements)
+    if operation is None or not operation.stated:
+        return instruction
+    for place, part in enumerate(requirements):
+        if part.preposition == "between" and part.earliest is not None and part.latest is not None:
+            begin, length = part.earliest, part.latest - part.earliest
+            requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
+            return replace(instruction, requirements=tuple(requirements), duration=length)
+    return instruction
 
 
 def _occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

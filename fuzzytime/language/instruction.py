@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
-from fuzzytime.requirement import Recurrence, TimeRequirement
+from fuzzytime.requirement import Anchor, Recurrence, TimeRequirement
 
 if TYPE_CHECKING:
     # Skills bring numpy along, which reading does without.
@@ -34,6 +34,7 @@ class Operation:
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
     becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
+    ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
     """
 
     verb: str
@@ -46,6 +47,7 @@ class Operation:
     addressee: str | None = None
     negated: bool = False
     stated: bool = False
+    attended: bool = False
 
     @property
     def name(self) -> str:
@@ -59,7 +61,8 @@ class Operation:
             said = (self.object, self.verb, self.complement, self.place)
         if self.stated:
             # "Dinner is at seven": what is, is its name.
-            said = (self.object, None if self.lemma == "be" else self.verb, self.particle, self.place)
+            verb = None if self.attended or self.lemma == "be" else self.verb
+            said = (self.object, verb, self.particle, self.place)
         return " ".join(part for part in said if part)
 
 
@@ -79,6 +82,9 @@ class Instruction:
         "every day at nine"; None where nothing was said.
     fuzzy_parameters
         "some food", "a few screws".
+    length_of
+        The instruction whose duration is told, as in "it takes an hour": then nothing is to be done. Without
+        a target none so far is meant.
     """
 
     span: Span
@@ -87,6 +93,7 @@ class Instruction:
     duration: float | None = None
     repeats: Recurrence | None = None
     fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
+    length_of: Anchor | None = None
 
 
 class RemarkKind(StrEnum):

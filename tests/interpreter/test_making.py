@@ -87,3 +87,22 @@ def test_a_state_is_waited_for_by_readings_or_else_by_what_brings_it_about(inter
     made = interpreter.interpret(request)
     assert [(order.first, order.second) for order in made.precedences] == [(0, 1)]
     assert made.skills[1].reason == ""
+
+
+def test_a_length_told_afterwards_is_that_of_the_instruction(interpreter: Interpreter) -> None:
+    text = "Put the loaves in the oven. They need 40 minutes. Take them out when they are done"
+    loaves, out = skills(interpreter, text)
+    assert (loaves.skill.duration, loaves.skill.elapsed) == (MINUTE, 40 * MINUTE)
+    assert not loaves.duration.assumed
+    assert out.follows == (loaves.identifier,)
+    (cleaning,) = skills(interpreter, "Clean the kitchen. It takes two hours")
+    assert (cleaning.skill.duration, cleaning.skill.elapsed) == (2 * HOUR, 2 * HOUR)
+    (given,) = skills(interpreter, "Clean the kitchen. It takes two hours", elapsed=HOUR)
+    assert given.skill.elapsed == HOUR
+
+
+def test_an_appointment_takes_its_time_and_one_of_others_takes_nobody(interpreter: Interpreter) -> None:
+    (mine,) = skills(interpreter, "I have a dentist appointment from 10 to 11")
+    assert (mine.skill.preferred, mine.skill.duration) == (3 * HOUR, HOUR)
+    (theirs,) = skills(interpreter, "The fair is from 10 to 11")
+    assert (theirs.skill.preferred, theirs.skill.duration, theirs.skill.elapsed) == (3 * HOUR, 0, HOUR)

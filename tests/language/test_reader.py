@@ -30,7 +30,7 @@ def _time(requirement: TimeRequirement, key: str) -> object:
             return getattr(condition, key)
         case "hedges" if condition is not None:
             return list(condition.hedges)
-        case "target" | "lag" | "exact":
+        case "target" | "lag" | "exact" | "edge":
             return getattr(anchor, key) if anchor is not None else None
         case _:
             return getattr(requirement, key)
@@ -45,10 +45,12 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.name if operation is not None else None
             case "to":
                 found[key] = operation.addressee if operation is not None else None
-            case "lemma" | "negated" | "object" | "place":
+            case "lemma" | "negated" | "object" | "place" | "attended":
                 found[key] = getattr(operation, key)
             case "duration":
                 found[key] = instruction.duration
+            case "length_of":
+                found[key] = instruction.length_of and instruction.length_of.target
             case "times":
                 pairs = zip(instruction.requirements, wanted["times"], strict=False)
                 found[key] = [

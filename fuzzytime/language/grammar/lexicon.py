@@ -68,6 +68,8 @@ class Lexicon:
         What two numbers with a colon belong to: "John 3:16".
     lasting
         Nouns that a length of time before them is about: "a ten minute walk".
+    taken
+        What keeps who speaks from all else: "I have an appointment", "I'm out".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     rescheduling, events
@@ -122,6 +124,7 @@ class Lexicon:
     timing: frozenset[str]
     timing_alone: frozenset[str]
     citing: frozenset[str]
+    taken: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     rescheduling: frozenset[str]

@@ -8,7 +8,14 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.references import Mentions, best_of, content_words
+from fuzzytime.language.sentence.references import (
+    BEGINNING,
+    ENDING,
+    PRONOUNS,
+    Mentions,
+    best_of,
+    content_words,
+)
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
@@ -57,9 +64,11 @@ class Anchors:
         here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
-        if clause.is_event and (clause.object or "").lower() in BACK and self.position > 0:
-            # "The meeting starts at three, remind me ten minutes before it"
-            return self.position - 1
+        last = self.position - 1
+        happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
+        if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
+            # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
+            return last
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
         if target is not None or not self.awaits:
             return target
@@ -74,18 +83,30 @@ class Anchors:
         for place in self.mentions.named_by(clause, coming, backwards=False):
             yield place, self.mentions.operations[place]
 
+    def lasting(self, thing: str | None, text: str) -> Anchor:
+        """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
+        words = content_words(thing)
+        if words and not words <= PRONOUNS:
+            named = Clause("length", "", (0, 0), (0, 0), object=thing, is_event=True)
+            return Anchor(text=text, object=thing, target=self.target_of(named))
+        return Anchor(text=text, target=self.position - 1 if self.position else None)
+
     def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
         """Give the requirement of a clause that names another instruction, or an event."""
         before = clause.kind in FIRST
         together = clause.kind == "while"
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
+        edge = Edge.START if before or together or clause.kind == "into" else Edge.END
+        if target is not None and self._is_stated(target):
+            # "When the meeting starts", "before the film ends"
+            edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
         anchor = Anchor(
             text=what,
             verb=clause.verb,
             object=clause.object,
             target=target,
-            edge=Edge.START if before or together or clause.kind == "into" else Edge.END,
+            edge=edge,
             lag=lag,
             exact=distance is not None,
         )
@@ -99,6 +120,11 @@ class Anchors:
             unit=None if distance is None else distance.unit,
             anchor=anchor,
         )
+
+    def _is_stated(self, target: int) -> bool:
+        place = target - self.first
+        operation = self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+        return operation is not None and operation.stated
 
     def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
         """Give a requirement of the grammar as a reference, where it is one."""

@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.lengths import length_of, tells_length, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
 from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import DATED, Sketch
@@ -172,13 +173,18 @@ class _Composer:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
+        told = None
+        if tells_length(operation, requirements):
+            told = length_of(operation, self.draft.text[slice(*segment.span)].strip(), anchors)
+            self.remarks += unknown_length(told, segment.span)
         return Instruction(
-            span=sketch.part.segment.span,
+            span=segment.span,
             operation=operation,
             requirements=tuple(requirements),
             duration=duration,
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
+            length_of=told,
         )
 
     def _moment(self, sketch: Sketch) -> Moment:

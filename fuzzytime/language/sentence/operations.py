@@ -24,6 +24,14 @@ STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 DUE = frozenset({"due", "over", "back"})
 """What is said of things that have a time: "the delivery is due at two"."""
 
+FIRST_PERSON = frozenset({"i", "we"})
+PERSONS = frozenset({"i", "you", "we", "he", "she"})
+
+TAKING = frozenset({"take", "last", "need", "require"})
+"""Verbs that say how long something goes on."""
+
+MODALS = frozenset({"should", "would", "may", "might", "can", "could", "'d"})
+
 TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
 """Who may come and go, and asks nobody to: "we land at nine"."""
 
@@ -60,6 +68,7 @@ class Reader(Places):
             complement=complement,
             negated=action.negated,
             stated=stated,
+            attended=stated and self._is_attended(verb),
         )
 
     # -- particles --------------------------------------------------------------------------------------
@@ -216,6 +225,13 @@ class Reader(Places):
             return None
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
+    def _is_attended(self, verb: int) -> bool:
+        """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
+            return False
+        return any(self.tree.nodes[p].lower in self.lexicon.taken for p in self.tree.below(verb) if p > verb)
+
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
@@ -223,6 +239,12 @@ class Reader(Places):
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        if finite and self._is_attended(verb):
+            return True
+        if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
+            # "It should take an hour", "they need twenty minutes"
+            objects = self.tree.children(verb, "dobj", "npadvmod")
+            return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)

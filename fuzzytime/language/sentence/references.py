@@ -51,6 +51,10 @@ EMPTY = frozenset(
 )
 """Words that name nothing."""
 
+BEGINNING = frozenset({"start", "begin", "open", "arrive", "come", "land"})
+ENDING = frozenset({"end", "finish", "close"})
+"""What things with a time of their own do: of these verbs a clause is about their start, or their end."""
+
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
@@ -99,6 +103,8 @@ class Mentions:
         if operation.negated:
             return
         words = content_words(operation.object)
+        for noun in _nouns(operation.lemma)[1:]:
+            self._by_verb.setdefault(noun, []).append(position)
         for word in words:
             self._by_word.setdefault(word, []).append(position)
         self._by_verb.setdefault(operation.lemma, []).append(position)
@@ -126,7 +132,7 @@ class Mentions:
         named, words = _names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
-        single += [self._by_verb.get(verb, []) for verb in (named if clause.is_event else ())]
+        single += [self._by_verb.get(noun, []) for noun in (named if clause.is_event else words - named)]
         if not named or named <= PRONOUNS:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
@@ -135,6 +141,12 @@ class Mentions:
         ordered = (reversed(run) if backwards else iter(run) for run in runs)
         for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
             yield position
+
+
+def _nouns(verb: str) -> tuple[str, ...]:
+    """Give the words that name what a verb says: the walk, the baking."""
+    bare = verb.removesuffix("e")
+    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing"
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:
@@ -173,15 +185,21 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     shared = len(named & content_words(operation.object))
     if clause.is_event:
         # "Before the walk", where the dog is walked; "into the roast", where the meat is roasted.
-        return shared + (operation.lemma in named) if named else 0.0
+        return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
     same_verb = clause.verb == operation.lemma
     if same_verb and (shared or not named or named <= PRONOUNS or not known):
+        return SAME_VERB + shared
+    if operation.stated and shared and clause.verb in BEGINNING | ENDING:
+        # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared
     condition = clause.condition
     if condition is not None and condition.word is not None:
         # "When the rice is done", "once the table is set": its result.
         subject = content_words(condition.subject)
         finished = condition.word in lexicon.results or clause.verb in {"finish", "do", "cook", "boil"}
+        if finished and not subject.isdisjoint(_nouns(operation.lemma)):
+            # "Once the print is done", where the bracket is printed.
+            return SAME_VERB
         if finished and subject & content_words(operation.object):
             return 1.0 + len(subject & content_words(operation.object))
     return 0.0

@@ -99,6 +99,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         landmarks=frozenset(form[0] for form in speech.words("landmarks")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
+        taken=frozenset(form[0] for form in speech.words("taken")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -119,7 +120,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling", "catching", "citing", "spelling", "timing",
+    "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
