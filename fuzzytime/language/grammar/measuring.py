@@ -17,6 +17,8 @@ BEHIND_VERBS = frozenset(
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
+NEARLY = frozenset({"around", "about"})
+
 COPULAS = frozenset({"is", "are", "was", "were", "has", "have"})
 CLOCKS = frozenset({"it", "time", "clock", "hour"})
 """What a number that it is at may be the hour of: "when it is past six"."""
@@ -62,7 +64,9 @@ class Measures:
         """Whether a word makes a number behind it an amount: that depends on how it is bound."""
         text, said, lexicon = self.texts[place], piece.value, self.lexicon
         if not _is_bound_to_hour(said):
-            return text in lexicon.measure_verbs or text in lexicon.measure_nouns
+            # "In the oven around ten": things are near an hour, too.
+            nouns = lexicon.amount_nouns if _is_near_hour(said) else lexicon.measure_nouns
+            return text in lexicon.measure_verbs or text in nouns
         if said.preposition not in AMOUNTED:
             return False
         if text in lexicon.amount_nouns or text in lexicon.counting:
@@ -96,6 +100,13 @@ class Measures:
         # "Turn it down a degree at ten": how much is said.
         told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])
         return piece.start > 0 and self.texts[piece.start - 1] in nouns and not told
+
+
+def _is_near_hour(said: Said) -> bool:
+    """Whether it is near a number that can be an hour: "around ten"."""
+    clock = said.time.clock if isinstance(said.time, Wall) else None
+    near = said.constraint in {None, Constraint.AT} and said.preposition in NEARLY
+    return near and clock is not None and clock.grain is Unit.HOUR
 
 
 def _is_bound_to_hour(said: Said) -> bool:
