@@ -132,6 +132,8 @@ class _Tie:
                 return Interval(-math.inf, self.anchor.lag - self.this.skill.time_until_done)
             case Constraint.AFTER:
                 return Interval(self.anchor.lag, math.inf)
+            case Constraint.BETWEEN:  # within so long of it
+                return Interval(0.0, self.anchor.lag)
             case _:  # while the other goes on
                 return Interval(0.0, max(0.0, self.target.skill.time_until_done - self.moment))
 

@@ -106,3 +106,10 @@ def test_an_appointment_takes_its_time_and_one_of_others_takes_nobody(interprete
     assert (mine.skill.preferred, mine.skill.duration) == (3 * HOUR, HOUR)
     (theirs,) = skills(interpreter, "The fair is from 10 to 11")
     assert (theirs.skill.preferred, theirs.skill.duration, theirs.skill.elapsed) == (3 * HOUR, 0, HOUR)
+
+
+def test_what_is_wished_within_a_time_of_another_follows_it_no_later(interpreter: Interpreter) -> None:
+    text = "Call the pharmacy at nine. Pick up the pills within an hour of calling"
+    made = interpreter.interpret(Request(now=NOW, wishes=(SpokenWish(text=text, given=NOW),)))
+    (order,) = made.precedences
+    assert (order.minimum_lag, order.maximum_lag) == (0, HOUR)

@@ -22,6 +22,9 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 FIRST = frozenset({"before", "until", "by the time"})
 """Clauses whose instruction comes first."""
 
+BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
+"""Clauses that are neither before nor after alone."""
+
 ORDERING = {
     "afterwards": Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
@@ -108,12 +111,12 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=distance is not None,
+            exact=distance is not None and clause.kind != "within",
         )
         return TimeRequirement(
             text=text,
             span=clause.span,
-            constraint=Constraint.AT if together else Constraint.BEFORE if before else Constraint.AFTER,
+            constraint=BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER),
             preposition=clause.marker,
             fuzziness=() if distance is None else distance.hedges,
             number=None if distance is None else distance.number,

@@ -24,6 +24,9 @@ STATED = frozenset({"when", "if", "until"})
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
 
+WITHIN = (("of",), ("after",))
+"""Markers behind which a bound counts from what they name: "within an hour of calling"."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -51,7 +54,7 @@ def clauses_of(
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
-        form = form or reader.awaited(place)
+        form = form or reader.awaited(place) or reader.bounded(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -87,9 +90,16 @@ class _Clauses:
         marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
         return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
 
+    def bounded(self, place: int) -> tuple[str, ...] | None:
+        """Give the "of" of "within an hour of calling" as what begins a clause."""
+        return ("of",) if self.words[place].text == "of" and self._bound(place) is not None else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses.get(form, "until")
+        bound = self._bound(place) if form in WITHIN else None
+        if bound is not None:
+            kind = "within"
         first = place + len(form)
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
@@ -102,17 +112,23 @@ class _Clauses:
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
         start = self.words[place].start
-        distance = self._distance(place)
+        distance = bound or self._distance(place)
         duration = None
         if distance is not None:
-            start = distance.span[0]
-            if isinstance(distance.said.time, Duration):
-                hedges = (*distance.said.hedges, *distance.said.time.hedges)
-                duration = replace(distance.said.time, hedges=hedges)
+            start, time_before = distance.span[0], distance.said.time
+            if isinstance(time_before, Offset):
+                time_before = time_before.duration
+            if isinstance(time_before, Duration):
+                hedges = (*distance.said.hedges, *time_before.hedges)
+                duration = replace(time_before, hedges=hedges)
         if kind == "into" and duration is None:
             return None
         clause = Clause(
-            kind=kind, marker=" ".join(form), span=(start, content[1]), content=content, distance=duration
+            kind=kind,
+            marker=" ".join(form) if bound is None else kind,
+            span=(start, content[1]),
+            content=content,
+            distance=duration,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
@@ -183,6 +199,11 @@ class _Clauses:
                 return phrase
         return self._whole_unit(place)
 
+    def _bound(self, place: int) -> Phrase | None:
+        """Give the length of time right before a marker that something must not be later than."""
+        found = (phrase for phrase in self.phrases if phrase.end == place)
+        return next((p for p in found if p.said.preposition == "within" and not _is_dated(p)), None)
+
     def _whole_unit(self, place: int) -> Phrase | None:
         """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
         words = self.words[max(0, place - 2) : place]
@@ -190,7 +211,8 @@ class _Clauses:
             return None
         found = (e for e in self.lexicon.entries.get(words[1].text, ()) if e.category == "unit")
         unit = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
-        if unit is None or unit.form in {"night", "second"}:
+        if unit is None or unit.form in {"night", "second"} or words[1].text.endswith("s"):
+            # "Write the minutes right after the meeting"
             return None
         said = Said(Duration(((unit.count, unit.unit),)), Constraint.FOR)
         return Phrase(said, place - 2, place, (words[0].start, words[1].end), "unit")
@@ -236,7 +258,7 @@ class _Clauses:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
         together = clause.marker in {"at the same time as", "during"}
         if (
-            not (together or clause.kind in {"after", "before", "until", "into"})
+            not (together or clause.kind in {"after", "before", "until", "into", "within"})
             or not self.tree.nodes[nodes[-1]].tag
         ):
             return None
@@ -271,6 +293,11 @@ class _Clauses:
                 break
             last = place
         return last
+
+
+def _is_dated(phrase: Phrase) -> bool:
+    time = phrase.said.time
+    return not isinstance(time, Duration) and not (isinstance(time, Offset) and time.anchor is None)
 
 
 def _happens(clause: Clause) -> bool:

@@ -105,7 +105,7 @@ class Mentions:
         words = content_words(operation.object)
         for noun in _nouns(operation.lemma)[1:]:
             self._by_verb.setdefault(noun, []).append(position)
-        for word in words:
+        for word in words | content_words(operation.place):
             self._by_word.setdefault(word, []).append(position)
         self._by_verb.setdefault(operation.lemma, []).append(position)
         if not words | content_words(operation.place):
@@ -185,6 +185,9 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     shared = len(named & content_words(operation.object))
     if clause.is_event:
         # "Before the walk", where the dog is walked; "into the roast", where the meat is roasted.
+        if clause.kind == "length":
+            # "We are at swimming by four. Swimming lasts an hour"
+            shared = len(named & known)
         return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
     same_verb = clause.verb == operation.lemma
     if same_verb and (shared or not named or named <= PRONOUNS or not known):

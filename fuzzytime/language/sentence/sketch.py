@@ -116,6 +116,9 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    if any(part.tree.nodes[p].lower == "it" for p in part.tree.children(action.place, "nsubj", "expl")):
+        # "It takes twenty minutes to get there"
+        return action
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
     spends = part.tree.nodes[action.place].lemma in SPENT and not timed.isdisjoint(
