@@ -7,12 +7,10 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Repeat, Said, TimeWord
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
-
-HOURS = 24
-"""Numbers beyond this are no hours."""
 
 
 @grammar.rule("said", "every|each <integer>", weight=0.1)
@@ -25,7 +23,7 @@ def every_number(number: Integer) -> Said | None:
 @grammar.rule("said", "after <integer>", weight=-0.5)
 def after_number(number: Integer) -> Said | None:
     """(bake for forty minutes, turning it) after 30, which is no hour: of the unit that was said before."""
-    if number.value <= HOURS:
+    if number.value <= DAY_HOURS:
         return None
     return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.AFTER, "after")
 
@@ -33,7 +31,7 @@ def after_number(number: Integer) -> Said | None:
 @grammar.rule("said", "for <integer>", weight=-0.5)
 def for_number(number: Integer) -> Said | None:
     """(simmer) for 40, which is no hour: so many minutes, or of the unit that was said before."""
-    if number.value <= HOURS:
+    if number.value <= DAY_HOURS:
         return None
     return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
 

@@ -37,8 +37,17 @@ OF_HOURS = frozenset(
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
+LOOKING = frozenset(
+    {"look", "looks", "looking", "looked", "run", "take", "takes", "chase", "go", "named"}
+    | {"as", "like", "from", "than"}
+)
+"""Words behind which "after" and "before" are no time of what is done: "whom you look after", "as before"."""
+
 UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
 """Words before a length of time that make it another thing than how long: "by ten minutes"."""
+
+SPENT = frozenset({"spend", "take"})
+"""Verbs that a length of time is the object of, with what is done in it: "spend an hour cleaning"."""
 
 SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
@@ -113,18 +122,17 @@ class Judge:
             return self.around.follower(piece) in {"", ",", "."}
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
-            led = piece.start > 0 and not self.around.timely(piece.start - 1)
+            looks = self.around.before(piece) in LOOKING and isinstance(time, TimeWord)
+            led = piece.start > 0 and not looks and not self.around.timely(piece.start - 1)
             return led and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
         if isinstance(time, HourMark) and time.open:
             # "Walk at ten to the gate", "half past the volume"
             follower = self.around.follower(piece)
-            sure = (
-                said.preposition in {"at", "by", "before", "after", "until", "around", "from"} or said.hedges
-            )
+            sure = said.preposition in OF_HOURS or bool(said.hedges)
             counts = follower in OWNING or self.measures.is_number(piece.end)
-            return bool(sure) and not counts and self.around.may_end(piece)
+            return sure and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
             # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
             return said.preposition not in {None, "at", "for"}
@@ -260,7 +268,7 @@ class Judge:
         if follower == "of":
             # "Do ten minutes of yoga"
             return self.around.before(piece) in SPENDING
-        if self.around.before(piece) in {"spend", "take"}:
+        if self.around.before(piece) in SPENT:
             # "Spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
         return follower in self.lexicon.lasting or self.around.may_end(piece)

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.surroundings import POSSESSIVES
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
-from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
 from fuzzytime.requirement import Constraint, Unit
 
 LISTING = frozenset({",", "and", "&", "or"})
@@ -23,9 +23,6 @@ LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 PARTICIPLE = "ing"
 """The ending of a verb that goes on beside another."""
 
-HOURS = 24
-"""Numbers beyond this are hardly of hours."""
-
 NOON = 12 * 3600
 
 
@@ -39,7 +36,7 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
         return phrase
     unit = length.time.terms[-1][1]
     if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
-        many = said.constraint is Constraint.FOR and said.time.terms[0][0] > HOURS
+        many = said.constraint is Constraint.FOR and said.time.terms[0][0] > DAY_HOURS
         # "Cool it for an hour and chill it for 40" minutes
         unit = Unit.MINUTE if many and unit is Unit.HOUR else unit
         return replace(phrase, said=replace(said, time=_counted(said.time, unit)))

@@ -4,14 +4,11 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS, Surroundings
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Repeat, Said, Time, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
-
-HOURS = 24
-"""Numbers beyond this are no hours."""
-
 
 MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
 """Words behind a number of minutes without their unit."""
@@ -29,7 +26,7 @@ def lacks_unit(said: Said) -> bool:
     after = said.constraint is Constraint.AFTER or isinstance(time, Repeat)
     if said.constraint is Constraint.FOR and isinstance(time, Duration) and time.terms:
         # "For 40"; but "for another five".
-        after = time.terms[0][0] > HOURS
+        after = time.terms[0][0] > DAY_HOURS
     bare = isinstance(length, Duration) and length.bare_end and len(length.terms) == 1
     return after and bare and isinstance(length, Duration) and length.until is None
 
@@ -55,7 +52,13 @@ class Lent:
 
     def times(self, piece: Piece) -> bool:
         """Whether what is done is measured in minutes: "simmer for ten", "steep the tea for four"."""
-        verbs = [place for place in range(piece.start) if self.texts[place] in self.lexicon.timing]
+        # "Keep the rest for four" is for people.
+        verbs = [
+            place
+            for place in range(piece.start)
+            if self.texts[place] in self.lexicon.timing
+            and (place == 0 or self.texts[place - 1] not in OWNING)
+        ]
         whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
         told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
         return told and self.around.follower(piece) in MAY_FOLLOW

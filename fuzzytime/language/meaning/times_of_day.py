@@ -7,6 +7,9 @@ from enum import StrEnum
 from fuzzytime.requirement import Unit
 
 DAY_SECONDS = 86400
+DAY_HOURS = 24
+"""A number beyond it is no hour."""
+
 NEAR = 3 * 3600
 """Seconds around a part of the day in which a clock time may still be said to be in it."""
 

@@ -11,6 +11,9 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Qua
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
+SIDES = frozenset({"before", "after", "earlier", "later", "sooner"})
+"""What is denied of a time beside it: "at seven, not before"."""
+
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
 
@@ -74,7 +77,9 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
         if clock is None or not denied or place in starts:
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
-        if alone and "integer" in scanned.cells[place]:
+        # "At seven, not before"
+        side = place < len(texts) and texts[place] in SIDES
+        if alone and (side or "integer" in scanned.cells[place]):
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"
             yield Remark(RemarkKind.CORRECTED, span, message)

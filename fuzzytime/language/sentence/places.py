@@ -48,9 +48,9 @@ class Places(Wording):
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""
-        numbers = (p for p in self.tree.children(place, "dobj", "nummod") if self.tree.nodes[p].tag == "CD")
+        counted = place + 1 < len(self.tree.nodes) and self.tree.nodes[place + 1].tag == "CD"
         known = self.lexicon.machines | self.lexicon.measure_nouns
-        return self.tree.nodes[place].lower in known and self.has_to(place) and any(numbers)
+        return self.tree.nodes[place].lower in known and self.has_to(place) and counted
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""

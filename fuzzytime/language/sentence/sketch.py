@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from fuzzytime.language.grammar.judging import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span, overlap
 from fuzzytime.language.meaning.expressions import (
@@ -34,9 +35,6 @@ BOUNDS = {
     "after": (Constraint.AFTER, "after"),
 }
 """How the time of an event binds what is said to be at, before or after it."""
-
-SPENDING = frozenset({"spend", "take"})
-"""Verbs whose object may be a length of time."""
 
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
@@ -123,7 +121,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
         return action
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
-    spends = part.tree.nodes[action.place].lemma in SPENDING and not timed.isdisjoint(
+    spends = part.tree.nodes[action.place].lemma in SPENT and not timed.isdisjoint(
         part.tree.children(action.place, "dobj", "npadvmod")
     )
     if spends:
