@@ -170,10 +170,9 @@ class Maker:
         operation = instruction.operation
         table = self._table_duration(operation)
         if operation is not None and operation.stated:
-            elapsed = length if length is not None else table.elapsed if table.known else 0.0
             # What happens by itself needs nobody's hands: "the guests arrive at six".
-            hands_on = elapsed if operation.attended else 0.0
-            return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="said", assumed=False)
+            elapsed = length if length is not None else table.elapsed if table.known else 0.0
+            return OperationDuration(hands_on=0.0, elapsed=elapsed, source="said", assumed=False)
         if length is None:
             return table
         unattended = table.known and table.elapsed > table.hands_on

@@ -1,6 +1,7 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -9,7 +10,7 @@ from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
-from fuzzytime.skills import FuzzyTask
+from fuzzytime.skills import Busy, FuzzyTask
 from fuzzytime.times import instant_after, seconds_between
 
 
@@ -88,8 +89,25 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    interpretation, held = without_started(interpreter.interpret(request), request.started)
-    return replace(request, busy=(*request.busy, *held)), interpretation
+    interpretation = interpreter.interpret(request)
+    busy = (*request.busy, *_attended(interpretation, request))
+    interpretation, held = without_started(interpretation, request.started)
+    return replace(request, busy=(*busy, *held)), interpretation
+
+
+def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy]:
+    """Give when who speaks is taken: "I have a meeting from two to four" is no wish, and gives way to none.
+
+    Of several agents the first speaks, unless the wish says which.
+    """
+    for interpreted in interpretation.skills:
+        operation = None if interpreted.instruction is None else interpreted.instruction.operation
+        start = interpreted.skill.preferred
+        if operation is not None and operation.attended and start is not None:
+            end = start + interpreted.skill.time_until_done
+            speaker = interpreted.wish.agent or (1 if request.agents > 1 else None)
+            if max(start, 0.0) < end:
+                yield Busy(max(start, 0.0), end, interpreted.skill.name, speaker)
 
 
 def scheduled(

@@ -103,11 +103,10 @@ def test_a_length_told_afterwards_is_that_of_the_instruction(interpreter: Interp
     assert given.skill.elapsed == HOUR
 
 
-def test_an_appointment_takes_its_time_and_one_of_others_takes_nobody(interpreter: Interpreter) -> None:
-    (mine,) = skills(interpreter, "I have a dentist appointment from 10 to 11")
-    assert (mine.skill.preferred, mine.skill.duration) == (3 * HOUR, HOUR)
-    (theirs,) = skills(interpreter, "The fair is from 10 to 11")
-    assert (theirs.skill.preferred, theirs.skill.duration, theirs.skill.elapsed) == (3 * HOUR, 0, HOUR)
+@pytest.mark.parametrize("text", ["I have a dentist appointment from 10 to 11", "The fair is from 10 to 11"])
+def test_what_happens_has_its_start_and_its_length(interpreter: Interpreter, text: str) -> None:
+    (made,) = skills(interpreter, text)
+    assert (made.skill.preferred, made.skill.duration, made.skill.elapsed) == (3 * HOUR, 0, HOUR)
 
 
 def test_what_is_wished_within_a_time_of_another_follows_it_no_later(interpreter: Interpreter) -> None:

@@ -7,12 +7,13 @@ from typing import ClassVar
 import numpy as np
 import pytest
 
-from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
+from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, SpokenWish, plan
 from fuzzytime.satisfaction import Triangle
 from fuzzytime.scheduling import LocalSearch
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.times import HOUR
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the tests' moment is of no zone
 
@@ -67,3 +68,15 @@ def test_without_an_earlier_plan_the_search_begins_from_nothing(interpreter: Int
     made = plan(Request(now=NOW, wishes=(wish("stir", 400),)), interpreter, solver=solver)
     assert isinstance(made, Plan)
     assert solver.begun == []
+
+
+def test_an_appointment_gives_way_to_no_wish(interpreter: Interpreter) -> None:
+    texts = ("I have a meeting from 2 to 4 pm", "Call Anna at 2:30 pm", "Call Tom at 3 pm", "Rest at 3:30 pm")
+    wishes = tuple(SpokenWish(text=text, given=NOW) for text in texts)
+    made = plan(Request(now=NOW, wishes=wishes), interpreter)
+    assert list(made.schedule.rejected) == [False, True, True, True]
+    (taken,) = made.request.busy
+    assert (taken.start, taken.end, taken.what, taken.agent) == (5 * HOUR, 7 * HOUR, "a meeting", None)
+    shared = plan(Request(now=NOW, wishes=wishes, agents=2), interpreter)
+    assert [taken.agent for taken in shared.request.busy] == [1]
+    assert not any(shared.schedule.rejected)
