@@ -102,7 +102,7 @@ class Interpreter:
             elif isinstance(wish, SpokenWish):
                 for instruction, reading in self._readable(next(readings), wish, admitted, problems):
                     if instruction.length_of is not None:
-                        skills = _lasting(maker, skills, instruction, links)
+                        links.instructions.append(_lengthened(maker, skills, instruction, links))
                         continue
                     made = _made(maker, wish, reading, instruction, problems)
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
@@ -156,18 +156,18 @@ class Interpreter:
         }
 
 
-def _lasting(
-    maker: Maker, skills: Sequence[Interpreted], instruction: Instruction, links: Links
-) -> list[Interpreted]:
-    """Let skills go on for as long as an instruction tells of another: "it takes an hour"."""
+def _lengthened(maker: Maker, skills: list[Interpreted], instruction: Instruction, links: Links) -> range:
+    """Let skills go on for as long as an instruction tells ("it takes an hour"), and give their places.
+
+    Who refers to these words means what they are about.
+    """
     told, length = instruction.length_of, instruction.duration
-    meant = range(0) if told is None or told.target is None else links.skills_of(told.target)
-    # Who refers to these words means what they are about.
-    links.instructions.append(meant)
-    return [
-        maker.lasting(made, length) if place in meant and length is not None else made
-        for place, made in enumerate(skills)
-    ]
+    if told is None or told.target is None or length is None:
+        return range(0)
+    meant = links.skills_of(told.target)
+    for place in meant:
+        skills[place] = maker.lasting(skills[place], length)
+    return meant
 
 
 def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:

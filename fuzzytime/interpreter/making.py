@@ -12,14 +12,10 @@ from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
-from fuzzytime.times import MINUTE, seconds_between
+from fuzzytime.times import seconds_between
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
-
-
-TOUCH, LONG_BESIDE = 2 * MINUTE, 5
-"""What keeps hands for so long at most, and goes on for so many times that, was only begun by hand."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,14 +178,14 @@ class Maker:
     def lasting(self, made: Interpreted, length: float) -> Interpreted:
         """Let a skill go on for as long as was told of it afterwards.
 
-        What begins with a quick touch by the table ("put the bread in the oven") goes on by itself.
+        What is only begun by hand ("put the bread in the oven") goes on by itself.
         """
         if made.wish.hands_on is not None or made.wish.elapsed is not None or made.instruction is None:
             return made
         table = self._table_duration(made.instruction.operation)
         duration = self._said(made.instruction, length)
-        if table.known and table.hands_on <= TOUCH and length >= LONG_BESIDE * table.hands_on:
-            duration = replace(duration, hands_on=table.hands_on)
+        if self.rulebook.is_begun(table, length):
+            duration = replace(duration, hands_on=min(duration.hands_on, table.hands_on))
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
 

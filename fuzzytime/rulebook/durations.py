@@ -35,15 +35,31 @@ Key = tuple[str, str | None]
 
 
 @dataclass(frozen=True, slots=True)
+class Begun:
+    """What is only begun by hand, and goes on by itself: seconds at most, and times those at least."""
+
+    hands_on: float
+    times: float
+
+
+@dataclass(frozen=True, slots=True)
 class Durations:
-    """Rows by verb and object word, and the default."""
+    """Rows by verb and object word, the default, and what is only begun by hand."""
 
     rows: Mapping[Key, OperationDuration] = field(default_factory=lambda: MappingProxyType({}))
     default: OperationDuration | None = None
+    begun: Begun | None = None
 
     def overridden(self, by: "Durations") -> "Durations":
         """Give these rows with another's laid over them."""
-        return Durations(MappingProxyType({**self.rows, **by.rows}), by.default or self.default)
+        rows = MappingProxyType({**self.rows, **by.rows})
+        return Durations(rows, by.default or self.default, by.begun or self.begun)
+
+    def is_begun(self, row: OperationDuration, length: float) -> bool:
+        """Whether what a row is of is only begun by hand, where it is told to take so many seconds."""
+        if self.begun is None or not row.known or row.hands_on > self.begun.hands_on:
+            return False
+        return length >= self.begun.times * row.hands_on
 
     def of(self, lemma: str | None, thing: str | None) -> OperationDuration:
         """Give the row for a verb and its object: the object's own, the verb's, the default.

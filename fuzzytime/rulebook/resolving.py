@@ -11,10 +11,10 @@ from fuzzytime.rulebook.clauses import wait_for
 from fuzzytime.rulebook.formula import Formula, variables, with_hedges_of
 from fuzzytime.rulebook.inference import Base, Chosen, Heard, choose, matching, signals_of
 from fuzzytime.rulebook.lookup import Found, find
-from fuzzytime.rulebook.phrases import event_named, names
+from fuzzytime.rulebook.phrases import names
 from fuzzytime.rulebook.question import Question, Said, notes_on
 from fuzzytime.rulebook.rules import Rule
-from fuzzytime.rulebook.sentences import Understood, condition_of, understand
+from fuzzytime.rulebook.sentences import Understood, can_be_told, condition_of, understand
 from fuzzytime.rulebook.tables import Row
 from fuzzytime.rulebook.vocabulary import CLAUSE_MODELS
 from fuzzytime.satisfaction import ALWAYS, NEVER
@@ -43,19 +43,14 @@ def _anchored(question: Question, anchor: Anchor) -> Said:
     if asked is not None:
         said = answer(asked)
         # What nothing can tell of is not said to have happened.
-        if not before or said.satisfaction is not NEVER or _can_be_told(anchor, question):
+        clause = condition_of(anchor)
+        told = not before or said.satisfaction is not NEVER
+        if told or can_be_told(clause, question.tables, question.context):
             return said
     if before:
         note = f"{not_happened(anchor)}: any time from now on counts as before it"
         return Said(satisfaction=ALWAYS, model="always", notes=(note,))
     return Said(satisfaction=NEVER, model="after", reason=not_happened(anchor))
-
-
-def _can_be_told(anchor: Anchor, question: Question) -> bool:
-    """Whether readings may tell of what an anchor names."""
-    if event_named(anchor.text, question.tables) is not None:
-        return True
-    return understand(condition_of(anchor), question.tables, question.context).formula is not None
 
 
 def _timed(question: Question) -> Said:

@@ -18,7 +18,7 @@ from fuzzytime.rulebook.profile import Actor, Profile
 from fuzzytime.rulebook.question import Question
 from fuzzytime.rulebook.resolution import Resolution
 from fuzzytime.rulebook.resolving import answer
-from fuzzytime.rulebook.sentences import condition_of, understand
+from fuzzytime.rulebook.sentences import can_be_told, condition_of
 from fuzzytime.rulebook.tables import Tables
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
@@ -150,7 +150,7 @@ class Rulebook:
 
     def tells_of(self, condition: Condition, context: Context) -> bool:
         """Tell whether readings can tell when a condition holds."""
-        return understand(condition, self.tables, context).formula is not None
+        return can_be_told(condition, self.tables, context)
 
     def untimed(self) -> Resolution:
         """Give ψ of an instruction without time words: satisfied at any time from now on."""
@@ -161,6 +161,10 @@ class Rulebook:
             shares=(),
             notes=("no time was said: any time from now on satisfies",),
         )
+
+    def is_begun(self, duration: OperationDuration, length: float) -> bool:
+        """Tell whether what takes a duration of the table is only begun by hand, where it takes a length."""
+        return self.tables.durations.is_begun(duration, length)
 
     def duration_of(self, lemma: str | None, thing: str | None = None) -> OperationDuration:
         """Give how long an operation takes where nobody said it, by its verb's lemma and its object."""

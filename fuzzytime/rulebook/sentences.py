@@ -66,6 +66,11 @@ def understand(condition: Condition, tables: Tables, context: Context = Context.
     return replace(understood, formula=window, composed=True)
 
 
+def can_be_told(condition: Condition, tables: Tables, context: Context) -> bool:
+    """Whether readings can tell when a condition holds, or an event has happened."""
+    return understand(condition, tables, context).formula is not None
+
+
 def may_be_about(condition: Condition, tables: Tables) -> frozenset[str]:
     """Give the signals that the numbers of a clause may be about: readings will tell which."""
     found = frozenset[str]()

@@ -97,6 +97,8 @@ def test_a_length_told_afterwards_is_that_of_the_instruction(interpreter: Interp
     assert (loaves.skill.duration, loaves.skill.elapsed) == (MINUTE, 40 * MINUTE)
     assert not loaves.duration.assumed
     assert out.follows == (loaves.identifier,)
+    (machine,) = skills(interpreter, "The dryer starts at nine. It takes two hours")
+    assert (machine.skill.duration, machine.skill.elapsed) == (0, 2 * HOUR)
     (cleaning,) = skills(interpreter, "Clean the kitchen. It takes two hours")
     assert (cleaning.skill.duration, cleaning.skill.elapsed) == (2 * HOUR, 2 * HOUR)
     (given,) = skills(interpreter, "Clean the kitchen. It takes two hours", elapsed=HOUR)

@@ -47,6 +47,22 @@ def test_an_unknown_operation_takes_five_minutes_and_says_that_it_is_unknown() -
     assert RULEBOOK.duration_of(None, None) == row
 
 
+@pytest.mark.parametrize(
+    ("verb", "thing", "minutes", "begun"),
+    [
+        ("put", "the loaves", 40, True),
+        ("put", "the loaves", 2, False),
+        ("clean", "the kitchen", 240, False),
+        ("defenestrate", "the printer", 240, False),
+    ],
+)
+def test_what_is_begun_by_a_touch_and_told_to_take_long_goes_on_by_itself(
+    verb: str, thing: str, minutes: int, *, begun: bool
+) -> None:
+    row = RULEBOOK.duration_of(verb, thing)
+    assert RULEBOOK.is_begun(row, minutes * MINUTE) is begun
+
+
 def test_all_rows_are_plausible() -> None:
     rows = RULEBOOK.tables.durations.rows
     assert len(rows) > 400

@@ -2,7 +2,7 @@
 
 from types import MappingProxyType
 
-from fuzzytime.rulebook.durations import Durations, Key, OperationDuration
+from fuzzytime.rulebook.durations import Begun, Durations, Key, OperationDuration
 from fuzzytime.rulebook.sections.scope import Scope
 from fuzzytime.times import DAY
 from fuzzytime.yaml_nodes import Node, Reader
@@ -11,9 +11,9 @@ _TIMES = ("hands_on", "elapsed")
 
 
 def read_durations(scope: Scope, node: Node, key: str) -> Durations:
-    """Read a default and operations by verb, each with rows for single objects."""
+    """Read a default, operations by verb with rows for single objects, and what is only begun."""
     reader = scope.reader
-    found = reader.mapping(node, key, ("default", "operations"))
+    found = reader.mapping(node, key, ("default", "operations", "begun"))
     default = None
     if "default" in found:
         times = scope.row(found["default"], f"{key}.default", _TIMES)
@@ -23,7 +23,16 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
         path = f"{key}.operations"
         for verb, value in reader.mapping(found["operations"], path).items():
             rows |= _operation(scope, value, f"{path}.{verb}", verb.lower())
-    return Durations(MappingProxyType(rows), default)
+    begun = None
+    if "begun" in found:
+        path = f"{key}.begun"
+        bounds = scope.row(found["begun"], path, ("hands_on", "times"))
+        if {*bounds} >= {"hands_on", "times"}:
+            hands_on = reader.duration(bounds["hands_on"], f"{path}.hands_on", 0.0, DAY)
+            begun = Begun(hands_on, reader.number(bounds["times"], f"{path}.times", 1.0, 1000.0))
+        else:
+            reader.missing(found["begun"], path, ("hands_on", "times"))
+    return Durations(MappingProxyType(rows), default, begun)
 
 
 def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
