@@ -4,6 +4,7 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -15,6 +16,7 @@ from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 from fuzzytime_cli.narrow import help_that_fits
+from fuzzytime_cli.parameters import Command, convert_where_needed
 
 if TYPE_CHECKING:
     import typer._click as click
@@ -25,6 +27,10 @@ PLAINER = (("Value error, ", ""), ("Input should be ", "must be "))
 
 class Root(TyperGroup):
     """The command itself: it says what is wrong with an option in plain words."""
+
+    def get_params(self, ctx: "click.Context") -> list["click.Parameter"]:
+        """Give the parameters, those of completion too."""
+        return convert_where_needed(super().get_params(ctx))
 
     def invoke(self, ctx: "click.Context") -> Any:  # noqa: ANN401 - whatever a command returns
         """Run what is asked for."""
@@ -49,12 +55,13 @@ app = typer.Typer(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
-app.command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
-app.command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
-app.command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
-app.command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
-app.command("parse", short_help="Show the operations and times of each text.")(parse.parse)
+command = partial(app.command, cls=Command)
+command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
+command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
+command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
+command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
+command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
+command("parse", short_help="Show the operations and times of each text.")(parse.parse)
 app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
 app.add_typer(study.app, name="study", short_help="Ask people what they mean; plan with what they answer.")
 app.add_typer(config.app, name="config", short_help="Show the settings, and where each comes from.")

@@ -52,6 +52,26 @@ def test_help_and_version_import_nothing_heavy(arguments: list[str], tmp_path: P
     assert "pydantic" not in loaded or len(arguments) > 1
 
 
+@pytest.mark.parametrize(
+    "arguments", [["plan", "-i", "Stir the soup soon"], ["parse", "-i", "Stir the soup soon"]]
+)
+def test_a_command_whose_options_are_texts_imports_no_converter(arguments: list[str], tmp_path: Path) -> None:
+    code = (
+        "import sys\nfrom fuzzytime_cli.app import run\n"
+        f"assert run({[*arguments, '--now', '2026-03-04T07:00']!r}) == 0\n"
+        "assert 'typer._adapters' not in sys.modules\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env=environment(tmp_path),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+
+
 def test_importing_the_library_imports_no_library(tmp_path: Path) -> None:
     code = "import sys, fuzzytime\nprint('\\n'.join(sys.modules))"
     done = subprocess.run(
