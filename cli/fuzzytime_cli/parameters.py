@@ -34,7 +34,7 @@ def _fits(parameter: TyperOption | TyperArgument, value: object) -> bool:
     if value is None or value is parameter.default:
         return not parameter.required
     kind = parameter.type_descriptor.annotation
-    return (kind is str and isinstance(value, str)) or (kind == list[str] and isinstance(value, tuple))
+    return (kind is str and isinstance(value, str)) or (kind == list[str] and isinstance(value, tuple | list))
 
 
 def _as_it_is(parameter: TyperOption | TyperArgument, ctx: "click.Context", value: Any) -> Any:  # noqa: ANN401
