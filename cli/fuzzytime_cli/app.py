@@ -21,7 +21,12 @@ from fuzzytime_cli.parameters import Command, convert_where_needed
 if TYPE_CHECKING:
     import typer._click as click
 
-PLAINER = (("Value error, ", ""), ("Input should be ", "must be "))
+PLAINER = (
+    ("Value error, ", ""),
+    ("Input should be ", "must be "),
+    (", unable to parse string as an integer", ""),
+    (", unable to parse string as a number", ""),
+)
 """Words of the library that checks options, and what people would say."""
 
 

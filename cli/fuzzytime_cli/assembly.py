@@ -80,8 +80,7 @@ class Assembly:
         actor = self.settings.text("actor")
         with as_config():
             for path in files:
-                if not path.exists():
-                    raise NoInputError(f"{path}: there is no such rule table")
+                require_table(path)
             return Rulebook.shipped(
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
@@ -216,6 +215,20 @@ def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
 
     candidates = (user_file(environment).parent / "rules.yaml", Path(PROJECT_RULES))
     return tuple(path for path in candidates if path.is_file())
+
+
+def require_table(path: Path) -> None:
+    """Make sure that a rule table is there, be it a file or a pipe.
+
+    Raises
+    ------
+    NoInputError
+        If it is not, or is a folder.
+    """
+    if path.is_dir():
+        raise NoInputError(f"{path}: a rule table must be a file, and it is a folder")
+    if not path.exists():
+        raise NoInputError(f"{path}: there is no such rule table")
 
 
 def parse_cache(environment: "Mapping[str, str]") -> Path | None:

@@ -23,15 +23,14 @@ def check(
     import os
 
     from fuzzytime.rulebook import check as check_tables
-    from fuzzytime_cli.assembly import standing_rules
-    from fuzzytime_cli.faults import NoInputError, report
+    from fuzzytime_cli.assembly import require_table, standing_rules
+    from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
     from fuzzytime_cli.settings import load_settings
 
     chosen = tuple(files or (*standing_rules(os.environ), *load_settings({}, os.environ).paths("rules")))
     for path in chosen:
-        if not path.is_file():
-            raise NoInputError(f"{path}: there is no such rule table")
+        require_table(path)
     mistakes = check_tables(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
@@ -55,9 +54,12 @@ def show(
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import is_fault, report_problem
     from fuzzytime_cli.explaining import rules_lines
+    from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.render import Screen
     from fuzzytime_cli.showing import shown_plan
 
+    if not text.strip():
+        raise UsageError("the words must not be empty")
     assembly = Assembly.of(moment, understanding, Solving())
     made = shown_plan(text, assembly, understanding)
     for problem in made.problems:
