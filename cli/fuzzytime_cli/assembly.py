@@ -80,7 +80,7 @@ class Assembly:
         actor = self.settings.text("actor")
         with as_config():
             for path in files:
-                require_table(path)
+                require_file(path, "rule table")
             return Rulebook.shipped(
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
@@ -129,8 +129,7 @@ class Assembly:
 
         context = Context()
         if understanding.context is not None:
-            if not understanding.context.exists():
-                raise NoInputError(f"{understanding.context}: there is no such context file")
+            require_file(understanding.context, "context file")
             context = read_context_file(understanding.context, now, signals)
         for assignment in understanding.ctx or ():
             with as_usage("--ctx"):
@@ -217,8 +216,8 @@ def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
     return tuple(path for path in candidates if path.is_file())
 
 
-def require_table(path: Path) -> None:
-    """Make sure that a rule table is there, be it a file or a pipe.
+def require_file(path: Path, what: str) -> None:
+    """Make sure that a file is there, be it a pipe.
 
     Raises
     ------
@@ -226,9 +225,9 @@ def require_table(path: Path) -> None:
         If it is not, or is a folder.
     """
     if path.is_dir():
-        raise NoInputError(f"{path}: a rule table must be a file, and it is a folder")
+        raise NoInputError(f"{path}: a {what} must be a file, and it is a folder")
     if not path.exists():
-        raise NoInputError(f"{path}: there is no such rule table")
+        raise NoInputError(f"{path}: there is no such {what}")
 
 
 def parse_cache(environment: "Mapping[str, str]") -> Path | None:

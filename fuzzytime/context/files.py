@@ -1,5 +1,6 @@
-"""Readings from outside: files of JSON lines, assignments on a command line, the context of a task file."""
+"""Readings from outside: files of JSON lines or CSV, assignments, the context of a task file."""
 
+import codecs
 from collections.abc import Mapping
 from dataclasses import replace
 from datetime import datetime
@@ -8,6 +9,7 @@ from pathlib import Path
 from fuzzytime.context.lines import LONGEST_LINE, LineError, parse_context_line
 from fuzzytime.context.readings import MAX_READINGS, Context, Reading, admitted
 from fuzzytime.context.signals import Signal
+from fuzzytime.context.spreadsheet import is_head, read_rows
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
 from fuzzytime.yaml_nodes import Mapping as MappingNode
@@ -49,7 +51,7 @@ def parse_assignment(text: str, signals: Mapping[str, Signal] | None = None) -> 
 def read_context_file(
     path: Path, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Context:
-    """Read a file of JSON lines: ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``.
+    """Read a file of JSON lines or of comma-separated values, UTF-8 or UTF-16 with its mark.
 
     Parameters and mistakes are those of `read_context_lines`.
 
@@ -73,7 +75,10 @@ def read_context_lines(
     now: datetime | None = None,
     signals: Mapping[str, Signal] | None = None,
 ) -> Context:
-    """Read one reading a line, as JSON; empty lines are passed over.
+    """Read one reading a line, as JSON, or a table whose first line is a head; empty lines are passed over.
+
+    A line of JSON is ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``; of a table see
+    `fuzzytime.context.spreadsheet`.
 
     Parameters
     ----------
@@ -93,9 +98,13 @@ def read_context_lines(
     if len(raw) > LARGEST_FILE:
         message = f"readings must not be more than {LARGEST_FILE:,} bytes"
         raise DocumentError((Mistake(shown, 1, 1, "", message),))
+    raw = _as_utf8(raw, shown)
+    first, _, _ = raw.partition(b"\n")
+    if is_head(first.decode("utf-8", "replace").strip()):
+        return read_rows(_text_of(raw, shown), shown, now, signals)
     readings: list[Reading] = []
     mistakes: list[Mistake] = []
-    for number, line in enumerate(raw.removeprefix(b"\xef\xbb\xbf").split(b"\n"), 1):
+    for number, line in enumerate(raw.split(b"\n"), 1):
         if not line.strip():
             continue
         try:
@@ -110,6 +119,27 @@ def read_context_lines(
     if mistakes:
         raise DocumentError(tuple(mistakes))
     return Context(tuple(readings))
+
+
+def _as_utf8(raw: bytes, shown: str) -> bytes:
+    """Take a mark of UTF-8 away, and turn UTF-16 with its mark into UTF-8."""
+    if raw[:2] not in {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}:
+        return raw.removeprefix(codecs.BOM_UTF8)
+    try:
+        return raw.decode("utf-16").encode()
+    except UnicodeDecodeError as error:
+        message = f"text that begins as UTF-16 must be UTF-16: {error.reason}"
+        raise DocumentError((Mistake(shown, 1, 1, "", message),)) from error
+
+
+def _text_of(raw: bytes, shown: str) -> str:
+    try:
+        return raw.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before = raw[: error.start].decode("utf-8")
+        line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+        message = f"text must be UTF-8, got byte 0x{raw[error.start]:02x}"
+        raise DocumentError((Mistake(shown, line, column, "", message),)) from error
 
 
 def read_context_node(

@@ -23,14 +23,14 @@ def check(
     import os
 
     from fuzzytime.rulebook import check as check_tables
-    from fuzzytime_cli.assembly import require_table, standing_rules
+    from fuzzytime_cli.assembly import require_file, standing_rules
     from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
     from fuzzytime_cli.settings import load_settings
 
     chosen = tuple(files or (*standing_rules(os.environ), *load_settings({}, os.environ).paths("rules")))
     for path in chosen:
-        require_table(path)
+        require_file(path, "rule table")
     mistakes = check_tables(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
