@@ -84,3 +84,11 @@ def test_parse_answers_a_file_and_then_what_was_typed(tmp_path: Path) -> None:
     done = ran("parse", str(file), "-i", "Feed the cat", "--now", "2026-03-04T09:00", folder=tmp_path)
     assert done.out.startswith("Stir the soup soon\n")
     assert "\nFeed the cat\n" in done.out
+
+
+def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "task.yaml"
+    file.write_text("now: tomorrow\ninstructions: [Stir the soup soon]\n", encoding="utf-8")
+    done = ran("plan", str(file), "--now", "2026-03-04T09:00", folder=tmp_path)
+    assert done.code == 65
+    assert f"{file}:1:6: now: a date and time must look like 2026-03-04T09:00, got 'tomorrow'" in done.err
