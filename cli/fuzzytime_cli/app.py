@@ -70,7 +70,7 @@ command("parse", short_help="Show the operations and times of each text.")(parse
 app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
 app.add_typer(study.app, name="study", short_help="Ask people what they mean; plan with what they answer.")
 app.add_typer(config.app, name="config", short_help="Show the settings, and where each comes from.")
-app.command("doctor", short_help="Check the installation.")(doctor.doctor)
+command("doctor", short_help="Check the installation.")(doctor.doctor)
 
 
 def _show_version(wanted: bool) -> None:  # noqa: FBT001 - Typer calls it with the flag's value

@@ -8,11 +8,12 @@ import typer
 
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.parameters import Command
 
 app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_help=True)
 
 
-@app.command(short_help="Check rule tables: every mistake at once, with its place.")
+@app.command(cls=Command, short_help="Check rule tables: every mistake at once, with its place.")
 def check(
     files: Annotated[
         list[Path] | None,
@@ -40,7 +41,7 @@ def check(
     sys.stdout.write(f"the shipped tables{' and ' * bool(names)}{names} hold no mistake\n")
 
 
-@app.command(short_help="Show what applies to words about time.")
+@app.command(cls=Command, short_help="Show what applies to words about time.")
 @flattened
 def show(
     text: Annotated[str, typer.Argument(help='Words about time, such as "in about ten minutes".')],
