@@ -8,7 +8,6 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from fuzzytime_cli import study
 from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
@@ -16,7 +15,7 @@ from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 from fuzzytime_cli.narrow import help_that_fits
-from fuzzytime_cli.parameters import Command, convert_where_needed
+from fuzzytime_cli.parameters import Command, Group
 
 if TYPE_CHECKING:
     import typer._click as click
@@ -30,12 +29,8 @@ PLAINER = (
 """Words of the library that checks options, and what people would say."""
 
 
-class Root(TyperGroup):
+class Root(Group):
     """The command itself: it says what is wrong with an option in plain words."""
-
-    def get_params(self, ctx: "click.Context") -> list["click.Parameter"]:
-        """Give the parameters, those of completion too."""
-        return convert_where_needed(super().get_params(ctx))
 
     def invoke(self, ctx: "click.Context") -> Any:  # noqa: ANN401 - whatever a command returns
         """Run what is asked for."""

@@ -7,7 +7,7 @@ command takes, and text stays text.
 
 from typing import TYPE_CHECKING, Any
 
-from typer.core import TyperArgument, TyperCommand, TyperOption
+from typer.core import TyperArgument, TyperCommand, TyperGroup, TyperOption
 
 if TYPE_CHECKING:
     import typer._click as click
@@ -41,7 +41,7 @@ def _as_it_is(parameter: TyperOption | TyperArgument, ctx: "click.Context", valu
     return value if parameter.callback is None else parameter.callback(ctx, parameter, value)
 
 
-def convert_where_needed(parameters: list["click.Parameter"]) -> list["click.Parameter"]:
+def _convert_where_needed(parameters: list["click.Parameter"]) -> list["click.Parameter"]:
     """Let parameters that Typer has made convert only what needs it."""
     for parameter in parameters:
         if type(parameter) is TyperOption:
@@ -56,4 +56,12 @@ class Command(TyperCommand):
 
     def get_params(self, ctx: "click.Context") -> list["click.Parameter"]:
         """Give the parameters, that of ``--help`` too."""
-        return convert_where_needed(super().get_params(ctx))
+        return _convert_where_needed(super().get_params(ctx))
+
+
+class Group(TyperGroup):
+    """A command of commands that converts only what needs it."""
+
+    def get_params(self, ctx: "click.Context") -> list["click.Parameter"]:
+        """Give the parameters, those of ``--help`` and of completion too."""
+        return _convert_where_needed(super().get_params(ctx))

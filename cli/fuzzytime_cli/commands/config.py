@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from fuzzytime_cli.parameters import Command
+from fuzzytime_cli.parameters import Command, Group
 
-app = typer.Typer(help="Show the settings.", no_args_is_help=True)
+app = typer.Typer(cls=Group, help="Show the settings.", no_args_is_help=True)
 
 
 @app.command(cls=Command, short_help="Show every setting's value.")

@@ -8,9 +8,9 @@ import typer
 
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
-from fuzzytime_cli.parameters import Command
+from fuzzytime_cli.parameters import Command, Group
 
-app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_help=True)
+app = typer.Typer(cls=Group, help="Check rule tables, and show what applies.", no_args_is_help=True)
 
 
 @app.command(cls=Command, short_help="Check rule tables: every mistake at once, with its place.")
