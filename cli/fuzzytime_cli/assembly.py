@@ -113,7 +113,7 @@ class Assembly:
             from fuzzytime_cli.personal import kept_ratings, personal_rulebook
 
             rulebook = personal_rulebook(rulebook, kept_ratings(data_folder()))
-        return Interpreter(self.language(), rulebook)
+        return Interpreter.joining(self.language(), rulebook)
 
     def context(
         self, understanding: Understanding, now: datetime, signals: "Mapping[str, Signal]"

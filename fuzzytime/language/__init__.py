@@ -13,6 +13,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
@@ -38,4 +39,5 @@ __all__ = [
     "find_times",
     "installed_model",
     "model_files",
+    "with_words",
 ]
