@@ -35,6 +35,7 @@ def test_words_that_are_known_stay_as_they_are() -> None:
 
 def test_every_word_of_the_shipped_tables_is_one_that_the_language_understands() -> None:
     interpreter = Interpreter.shipped()
-    for word in interpreter.rulebook.tables.words:
+    lengths = {"until further notice"}  # says for how long, not when
+    for word in interpreter.rulebook.tables.words.keys() - lengths:
         (requirement,) = find_times(word, NOW, interpreter.language.lexicon).requirements
         assert requirement.word is not None, word
