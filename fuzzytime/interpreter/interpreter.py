@@ -8,6 +8,7 @@ from datetime import datetime
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
+from fuzzytime.interpreter.in_order import Rows, free_of_circles, without_now
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
@@ -93,6 +94,7 @@ class Interpreter:
         request = request.named()
         maker = Maker(self.rulebook, request)
         links = Links(frozenset(wish.identifier for wish in request.wishes))
+        rows = Rows(request.in_order)
         problems: list[Problem] = []
         skills: list[Interpreted] = []
         readings = iter(self._readings(request, problems))
@@ -104,10 +106,17 @@ class Interpreter:
                     if instruction.length_of is not None:
                         links.instructions.append(_lengthened(maker, skills, instruction, links))
                         continue
-                    made = _made(maker, wish, reading, instruction, problems)
+                    listed = rows.holds(reading)
+                    step = without_now(instruction) if listed and rows.begun else instruction
+                    made = _made(maker, wish, reading, step, problems)
+                    if listed:
+                        rows.add(step, made, len(skills))
                     links.instructions.append(range(len(skills), len(skills) + len(made)))
                     skills += made
         skills, precedences, unresolved = link(_identified(skills), links, self.rulebook)
+        order = free_of_circles(rows.kept(), precedences)
+        following = {entry.second for entry in order}
+        skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]
         horizon = horizon_of(skills, request)
         skills = [within_horizon(interpreted, horizon, request) for interpreted in skills]
         for interpreted in skills:
@@ -115,6 +124,7 @@ class Interpreter:
         return Interpretation(
             skills=tuple(skills),
             precedences=precedences,
+            order=order,
             problems=(*problems, *unresolved),
             horizon=horizon,
         )

@@ -7,6 +7,7 @@ from datetime import datetime
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
+from fuzzytime.interpreter.loosening import loosened
 from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
@@ -42,7 +43,7 @@ def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
     return FuzzyTask(
         tuple(interpreted.skill for interpreted in interpretation.skills),
         request.agents,
-        interpretation.precedences,
+        (*interpretation.precedences, *interpretation.order),
         request.busy,
     )
 
@@ -120,9 +121,15 @@ def scheduled(
     previous: Plan | None = None,
 ) -> Plan:
     """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
-    task = task_of(interpretation, request)
     hints = () if previous is None else _starts_of(previous, interpretation, request.now)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+    interpretation = loosened(interpretation)
+    while True:
+        task = task_of(interpretation, request)
+        schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+        looser = loosened(interpretation, schedule.rejected)
+        if looser.order == interpretation.order:
+            break
+        interpretation = looser
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 

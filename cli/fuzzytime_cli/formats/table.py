@@ -106,6 +106,8 @@ class PlanView:
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
             return ", ".join(requirement.text for requirement in interpreted.requirements)
+        if interpreted.in_order:
+            return "in order"
         return "any time" if interpreted.instruction is not None else "as given"
 
     def times(self, position: int) -> tuple[str, str]:

@@ -118,6 +118,7 @@ class _Composer:
             strict=strict,
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
+            step=self.draft.step,
         )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:

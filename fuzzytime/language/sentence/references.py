@@ -78,6 +78,12 @@ def _singular(word: str) -> str:
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
 
 
+def shares_thing(one: Operation, other: Operation) -> bool:
+    """Whether two operations name the same thing, as what they are about or as its place."""
+    named = (content_words(part.object) | content_words(part.place) for part in (one, other))
+    return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
+
+
 @dataclass(slots=True)
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
