@@ -93,11 +93,15 @@ class Rows:
     in_order: bool
     row: Row = field(default_factory=Row)
     number: int | None = None
+    reading: Reading | None = None
     precedences: list[Precedence] = field(default_factory=list)
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
         step = reading.step
+        if reading is self.reading:
+            return self.in_order or step is not None
+        self.reading = reading
         if step is not None and not self.in_order and self.number is not None and step <= self.number:
             self._close()
         self.number = step if step is not None else self.number

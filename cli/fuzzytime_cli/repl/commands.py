@@ -73,7 +73,8 @@ COMMANDS: Mapping[str, Command] = {
 
 
 TRIED = tuple(
-    COMMANDS[name] for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "in-order", "solver")
+    COMMANDS[name]
+    for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "in-order", "solver")
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 

@@ -28,6 +28,9 @@ from fuzzytime.requirement import Unit
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
 
+CLOSE = timedelta(hours=3)
+"""The same where another text said that clock time, as lines need not be in the order of the day."""
+
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
 
@@ -50,6 +53,8 @@ class Grounding:
         Whether it was said for the same thing to be done.
     follows : bool
         Whether what is asked for comes after it.
+    carried : bool
+        Whether another text said it.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
     """
@@ -60,6 +65,7 @@ class Grounding:
     since: datetime | None = None
     listed: bool = False
     follows: bool = False
+    carried: bool = False
     ends: bool = False
 
     @property
@@ -200,9 +206,10 @@ class Grounding:
         if self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
-            known = plausible if self.listed else moments
-            follows = [moment for moment in known if self.since < moment <= self.since + FOLLOWING]
-            if wall.days is not None:
+            known = plausible if self.listed or self.carried else moments
+            within = CLOSE if self.carried else FOLLOWING
+            follows = [moment for moment in known if self.since < moment <= self.since + within]
+            if wall.days is not None and not self.carried:
                 # "On friday mow at ten and rake at six": the six of that day that follows, however late.
                 follows += [moment for moment in plausible if self.since < moment]
             chosen = next(iter(follows), chosen)

@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -51,12 +51,16 @@ def composed(
     first: int,
     *,
     awaits: bool = False,
+    since: float | None = None,
 ) -> Reading:
     """Put a reading together; ``first`` of the operations were given before the text.
 
-    Where it ``awaits`` them, those behind its own may be meant too.
+    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is the clock time in seconds
+    that the text before it said last.
     """
-    return _Composer(draft, lexicon, mentions, first, awaits=awaits).reading()
+    composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
+    composer.moment = replace(composer.moment, since=since, carried=since is not None)
+    return composer.reading()
 
 
 class _Composer:
@@ -206,13 +210,9 @@ class _Composer:
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
-        for requirement in times.requirements:
-            if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
-                since, latest = requirement.earliest, requirement.latest
-                if latest is not None and (since is None or latest - since > FOLLOWING.total_seconds()):
-                    # "Charge overnight and be ready at seven"
-                    since = latest
-                self.moment = replace(self.moment, since=since)
+        since = last_said(times.requirements, None)
+        if since is not None:
+            self.moment = replace(self.moment, since=since, carried=False)
 
     def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
         text = self.draft.text[slice(*clause.span)]
@@ -271,6 +271,18 @@ class _Composer:
                 if strict is None and own and tree is part.tree:
                     strict = reading.moved(base)
         return tuple(tokens), strict or StrictReading()
+
+
+def last_said(requirements: Iterable[TimeRequirement], since: float | None) -> float | None:
+    """Give the last clock time that is said, in seconds; that of before where there is none."""
+    for requirement in requirements:
+        if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
+            begin, latest = requirement.earliest, requirement.latest
+            if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
+                # "Charge overnight and be ready at seven"
+                begin = latest
+            since = begin if begin is not None else since
+    return since
 
 
 def _follows_nothing(said: str, span: Span) -> Remark:

@@ -1,4 +1,4 @@
-"""Marks of numbered lists, which say an order and no time: "1. Chop the onions", "2) Fry them", "Step 3: …"."""
+"""Marks of numbered lists, which say an order and no time: "1. Chop the onions", "2) Fry", "Step 3: …"."""
 
 import re
 from dataclasses import dataclass
