@@ -135,6 +135,11 @@ class Recurrence(Protocol):
         """Seconds between occurrences, None where they are not evenly spaced."""
         ...
 
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over: "every day from 9 to 10"."""
+        ...
+
     def occurrences(self, until: float) -> tuple[float, ...]:
         """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
         ...

@@ -1,9 +1,10 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
+from itertools import pairwise
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
@@ -93,7 +94,25 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     interpretation = interpreter.interpret(request)
     busy = (*request.busy, *_attended(interpretation, request))
     interpretation, held = without_started(interpretation, request.started)
-    return replace(request, busy=(*busy, *held)), interpretation
+    return replace(request, busy=(*_parted(busy, interpretation), *held)), interpretation
+
+
+def _parted(busy: Iterable[Busy], interpretation: Interpretation) -> Iterator[Busy]:
+    """Give busy times in parts where something happens that needs nobody's hands: it happens all the same."""
+    happening = sorted(
+        one.skill.preferred
+        for one in interpretation.skills
+        if one.skill.preferred is not None and _is_stated(one) and not one.skill.duration
+    )
+    for taken in busy:
+        ends = [taken.start, *(time for time in happening if taken.start < time < taken.end), taken.end]
+        for start, end in pairwise(ends):
+            yield replace(taken, start=start, end=end)
+
+
+def _is_stated(interpreted: Interpreted) -> bool:
+    operation = None if interpreted.instruction is None else interpreted.instruction.operation
+    return operation is not None and operation.stated
 
 
 def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy]:

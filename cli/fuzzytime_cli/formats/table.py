@@ -115,7 +115,11 @@ class PlanView:
         if self.schedule.rejected[position]:
             return "–", "–"
         specific = self.schedule.skills[position]
-        return self.clock.of(specific.start), self.clock.of(specific.end)
+        instruction = self.plan.skills[position].instruction
+        happens = (
+            instruction is not None and instruction.operation is not None and instruction.operation.stated
+        )
+        return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
 
     # -- the table ------------------------------------------------------------------------------------------
 
@@ -256,7 +260,7 @@ class PlanView:
         if len(shown) < len(notes):
             yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
         assumed = [
-            (position, format_duration(interpreted.skill.duration))
+            (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
             for position, interpreted in enumerate(self.plan.skills)
             if interpreted.duration.assumed
         ]
