@@ -120,7 +120,10 @@ class _Tie:
     @property
     def moment(self) -> float:
         """Seconds from the start of the target to the moment that is measured from."""
-        return 0.0 if self.anchor.edge is Edge.START else self.target.skill.time_until_done
+        length = self.target.skill.time_until_done
+        if self.anchor.share is not None:
+            return self.anchor.share * length
+        return 0.0 if self.anchor.edge is Edge.START else length
 
     def allowed(self) -> Interval:
         """Give the interval of x."""
@@ -155,7 +158,8 @@ class _Tie:
     def precedence(self, target: int, this: int) -> Precedence:
         """Give the interval of x as lags from the one that comes first being done to the other's start."""
         x = self.allowed()
-        comes_first = self.requirement.constraint is Constraint.BEFORE or self.anchor.lag < 0
+        ahead = self.anchor.lag < 0 and self.anchor.edge is Edge.START
+        comes_first = self.requirement.constraint is Constraint.BEFORE or ahead
         if comes_first:
             offset = self.moment + self.this.skill.time_until_done
             return Precedence(this, target, -x.high - offset, -x.low - offset)

@@ -117,6 +117,10 @@ class Language:
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             since = last_said(_times_in(reading), since)
             for instruction in reading.instructions:
+                if instruction.duration is not None:
+                    told = instruction.length_of
+                    meant = len(mentions.operations) if told is None else told.target
+                    mentions.lasting += [] if meant is None else [meant]
                 mentions.add(instruction.operation)
             readings.append(reading)
         first = len(given)

@@ -22,17 +22,18 @@ def test_what_happens_needs_no_verb(line: str, name: str, length: float) -> None
     assert (one.skill.name, one.skill.duration, one.skill.time_until_done) == (name, 0, length)
 
 
-@pytest.mark.parametrize("line", ["cook dinner at seven pm", "book a meeting at three pm", "serve lunch at noon"])
+@pytest.mark.parametrize(
+    "line", ["cook dinner at seven pm", "book a meeting at three pm", "serve lunch at noon"]
+)
 def test_what_is_asked_for_is_no_happening(line: str) -> None:
     (one,) = told([line]).skills
     assert one.skill.duration > 0
 
 
 def test_what_keeps_the_speaker_on_each_day_is_busy_on_each_day() -> None:
-    made = told(["I have a standup every day from 9 to 9:15", "write the report at 9 am tomorrow"])
+    made = told(["I have a standup every day from 9 to 9:15"])
     spans = [(made.instant(taken.start), made.instant(taken.end)) for taken in made.request.busy]
     assert [f"{start:%d %H:%M}-{end:%H:%M}" for start, end in spans] == ["04 09:00-09:15", "05 09:00-09:15"]
-    assert starts(made)["s2"] == "09:15"
 
 
 def test_others_count_from_the_end_of_what_happens() -> None:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import date, datetime, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -20,7 +20,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
 from fuzzytime.language.meaning.range_instants import range_instants
-from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
@@ -103,7 +103,9 @@ class Grounding:
         if isinstance(said, SameTime):
             days = next(self.days(said.days))
             week = days.first + timedelta(days=(self.now.weekday() - days.first.weekday()) % 7)
-            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
+            # "Call mum at six. Same time tomorrow, call dad": at six, too.
+            here = self.now if self.since is None else self.since
+            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, here.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
@@ -122,7 +124,7 @@ class Grounding:
         UngroundedError
             If there is none.
         """
-        today = self.today
+        today = self._day_said(calendar)
         if isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None:
             yield from self._nearest(calendar)
             return
@@ -132,6 +134,14 @@ class Grounding:
             raise UngroundedError("a date must exist")
         yield first
         yield from upcoming
+
+    def _day_said(self, calendar: Calendar) -> Today:
+        """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
+        onward = isinstance(calendar, Relative) and calendar.onward
+        onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
+        if onward and self.since is not None and self.since.date() > self.now.date():
+            return replace(self.today, day=self.since.date())
+        return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
         """Give the nearest day, past or future, on which a weekday fits its date."""

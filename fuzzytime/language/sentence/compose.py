@@ -21,7 +21,7 @@ from fuzzytime.language.instruction import (
 from fuzzytime.language.meaning.grounding import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
+from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
@@ -157,6 +157,9 @@ class _Composer:
             )
             requirement = anchors.of_phrase(phrase, grounded.requirement)
             requirements.append(_referred(requirement, reference))
+            if requirement.preposition in INSIDE and requirement.anchor is None:
+                alone = _follows_nothing(requirement.text, requirement.span)
+                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:
                 self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]

@@ -88,11 +88,13 @@ def shares_thing(one: Operation, other: Operation) -> bool:
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
-    What was denied names nothing: nobody refers to "don't peel the apples".
+    What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
+    those that were said to go on for some time.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
+    lasting: list[int] = field(default_factory=list)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)

@@ -126,7 +126,7 @@ _SPEECH = (
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
-    "holidays",
+    "days", "days_on", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges",
+    "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
