@@ -138,6 +138,11 @@ class Recurrence(Protocol):
         ...
 
     @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        ...
+
+    @property
     def spans(self) -> bool:
         """Whether words say where each occurrence begins and where it is over: "every day from 9 to 10"."""
         ...

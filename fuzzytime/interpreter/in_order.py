@@ -8,6 +8,7 @@ follows a step that cannot be done goes on without it.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import Instruction, Reading, shares_thing
@@ -93,15 +94,11 @@ class Rows:
     in_order: bool
     row: Row = field(default_factory=Row)
     number: int | None = None
-    reading: Reading | None = None
     precedences: list[Precedence] = field(default_factory=list)
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
         step = reading.step
-        if reading is self.reading:
-            return self.in_order or step is not None
-        self.reading = reading
         if step is not None and not self.in_order and self.number is not None and step <= self.number:
             self._close()
         self.number = step if step is not None else self.number
@@ -112,11 +109,27 @@ class Rows:
         """Whether there is a step to follow."""
         return bool(self.row.steps)
 
-    def add(self, instruction: Instruction, made: Sequence[Interpreted], position: int) -> None:
+    def add(self, instruction: Instruction, skills: Sequence[Interpreted], places: range) -> None:
         """Add what an instruction asks for; what happens by itself, or again and again, is no step."""
         operation = instruction.operation
-        if len(made) == 1 and operation is not None and not operation.stated and not _repeats(made[0]):
-            self.row.add(Step(position, instruction, made[0]))
+        if len(places) == 1 and operation is not None and not operation.stated:
+            made = skills[places[0]]
+            if not _repeats(made):
+                self.row.add(Step(places[0], instruction, made))
+
+    def join(
+        self, reading: Reading, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted]
+    ) -> None:
+        """Let what one sentence joins by "and" follow, where it goes on with the same thing, or with none."""
+        for (first, before), (second, after) in pairwise(made):
+            between = reading.text[first.span[1] : second.span[0]].strip(" ,").lower()
+            if between == "and" and len(before) == len(after) == 1 and _goes_on_with(first, second):
+                one, other = (
+                    Step(before[0], first, skills[before[0]]),
+                    Step(after[0], second, skills[after[0]]),
+                )
+                if other.ordered and not other.timed:
+                    self.precedences.append(one.precedence(other))
 
     def kept(self) -> tuple[Precedence, ...]:
         """Give the order of all lists."""
@@ -183,6 +196,13 @@ def without(order: Iterable[Precedence], gone: int, *, also_before: bool) -> tup
         if (one.first, other.second) not in known
     ]
     return (*kept, *joined)
+
+
+def _goes_on_with(first: Instruction, second: Instruction) -> bool:
+    one, other = first.operation, second.operation
+    if one is None or other is None or one.stated or other.stated:
+        return False
+    return other.object is None or shares_thing(one, other)
 
 
 def _repeats(interpreted: Interpreted) -> bool:

@@ -3,6 +3,7 @@
 import math
 from dataclasses import dataclass, replace
 
+from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
@@ -39,8 +40,16 @@ class Maker:
             identifier=wish.identifier, wish=wish, skill=skill, duration=duration, reason=reason
         )
 
-    def spoken(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> list[Interpreted]:
+    def spoken(
+        self,
+        wish: SpokenWish,
+        reading: Reading,
+        instruction: Instruction,
+        inside: GoingOn | None = None,
+    ) -> list[Interpreted]:
         """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
+
+        Where it is repeated ``inside`` something that goes on, each counts from that.
 
         Raises
         ------
@@ -53,6 +62,10 @@ class Maker:
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._one(wish, reading, instruction, once)]
+        if inside is not None and repeated.recurrence.interval is not None:
+            rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
+            times = inside.times(repeated, repeated.recurrence.interval)[:MAX_OCCURRENCES]
+            return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
         stated = instruction.operation is not None and instruction.operation.stated
@@ -64,7 +77,8 @@ class Maker:
                 occurring = replace(instruction, duration=end - start)
             last = start if stated and repeated.recurrence.spans else end
             made.append(self._one(wish, reading, occurring, (_occurrence(repeated, start, last), *once)))
-        return made
+        # What no occurrence can satisfy is one loss, not a hundred.
+        return made[:1] if all(one.reason for one in made) else made
 
     def _told(self, requirement: TimeRequirement) -> TimeRequirement:
         """Wait for the instruction that makes a condition true, where no reading tells of it."""

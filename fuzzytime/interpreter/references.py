@@ -54,7 +54,8 @@ def link(
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
                 continue
-            targets = [target for target in links.skills_of(requirement.anchor.target) if target != position]
+            meant = _whole(requirement.anchor, links.skills_of(requirement.anchor.target), linked, links)
+            targets = [target for target in meant if target != position]
             if not targets:
                 message = f"refers to {requirement.anchor.text!r}, which is not planned"
                 problems.append(
@@ -77,6 +78,15 @@ def link(
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
     return linked, kept, problems
+
+
+def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
+    """Give for what is repeated inside something else that itself, where it is its end that counts."""
+    if len(meant) < 2 or anchor.edge is Edge.START or anchor.exact:
+        return meant
+    repeated = (part for part in skills[meant[0]].requirements if part.recurrence is not None)
+    inside = next((part.anchor.target for part in repeated if part.anchor is not None), None)
+    return meant if inside is None else links.skills_of(inside)
 
 
 def _said_by_identifier(

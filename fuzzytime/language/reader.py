@@ -10,7 +10,8 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.sentence.compose import composed, last_said
+from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.drafts import Draft, drafted
 from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.parse_cache import ParseCache

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from datetime import date, datetime, timedelta
+from datetime import date, datetime, time, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
@@ -30,6 +30,9 @@ FOLLOWING = timedelta(hours=6)
 
 CLOSE = timedelta(hours=3)
 """The same where another text said that clock time, as lines need not be in the order of the day."""
+
+EARLY = time(4)
+"""From here on, who speaks is up early, not late."""
 
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
@@ -232,6 +235,9 @@ class Grounding:
         On a day to come that is named they may be up earlier.
         """
         first, last = self.policy.plausible_from, self.policy.plausible_to
+        if EARLY <= self.now.time() < first <= last and moment.date() == self.now.date():
+            # Who speaks at five is up at half past.
+            first = self.now.time()
         if ahead and moment.date() > self.now.date():
             first = min(first, self.policy.ahead_from)
         if first > last:

@@ -44,6 +44,11 @@ class EvenRecurrence:
     length: float = 0.0
 
     @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        return math.isinf(self.last)
+
+    @property
     def spans(self) -> bool:
         """Whether words say where each occurrence begins and where it is over."""
         return False
@@ -82,6 +87,11 @@ class CalendarRecurrence:
     skip: int = 1
     first: float = 0.0
     last: float = math.inf
+
+    @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        return math.isinf(self.last)
 
     @property
     def spans(self) -> bool:

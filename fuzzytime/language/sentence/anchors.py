@@ -29,6 +29,7 @@ ORDERING = {
     "afterwards": Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
+    "meanwhile": Constraint.AT,
 }
 """The time words that are about the instruction before it."""
 
@@ -65,6 +66,14 @@ class Anchors:
     mentions: Mentions
     lexicon: Lexicon
     awaits: bool = False
+
+    def about(self, clause: Clause) -> str | None:
+        """Give what an instruction before is about that a clause is about too; None where there is none."""
+        target = self.target_of(clause)
+        if target is None or target >= self.position:
+            return None
+        operation = self._operation(target)
+        return None if operation is None else operation.object
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
@@ -128,9 +137,12 @@ class Anchors:
             anchor=anchor,
         )
 
-    def _is_stated(self, target: int) -> bool:
+    def _operation(self, target: int) -> Operation | None:
         place = target - self.first
-        operation = self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+        return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+
+    def _is_stated(self, target: int) -> bool:
+        operation = self._operation(target)
         return operation is not None and operation.stated
 
     def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:

@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -18,19 +18,25 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.grounding import FOLLOWING
-from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.comparisons import comparisons_in
-from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
+from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.lengths import length_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
-from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
+from fuzzytime.language.sentence.references import (
+    PRONOUNS,
+    SEVERAL,
+    Mentions,
+    content_words,
+    is_several,
+    resolved_object,
+)
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
@@ -96,11 +102,9 @@ class _Composer:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
                 self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
-                named = replace(
-                    sketch.operation,
-                    object=resolved_object(sketch.operation, operations, self.mentions, self.first),
-                )
-                sketches[place] = replace(sketch, operation=named)
+                thing = resolved_object(sketch.operation, operations, self.mentions, self.first)
+                thing = self._of_front(sketch, operations, place) or thing
+                sketches[place] = replace(sketch, operation=replace(sketch.operation, object=thing))
             else:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
@@ -124,6 +128,21 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
         )
+
+    def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
+        """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
+        operation = sketch.operation
+        if operation is None or (operation.object or "").lower() not in PRONOUNS:
+            return None
+        anchors = Anchors(self.first + place, self.first, operations, self.mentions, self.lexicon)
+        for clause in sketch.clauses:
+            if clause.span[0] < operation.span[0]:
+                condition = clause.condition
+                said = condition is not None and condition.subject not in PRONOUNS
+                thing = anchors.about(clause)
+                if thing is not None and (said or is_several(thing) == (operation.object in SEVERAL)):
+                    return thing
+        return None
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
         """Point at what no operation and no time holds, where nothing else is said of it."""
@@ -274,18 +293,6 @@ class _Composer:
                 if strict is None and own and tree is part.tree:
                     strict = reading.moved(base)
         return tuple(tokens), strict or StrictReading()
-
-
-def last_said(requirements: Iterable[TimeRequirement], since: float | None) -> float | None:
-    """Give the last clock time that is said, in seconds; that of before where there is none."""
-    for requirement in requirements:
-        if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
-            begin, latest = requirement.earliest, requirement.latest
-            if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
-                # "Charge overnight and be ready at seven"
-                begin = latest
-            since = begin if begin is not None else since
-    return since
 
 
 def _follows_nothing(said: str, span: Span) -> Remark:
