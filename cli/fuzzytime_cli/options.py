@@ -156,3 +156,11 @@ class Solving:
             help="How far to look ahead, such as 8h; if not given, past the last wish, at most 48 h.",
         ),
     ] = None
+    in_order: Annotated[
+        bool | None,
+        typer.Option(
+            "--in-order/--any-order",
+            help="Take instructions as steps, each after the one before, unless words say another order.",
+            show_default=False,
+        ),
+    ] = None

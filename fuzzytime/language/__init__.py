@@ -18,6 +18,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
+from fuzzytime.language.sentence.references import shares_thing
 
 __all__ = [
     "Instruction",
@@ -39,5 +40,6 @@ __all__ = [
     "find_times",
     "installed_model",
     "model_files",
+    "shares_thing",
     "with_words",
 ]

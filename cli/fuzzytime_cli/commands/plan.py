@@ -114,6 +114,8 @@ def request_from(
                 request = replace(request, agents=int(assembly.settings.number("agents")))
         else:
             request = replace(request, wishes=wishes_of(source, now))
+    if assembly.settings.values["in_order"].origin != "default":
+        request = replace(request, in_order=assembly.settings.flag("in_order"))
     spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
     context = assembly.context(understanding, request.now, signals)
     return replace(

@@ -113,6 +113,14 @@ def agents(scene: Scene, text: str) -> Reply:
     return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
 
 
+def in_order(scene: Scene, text: str) -> Reply:
+    """Say whether instructions are steps, each after the one before."""
+    chosen = text.strip().lower() or "on"
+    if chosen not in {"on", "off"}:
+        raise FuzzytimeError(f"in-order must be on or off, got {text.strip()!r}")
+    return step(scene, f":in-order {chosen}", lambda state: replace(state, in_order=chosen == "on"))
+
+
 def solver(scene: Scene, text: str) -> Reply:
     """Choose the method that finds the schedule."""
     name = text.strip()

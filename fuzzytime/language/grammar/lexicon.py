@@ -70,6 +70,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     taken
         What keeps who speaks from all else: "I have an appointment", "I'm out".
+    happening
+        What has a time without a verb: "dinner at seven".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     rescheduling, events
@@ -125,6 +127,7 @@ class Lexicon:
     timing_alone: frozenset[str]
     citing: frozenset[str]
     taken: frozenset[str]
+    happening: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     rescheduling: frozenset[str]

@@ -6,7 +6,7 @@ from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import (
     BEGINNING,
@@ -29,6 +29,7 @@ ORDERING = {
     "afterwards": Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
+    "meanwhile": Constraint.AT,
 }
 """The time words that are about the instruction before it."""
 
@@ -38,10 +39,14 @@ BACK = frozenset({"it", "that", "this"})
 INTO = "into"
 """The preposition of times that count from the start of the instruction before."""
 
+INSIDE = frozenset({LEFT, HALFWAY})
+"""The prepositions of times that are inside something else, and nothing without that."""
+
 COUNTED: dict[str | None, Constraint] = {
     "later": Constraint.AFTER,
     "earlier": Constraint.BEFORE,
     INTO: Constraint.AFTER,
+    LEFT: Constraint.AFTER,
 }
 """The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
 
@@ -61,6 +66,14 @@ class Anchors:
     mentions: Mentions
     lexicon: Lexicon
     awaits: bool = False
+
+    def about(self, clause: Clause) -> str | None:
+        """Give what an instruction before is about that a clause is about too; None where there is none."""
+        target = self.target_of(clause)
+        if target is None or target >= self.position:
+            return None
+        operation = self._operation(target)
+        return None if operation is None else operation.object
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
@@ -124,9 +137,12 @@ class Anchors:
             anchor=anchor,
         )
 
-    def _is_stated(self, target: int) -> bool:
+    def _operation(self, target: int) -> Operation | None:
         place = target - self.first
-        operation = self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+        return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+
+    def _is_stated(self, target: int) -> bool:
+        operation = self._operation(target)
         return operation is not None and operation.stated
 
     def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
@@ -172,6 +188,9 @@ class Anchors:
             edge = Edge.END if constraint is Constraint.AFTER else Edge.START
             anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
+        if phrase.said.preposition == HALFWAY and self.position > 0:
+            anchor = Anchor(text=requirement.text, target=self._going_on(), share=0.5, exact=True)
+            return _only(requirement, anchor, Constraint.AFTER)
         side = (
             COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
         )
@@ -179,8 +198,14 @@ class Anchors:
             return None
         edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
         lag = requirement.t_spec or 0.0
-        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge, lag=lag, exact=True)
+        target = self._going_on() if phrase.said.preposition == LEFT else self.position - 1
+        anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
         return _only(requirement, anchor, side)
+
+    def _going_on(self) -> int:
+        """Give the latest instruction that was said to go on for some time, or that right before."""
+        before = [place for place in self.mentions.lasting if place < self.first]
+        return self.position - 1 if self.position > self.first or not before else before[-1]
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

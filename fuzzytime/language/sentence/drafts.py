@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.expressions import Phrase, Said
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
+from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments import segments_of
 from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
@@ -30,7 +31,10 @@ ROUNDS = 12
 
 @dataclass(frozen=True, slots=True)
 class Draft:
-    """A text with its times and its parts, before anything is grounded."""
+    """A text with its times and its parts, before anything is grounded.
+
+    ``step`` is its number in a numbered list.
+    """
 
     text: str
     now: datetime | None
@@ -38,6 +42,7 @@ class Draft:
     phrases: tuple[Phrase, ...]
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
+    step: int | None = None
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -63,15 +68,17 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources = []
+    sources, steps = [], []
     for text, now in texts:
-        scanned = Scanned.of(text, grammar, lexicon)
+        marks = list_marks(text, lexicon)
+        steps.append(marks[0].number if marks else None)
+        scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
         sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(s.scanned.text, s.now, s.scanned, s.phrases, tuple(own), s.remarks)
-        for s, own in zip(sources, parts, strict=True)
+        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step)
+        for (text, _), s, own, step in zip(texts, sources, parts, steps, strict=True)
     ]
 
 

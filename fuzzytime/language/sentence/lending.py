@@ -107,7 +107,15 @@ def within(sketches: list[Sketch], text: str) -> list[Sketch]:
             length = _length(before)
             told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
         found.append(told)
-    return found
+    return [replace(sketch, phrases=tuple(map(_halfway, sketch.phrases))) for sketch in found]
+
+
+def _halfway(phrase: Phrase) -> Phrase:
+    """Let what is halfway through something else count from that."""
+    time = phrase.said.time
+    if not isinstance(time, TimeWord) or time.word != HALFWAY:
+        return phrase
+    return replace(phrase, said=Said(Offset(Duration(((0, Unit.SECOND),))), None, HALFWAY))
 
 
 def _length(sketch: Sketch) -> float:

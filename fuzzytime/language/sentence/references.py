@@ -78,15 +78,23 @@ def _singular(word: str) -> str:
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
 
 
+def shares_thing(one: Operation, other: Operation) -> bool:
+    """Whether two operations name the same thing, as what they are about or as its place."""
+    named = (content_words(part.object) | content_words(part.place) for part in (one, other))
+    return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
+
+
 @dataclass(slots=True)
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
-    What was denied names nothing: nobody refers to "don't peel the apples".
+    What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
+    those that were said to go on for some time.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
+    lasting: list[int] = field(default_factory=list)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)
@@ -99,7 +107,7 @@ class Mentions:
         if operation is None:
             return
         if _may_be_it(operation, self.lexicon):
-            self._things[_is_several(operation.object or "")].append(position)
+            self._things[is_several(operation.object or "")].append(position)
         if operation.negated:
             return
         words = content_words(operation.object)
@@ -144,9 +152,9 @@ class Mentions:
 
 
 def _nouns(verb: str) -> tuple[str, ...]:
-    """Give the words that name what a verb says: the walk, the baking."""
+    """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
     bare = verb.removesuffix("e")
-    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing"
+    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:
@@ -224,7 +232,7 @@ def resolved_object(
     for earlier in own:
         near.add(earlier)
     here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
-    fitting = (thing for thing in (here, there) if thing is not None and _is_several(thing) is several)
+    fitting = (thing for thing in (here, there) if thing is not None and is_several(thing) is several)
     return next(fitting, here or there or operation.object)
 
 
@@ -239,8 +247,8 @@ def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
     return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
 
 
-def _is_several(thing: str) -> bool:
-    """Whether a noun looks like a plural: by what stands before "of" or another preposition."""
+def is_several(thing: str) -> bool:
+    """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
     end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
     return "and" in words or _singular(words[end - 1]) != words[end - 1]

@@ -70,6 +70,7 @@ def segments_of(
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(_listed(phrases))
+    following |= set(_behind_happening(phrases, words, lexicon))
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -98,6 +99,18 @@ def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
         between = [other for other in phrases if before.end <= other.first < clock.first]
         if clock.first - before.end > 1 and not between:
             yield clock.first
+
+
+def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
+    first = next(iter(phrases), None)
+    if first is None or not first.first or words[first.first - 1].text not in lexicon.happening:
+        return
+    behind = first.end + 1
+    if behind < len(words) and words[first.end].text in {",", "-", ":"}:
+        taken = lexicon.function_words | lexicon.places
+        if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
+            yield behind
 
 
 def _is_clock(phrase: Phrase) -> bool:

@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.happenings import happening_of
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -80,6 +81,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
+    happening = _happening(draft, part, kept, lexicon)
+    if happening is not None:
+        references = (None,) * len(kept)
+        return Sketch(
+            part=part,
+            phrases=tuple(kept),
+            clauses=tuple(clauses),
+            references=references,
+            operation=happening,
+        )
     action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
         references = (None,) * len(kept)
@@ -100,6 +111,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         ),
         parameters=parameters_of(reader, action),
     )
+
+
+def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
+    """Give what happens at a time, where no verb says what is to be done."""
+    spans = (*(phrase.span for phrase in phrases), *draft.unfinished)
+    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    found = None if part.segment.verbless else happening_of(part.tree, phrases, names, lexicon)
+    if found is None:
+        return None
+    return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 
 
 def _with_deadline(clause: Clause, phrases: Sequence[Phrase], main: int) -> Clause:

@@ -100,6 +100,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         landmarks=frozenset(form[0] for form in speech.words("landmarks")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
+        happening=frozenset(form[0] for form in speech.words("happening")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -121,10 +122,11 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "happening",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
-    "holidays",
+    "days", "days_on", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges",
+    "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
