@@ -16,6 +16,7 @@ from fuzzytime.language.english import (
     periods,
     prepositions,
     ranges,
+    repeated_days,
     repetitions,
     stacks,
 )
@@ -36,6 +37,7 @@ _ROOMS = (
     elliptic,
     ranges,
     repetitions,
+    repeated_days,
     bounded_repetitions,
 )
 

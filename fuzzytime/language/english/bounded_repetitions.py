@@ -104,6 +104,21 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     return bounded_repeat(repeat, said)
 
 
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and the? first time|one|dose? <said>",
+    "<repeat> the first time|one|dose? <said>",
+    weight=0.6,
+)
+def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
+    """Twice a day, the first time around eight."""
+    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
+        return None
+    if repeat.starting is not None or repeat.until is not None:
+        return None
+    return replace(repeat, starting=said.time, shared=False)
+
+
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
 def week_stretch(first: int, last: int) -> tuple[int, ...]:
     """Monday to friday, beside hours: on each of these days."""

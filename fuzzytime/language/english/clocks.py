@@ -293,6 +293,14 @@ def with_zone(time: Wall, zone: str) -> Wall | None:
     return replace(time, zone=zone, clock=replace(time.clock, bare=False, pair=False))
 
 
+@grammar.rule("wall", "<wall> local|my|our|your time", "<wall> ( local|my|our|your time )", weight=0.3)
+def with_own_zone(time: Wall) -> Wall | None:
+    """9:40 local time: by the clocks that the time now is told by."""
+    if time.clock is None or time.zone is not None:
+        return None
+    return replace(time, clock=replace(time.clock, bare=False, pair=False))
+
+
 @grammar.rule("wall", "<15h30> <zone>", weight=0.1)
 def typed_with_zone(numbers: Typed, zone: str) -> Wall | None:
     """15h30 GMT."""

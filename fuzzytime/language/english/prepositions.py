@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.relations import Deictic, Which
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -73,6 +73,12 @@ def when_you_have_time(_leisure: str | None = None) -> TimeWord:
 def leisure() -> str:
     """A moment for something."""
     return "time"
+
+
+@grammar.rule("said", "with|alongside <meal>", "with the|my|our|your|his|her|their <meal>", weight=0.2)
+def with_meal(meal: Part) -> Said | None:
+    """With breakfast: then, and no part of it."""
+    return None if meal.place else Said(Wall(part=meal), None, "at")
 
 
 @grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)

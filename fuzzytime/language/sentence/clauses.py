@@ -105,7 +105,8 @@ class _Clauses:
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
-        if said_end <= first:
+        if said_end <= first or self.covered.issuperset(range(first, said_end)):
+            # "Once today"
             return None
         content = (self.words[first].start, self.words[said_end - 1].end)
         nodes = list(self.tree.at(*content))

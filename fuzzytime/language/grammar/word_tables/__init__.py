@@ -124,7 +124,8 @@ _SPEECH = (
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
+    "days", "deictics", "all_meals",
+    "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
     "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
