@@ -8,8 +8,9 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.conditions import BE, being, condition_of, happening, state
+from fuzzytime.language.sentence.conditions import BE, IF, being, condition_of, happening, state
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint
 
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
@@ -54,7 +55,7 @@ def clauses_of(
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
-        form = form or reader.awaited(place) or reader.bounded(place)
+        form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -94,9 +95,15 @@ class _Clauses:
         """Give the "of" of "within an hour of calling" as what begins a clause."""
         return ("of",) if self.words[place].text == "of" and self._bound(place) is not None else None
 
+    def inverted(self, place: int) -> tuple[str, ...] | None:
+        """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
+        word, node = self.words[place], next(iter(self.tree.nodes), None)
+        leads = place == 0 and node is not None and node.lower == IF != word.text
+        return (word.text,) if leads and word.text in INVERTING else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses.get(form, "until")
+        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
         bound = self._bound(place) if form in WITHIN else None
         if bound is not None:
             kind = "within"
@@ -171,11 +178,11 @@ class _Clauses:
         return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
 
     def _is_mark(self, place: int) -> bool:
-        """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
+        """Whether a clause ends before a word: a comma, or "and", "or" before a time or another clause."""
         text = self.words[place].text
         if text == "," and self._is_inside_number(place):
             return False
-        if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
+        if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
         # "Before you leave and again when you get back"
         behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))

@@ -18,6 +18,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.grounding import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
@@ -33,6 +34,7 @@ from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, t
 from fuzzytime.language.sentence.references import PRONOUNS, Mentions, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
+from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
 DOERS = frozenset({"you", "i", "we"})
@@ -132,7 +134,11 @@ class _Composer:
 
     def _doubts(self, sketch: Sketch) -> list[Remark]:
         part, words = sketch.part, self.draft.scanned.words
-        return list(doubts_of(self.draft.text, part.segment.span, words, part.tree, self.lexicon))
+        first, end = part.segment.span
+        front = self.draft.text[first : part.offset].partition(" ")[0].lower()
+        # "Should the bell ring, open the door" asks nothing.
+        span = (part.offset if front in INVERTING else first, end)
+        return list(doubts_of(self.draft.text, span, words, part.tree, self.lexicon))
 
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
@@ -175,6 +181,7 @@ class _Composer:
             operation, duration = replace(operation, negated=False), duration if lasting else None
         told = length_of(operation, requirements, self.draft.text[slice(*segment.span)].strip(), anchors)
         self.remarks += unknown_length(told, segment.span)
+        self.remarks += map(self._of_something_else, sketch.others)
         return Instruction(
             span=segment.span,
             operation=operation,
@@ -184,6 +191,10 @@ class _Composer:
             fuzzy_parameters=sketch.parameters,
             length_of=told,
         )
+
+    def _of_something_else(self, phrase: Phrase) -> Remark:
+        message = f"{self.draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
+        return Remark(RemarkKind.POLICY, phrase.span, message)
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""

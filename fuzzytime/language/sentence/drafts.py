@@ -10,10 +10,11 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Said
+from fuzzytime.language.sentence.announcements import announced
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
-from fuzzytime.language.sentence.segments import segments_of
+from fuzzytime.language.sentence.segments import Segment, segments_of
 from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
@@ -100,12 +101,17 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else addressed(one, part, lexicon) or list(pieces_of(one, part, lexicon))
+            cut = [] if last_round or one.segment.announces else _cut(one, part, lexicon)
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
         waiting = following
     return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _cut(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the segments that one becomes where its tree shows more than one instruction; none otherwise."""
+    return addressed(one, part, lexicon) or announced(one, lexicon) or list(pieces_of(one, part, lexicon))
 
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:

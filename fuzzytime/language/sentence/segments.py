@@ -32,7 +32,7 @@ class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
-    said before: "the cat at eight and the dog at nine".
+    said before: "the cat at eight and the dog at nine"; ``announces`` that it names an event beside its time.
     """
 
     span: Span
@@ -40,6 +40,7 @@ class Segment:
     connective_span: Span = (0, 0)
     addressee: str | None = None
     verbless: bool = False
+    announces: bool = False
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""

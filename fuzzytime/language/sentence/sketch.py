@@ -16,9 +16,11 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
+from fuzzytime.language.sentence.announcements import announcement
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -44,7 +46,8 @@ DATED = "clause"
 class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
-    ``references`` gives, for each of its times, which moment of the execution the words say it is about.
+    ``references`` gives, for each of its times, which moment of the execution the words say it is about;
+    ``others`` are times of something else: "the film that starts at eight".
     """
 
     part: Part
@@ -53,6 +56,7 @@ class Sketch:
     references: tuple[Reference | None, ...]
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
+    others: tuple[Phrase, ...] = ()
 
     @property
     def heard(self) -> list[Span]:
@@ -80,10 +84,20 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
+    if part.segment.announces and kept:
+        return Sketch(
+            part=part,
+            phrases=tuple(kept),
+            clauses=tuple(clauses),
+            references=(None,) * len(kept),
+            operation=announcement(part, kept, draft.text),
+        )
     action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
         references = (None,) * len(kept)
         return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
+    others = elsewhere(part, kept, action, lexicon)
+    kept = [phrase for phrase in kept if phrase not in others]
     spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
@@ -99,6 +113,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
+        others=tuple(others),
     )
 
 

@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
+from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
 
@@ -18,6 +19,10 @@ JOINT = re.compile(r"[\s,;&]*(\b(?:and|so)\b)?[\s,;&]*$", re.IGNORECASE)
 
 JOINING = (["and"], ["&"], ["then"], ["but"])
 """Words behind which a clause in front leads a further instruction."""
+
+
+INVERTING = frozenset({"should", "had"})
+"""Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,8 +101,10 @@ class Waiting:
 
     @property
     def front(self) -> str:
-        """The clause in front, nothing where there is none."""
-        return self.source.sound[self.segment.span[0] : self.main]
+        """The clause in front, nothing where there is none; one without its "if" as if it had one."""
+        text = self.source.sound[self.segment.span[0] : self.main]
+        first = text.partition(" ")[0]
+        return IF.ljust(len(first)) + text[len(first) :] if first.lower() in INVERTING else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
         """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
@@ -161,6 +168,8 @@ class Waiting:
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
+        if self.segment.announces:
+            return False
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
         words, covered = self.source.scanned.words, self.source.covered
@@ -194,7 +203,9 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     words = source.scanned.words
     places = source.places(*segment.span)
     marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
-    if marker is None:
+    inverted = bool(places) and words[places[0]].text in INVERTING
+    if marker is None and not inverted:
         return segment.span[0]
-    comma = next((place for place in places if place >= marker.end and words[place].text == ","), None)
+    behind = places[0] + 1 if marker is None else marker.end
+    comma = next((place for place in places if place >= behind and words[place].text == ","), None)
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]
