@@ -4,6 +4,7 @@ from functools import cache
 
 from fuzzytime.language.english import (
     bounded_repetitions,
+    bounds,
     clocks,
     counted,
     dates,
@@ -19,6 +20,7 @@ from fuzzytime.language.english import (
     repeated_days,
     repetitions,
     stacks,
+    zones,
 )
 from fuzzytime.language.grammar.chart import Grammar
 
@@ -26,6 +28,7 @@ _ROOMS = (
     numbers,
     durations,
     clocks,
+    zones,
     days,
     parts,
     dates,
@@ -33,6 +36,7 @@ _ROOMS = (
     stacks,
     goals,
     prepositions,
+    bounds,
     counted,
     elliptic,
     ranges,

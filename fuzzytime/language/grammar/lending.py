@@ -17,9 +17,6 @@ LISTING = frozenset({",", "and", "&", "or"})
 AGAIN = frozenset({"again", "then", "once", "more", "also"})
 """Words between two times of the same thing: "at seven and again at seven pm"."""
 
-MOVING = frozenset({"move", "shift", "reschedule", "postpone", "rebook", "change", "push", "delay"})
-"""Verbs that give another time to what has one."""
-
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
 
@@ -77,7 +74,7 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
     named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
-    if not named or not MOVING & set(before):
+    if not named or not lexicon.moving & set(before):
         return phrase
     return replace(phrase, said=Said(said.time.last, None, "to"))
 

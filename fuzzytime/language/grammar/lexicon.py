@@ -127,6 +127,7 @@ class Lexicon:
     taken: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
+    moving: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]
     addressing: frozenset[str]

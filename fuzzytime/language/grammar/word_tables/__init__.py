@@ -92,7 +92,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
-        rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
+        moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
+        rescheduling=frozenset(
+            form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
+        ),
         events=frozenset(form[0] for form in speech.words("rescheduling", "events")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
