@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass
 
 from fuzzytime.satisfaction import EMPTY, Interval, SatisfactionFunction
-from fuzzytime.scheduling.problem import above, free_of, in_common
+from fuzzytime.scheduling.windows import above, free_of, in_common
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask
 
 EQUAL = 1e-9

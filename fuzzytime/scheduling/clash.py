@@ -12,8 +12,9 @@ from collections.abc import Callable, Sequence
 
 from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import above, free_of, horizon_of
+from fuzzytime.scheduling.posing import horizon_of
 from fuzzytime.scheduling.schedule import TINY
+from fuzzytime.scheduling.windows import above, free_of
 from fuzzytime.skills import FuzzyTask
 
 MOST_SETS = 100_000

@@ -22,7 +22,8 @@ import numpy as np
 
 from fuzzytime.satisfaction import Interval, cell_chord_errors
 from fuzzytime.scheduling.grid import ROUNDING, Ints
-from fuzzytime.scheduling.problem import Lag, Problem, in_common
+from fuzzytime.scheduling.problem import Lag, Problem
+from fuzzytime.scheduling.windows import in_common
 
 WORTHWHILE = 0.02
 """The share of orders that a round over all pairs must find, for another one."""

@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling.problem import Job, Lag, Problem, in_common
+from fuzzytime.scheduling.problem import Job, Lag, Problem
 from fuzzytime.scheduling.settle import in_turn, lanes_of_agents
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.windows import in_common
 
 
 def part_of(

@@ -11,10 +11,13 @@ Two values for each slot are all that this memory takes (Christofides, Mingozzi 
 
 In a *block*, a stretch of slots no longer than the shortest job that ends in it, everything depends on
 earlier blocks only. So a block is one matrix (job × slot): take, add, minimum over jobs, then a running
-minimum for idling, and no loop over slots is left for the interpreter.
+minimum for idling, and no loop over slots is left for the interpreter. A block is made longer than a few
+short jobs: the rows of those are added again, until no way gets cheaper, which is soon, since few of them
+follow one another on the cheapest ways through one block.
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -89,20 +92,80 @@ class Ways(NamedTuple):
         return np.where(self.last[slots] == jobs, self.second[slots], self.cost[slots])
 
 
-class _Block(NamedTuple):
-    """A block's slots, the matrices of its arcs, and the job of each row.
+WIDE = 64
+"""Slots of a wide block: fewer blocks cost less, longer chains of short jobs in one block cost more."""
 
-    ``scratch`` and ``names`` have two rows more: the two ways that come from the block before.
+NARROW = 16
+"""Blocks as long as the shortest jobs allow have so many slots on average, or wide ones are used."""
+
+
+class _Table(NamedTuple):
+    """Arcs that end in a block: a row for each job, a column for each slot, ∞ where there is none.
+
+    ``costs`` is room for the ways along them and, in two rows more, for two ways known before;
+    ``arriving`` is its part without these two, and ``jobs`` names the last job of each.
     """
 
-    begin: int
-    stop: int
     source: Ints
     weight: Floats
+    job: Ints
+    costs: Floats
+    arriving: Floats
     jobs: Ints
-    scratch: Floats
-    names: Ints
     columns: Ints
+
+    @classmethod
+    def of(cls, source: Ints, weight: Floats, job: Ints) -> "_Table":
+        """Make room."""
+        height, width = source.shape
+        costs = np.empty((height + 2, width))
+        jobs = np.full(costs.shape, NOBODY)
+        jobs[:height] = job
+        return cls(source, weight, job, costs, costs[:-2], jobs, np.arange(width))
+
+    def arrive(self, ways: Ways) -> None:
+        """Write what the cheapest ways cost that do one of these arcs last and may idle then."""
+        source, arriving = self.source, self.arriving
+        if source.size:
+            ways.cost.take(source, out=arriving, mode="clip")
+            again = (ways.last.take(source, mode="clip") == self.job).ravel().nonzero()[0]
+            if again.size:
+                arriving.reshape(-1)[again] = ways.second[source.reshape(-1)[again]]
+            np.add(arriving, self.weight, out=arriving)
+            np.minimum.accumulate(arriving, axis=1, out=arriving)
+
+    def merged(self, cost: Floats, last: Ints, second: Floats, other: Ints) -> Ways:
+        """Give the best of what arrives and of two ways known before; what arrives is lost."""
+        costs, jobs, columns = self.costs, self.jobs, self.columns
+        costs[-2], costs[-1], jobs[-2], jobs[-1] = cost, second, last, other
+        row = costs.argmin(axis=0)
+        cheapest, chosen = costs[row, columns], jobs[row, columns]
+        np.putmask(costs, jobs == chosen, np.inf)
+        row = costs.argmin(axis=0)
+        return Ways(cheapest, chosen, costs[row, columns], jobs[row, columns])
+
+
+class _Block(NamedTuple):
+    """A block's slots, the arcs of jobs that start before it, and those of jobs that may start in it."""
+
+    past: int
+    slots: slice
+    far: _Table
+    near: _Table | None
+
+    def reach(self, ways: Ways) -> None:
+        """Write the cheapest ways to the slots of this block, those before it being known."""
+        cost, last, second, other = ways
+        past, slots, far, near = self
+        far.arrive(ways)
+        found = first = far.merged(cost[past], last[past], second[past], other[past])
+        cost[slots], last[slots], second[slots], other[slots] = found
+        while near is not None:
+            near.arrive(ways)
+            if not (near.arriving < np.where(near.job == found.last, found.cost, found.second)).any():
+                break
+            found = near.merged(*first)
+            cost[slots], last[slots], second[slots], other[slots] = found
 
 
 class Paths:
@@ -123,65 +186,49 @@ class Paths:
         self._arcs = arcs
         self._count = durations.size
         self._first_arc = np.searchsorted(arcs.job, np.arange(self._count + 1)).tolist()
-        longest = int(durations.max(initial=1))
-        self._bounds = block_bounds(1, slots, arcs.end, durations[arcs.job], max(longest, 1))
+        longest = max(int(durations.max(initial=1)), WIDE)
+        self._bounds = block_bounds(1, slots, arcs.end, durations[arcs.job], longest)
+        if slots < NARROW * (self._bounds.size - 1):
+            wide = np.maximum(durations, WIDE)
+            self._bounds = block_bounds(1, slots, arcs.end, wide[arcs.job], longest)
         width = np.diff(self._bounds)
         block = np.searchsorted(self._bounds, arcs.end, "right") - 1
-        rows, row_of_arc = np.unique(block * self._count + arcs.job, return_inverse=True)
-        row_block, row_job = np.divmod(rows, self._count)
-        row_width = width[row_block]
+        # Two tables for each block, each with a row for each job that has arcs there.
+        belongs = 2 * block + (durations[arcs.job] < width[block])
+        rows, row_of_arc = np.unique(belongs * self._count + arcs.job, return_inverse=True)
+        row_table, row_job = np.divmod(rows, self._count)
+        row_width = width[row_table // 2]
         offset = np.concatenate([[0], np.cumsum(row_width)])
         column = np.arange(offset[-1]) - np.repeat(offset[:-1], row_width)
         # Where a row has no arc its source only has to exist.
-        source = np.maximum(np.repeat(self._bounds[row_block] - durations[row_job], row_width) + column, 0)
+        source = np.repeat(self._bounds[row_table // 2] - durations[row_job], row_width) + column
+        np.maximum(source, 0, out=source)
         self._gain = np.full(offset[-1], np.inf)
         self._gain[offset[row_of_arc] + arcs.end - self._bounds[block]] = arcs.gain
         self._job = np.repeat(row_job, row_width)
         self._weight = np.empty(offset[-1])
         self._prices = np.zeros(self._count)
         self._ways = Ways.nowhere(int(self._bounds[-1]))
-        first_row = np.searchsorted(row_block, np.arange(width.size + 1))
+        cuts = np.searchsorted(row_table, np.arange(2 * width.size + 1)).tolist()
+
+        def table(number: int) -> _Table:
+            low, high = cuts[number], cuts[number + 1]
+            shape, cells = (high - low, width[number // 2]), slice(offset[low], offset[high])
+            mine = source[cells].reshape(shape), self._weight[cells].reshape(shape)
+            return _Table.of(*mine, row_job[low:high, None])
+
         self._blocks: list[_Block] = []
-        for k, (begin, stop) in enumerate(zip(self._bounds[:-1], self._bounds[1:], strict=True)):
-            low, high = first_row[k], first_row[k + 1]
-            shape, cells = (high - low, width[k]), slice(offset[low], offset[high])
-            self._blocks.append(
-                _Block(
-                    int(begin),
-                    int(stop),
-                    source[cells].reshape(shape),
-                    self._weight[cells].reshape(shape),
-                    row_job[low:high, None],
-                    np.empty((high - low + 2, width[k])),
-                    np.append(row_job[low:high], [NOBODY, NOBODY]),
-                    np.arange(width[k]),
-                )
-            )
+        for number, (begin, stop) in enumerate(pairwise(self._bounds.tolist())):
+            near = table(2 * number + 1) if cuts[2 * number + 1] < cuts[2 * number + 2] else None
+            self._blocks.append(_Block(begin - 1, slice(begin, stop), table(2 * number), near))
 
     def run(self, prices: Floats) -> Ways:
         """Give the cheapest ways to every slot; the next run overwrites them."""
         self._prices = prices
         np.add(self._gain, prices[self._job], out=self._weight)
+        for block in self._blocks:
+            block.reach(self._ways)
         cost, last, second, other = self._ways
-        for begin, stop, source, weight, jobs, scratch, names, columns in self._blocks:
-            past = begin - 1
-            scratch[-2], scratch[-1] = cost[past], second[past]
-            names[-2], names[-1] = last[past], other[past]
-            if source.shape[0]:
-                arriving = scratch[:-2]
-                cost.take(source, out=arriving, mode="clip")
-                again = np.nonzero(last.take(source, mode="clip") == jobs)
-                if again[0].size:
-                    arriving[again] = second[source[again]]
-                np.add(arriving, weight, out=arriving)
-                np.minimum.accumulate(scratch, axis=1, out=scratch)
-            best = scratch.argmin(axis=0)
-            cost[begin:stop] = scratch[best, columns]
-            chosen = last[begin:stop] = names[best]
-            np.putmask(scratch, names[:, None] == chosen, np.inf)
-            best = scratch.argmin(axis=0)
-            second[begin:stop] = scratch[best, columns]
-            other[begin:stop] = names[best]
         reached = slice(self.slots + 1)
         return Ways(cost[reached], last[reached], second[reached], other[reached])
 

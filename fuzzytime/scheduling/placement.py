@@ -10,7 +10,8 @@ from collections.abc import Sequence
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling.problem import Job, good_enough, in_common
+from fuzzytime.scheduling.problem import Job
+from fuzzytime.scheduling.windows import good_enough, in_common
 from fuzzytime.skills import FuzzyTask
 
 ROOM = 1e-10

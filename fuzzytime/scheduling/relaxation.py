@@ -22,9 +22,10 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.multipliers import Multipliers
 from fuzzytime.scheduling.orders import Order
 from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, ways_to_end
-from fuzzytime.scheduling.problem import Problem, in_common
+from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.settle import lanes_of_agents, sequences
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.windows import in_common
 
 
 class Relaxation:

@@ -16,10 +16,11 @@ from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import Arrangement, Objective
-from fuzzytime.scheduling.problem import Job, Problem, above, in_common
+from fuzzytime.scheduling.problem import Job, Problem
 from fuzzytime.scheduling.settle import lanes_of_agents, nearest, sequences, settled
 from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing import Block, round_blocks
+from fuzzytime.scheduling.windows import above, in_common
 from fuzzytime.skills import FuzzySkill
 
 AT_AN_END = 1e-6

@@ -12,7 +12,7 @@ from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import DEFAULT, Objective
 from fuzzytime.scheduling.placement import place_rest
-from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.posing import problem_of
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP, THRESHOLD, TINY, Certificate, Schedule, Status
 from fuzzytime.scheduling.secondary import rearranged
 from fuzzytime.scheduling.solver import Solver, nothing

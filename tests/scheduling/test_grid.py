@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid
 from fuzzytime.scheduling.grid import grid_of, step_for
-from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.posing import problem_of
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask
 from satisfaction.shapes_of import plain
 

@@ -51,9 +51,12 @@ def routes(case: Case, slot: int = 0, last: int = -1) -> Iterator[tuple[tuple[Vi
                 yield ((job, start), *rest), gain + case.prices[job] + cost
 
 
-@given(cases())
-def test_the_cheapest_path_is_the_cheapest_of_all(case: Case) -> None:
-    paths = Paths(case.arcs, case.durations, case.slots)
+@pytest.mark.parametrize("narrow", [0, 1_000], ids=["narrow blocks", "wide blocks"])
+@given(case=cases())
+def test_the_cheapest_path_is_the_cheapest_of_all(narrow: int, case: Case) -> None:
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("fuzzytime.scheduling.paths.NARROW", narrow)
+        paths = Paths(case.arcs, case.durations, case.slots)
     least = min(cost for _, cost in routes(case))
     assert float(paths.run(case.prices).cost[-1]) == pytest.approx(least, abs=1e-12)
     found = tuple(reversed(paths.path()))

@@ -12,7 +12,8 @@ from fuzzytime.scheduling import Labels, Limits, Status, solve
 from fuzzytime.scheduling.dominance import Dominance
 from fuzzytime.scheduling.dynasearch import Dynasearch, only_order_counts
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import Problem, problem_of
+from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem import Problem
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import random_ready_task
 

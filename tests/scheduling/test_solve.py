@@ -9,7 +9,7 @@ from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.scheduling.alone import best_alone
-from fuzzytime.scheduling.problem import problem_of
+from fuzzytime.scheduling.posing import problem_of
 from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost

@@ -13,7 +13,8 @@ from fuzzytime.satisfaction import Triangle
 from fuzzytime.scheduling import Auto, LocalSearch, exact, solve
 from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.parts import part_of
-from fuzzytime.scheduling.problem import Problem, problem_of
+from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.solver import Draft, draft_of, nothing
 from fuzzytime.scheduling.stretches import Stretches
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
