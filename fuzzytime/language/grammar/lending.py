@@ -74,6 +74,8 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
     named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
+    # "Move bingo from two to three": what has no article is done, and is no thing.
+    named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
     if not named or not lexicon.moving & set(before):
         return phrase
     return replace(phrase, said=Said(said.time.last, None, "to"))

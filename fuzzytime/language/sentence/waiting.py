@@ -21,6 +21,9 @@ JOINING = (["and"], ["&"], ["then"], ["but"])
 """Words behind which a clause in front leads a further instruction."""
 
 
+AT = "at"
+"""The preposition of clock times, which holds for the one that corrects them too."""
+
 INVERTING = frozenset({"should", "had"})
 """Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
 
@@ -59,11 +62,18 @@ class Source:
 
     @property
     def sound(self) -> str:
-        """The text with spaces where words were taken back: "at five, I mean six"."""
+        """The text with spaces where words were taken back: "at five, I mean six" is "at six"."""
         text = self.scanned.text
-        for first, end in (remark.span for remark in self.remarks):
+        for start, end in (remark.span for remark in self.remarks):
+            first = self._behind_preposition(start, end)
             text = text[:first] + " " * (end - first) + text[end:]
         return text
+
+    def _behind_preposition(self, start: int, end: int) -> int:
+        """Give where words begin that are taken back: the "at" in front of them stays."""
+        words = {word.start: word for word in self.scanned.words}
+        kept = start in words and end in words and words[start].text == AT != words[end].text
+        return words[start].end if kept else start
 
     @property
     def covered(self) -> frozenset[int]:
