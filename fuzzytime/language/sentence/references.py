@@ -140,7 +140,7 @@ class Mentions:
         named, words = _names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
-        single += [self._by_verb.get(noun, []) for noun in (named if clause.is_event else words - named)]
+        single += [self._by_verb.get(noun, []) for noun in words]
         if not named or named <= PRONOUNS:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
