@@ -36,7 +36,7 @@ ORDERING = {
 BACK = frozenset({"it", "that", "this"})
 """Words for an event that is the instruction before."""
 
-BESIDE = frozenset({"during", "over", "with"})
+BESIDE = frozenset({"during", "over", "with", "at"})
 """Prepositions of what goes on: "during lunch"."""
 
 END = frozenset({"the end", "the very end"})
@@ -87,6 +87,10 @@ class Anchors:
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
+        condition = clause.condition
+        if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
+            # "Text me when you are finished"
+            return last if last >= 0 and not condition.negated else None
         happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
         if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
@@ -167,7 +171,7 @@ class Anchors:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
         part = time.part if isinstance(time, Wall) and time.days is None else None
-        beside = phrase.said.preposition in BESIDE
+        beside = requirement.text.split()[0].lower() in BESIDE
         if part is None or not part.meal or part.place:
             return None
         if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
