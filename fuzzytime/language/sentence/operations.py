@@ -251,6 +251,8 @@ class Reader(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        # "Dinner is at half past seven"
+        rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
