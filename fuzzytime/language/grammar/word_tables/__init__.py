@@ -112,6 +112,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             name: frozenset(speech.words("questions", name))
             for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
         },
+        conversation={
+            name: frozenset(speech.words("conversation", name))
+            for name in ("dropping", "last", "next", "all", "when")
+        },
         foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=function_words,
         misspelt=misspellings((form[0] for form in speech.words("spelling", "words")), known),
@@ -125,7 +129,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening",
+    "happening", "conversation",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
