@@ -21,9 +21,11 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
         What a schedule rejects; None before there is one, for what nothing can satisfy anyway.
 
     What comes after a rejected step comes after those before it; a rejected step with a time of its own
-    follows nothing any more, so that its time may be kept.
+    follows nothing any more, so that its time may be kept. What a rejected skill asked to come before does
+    not fall with it.
     """
     order, problems = interpretation.order, list(interpretation.problems)
+    precedences = interpretation.precedences
     for position, one in enumerate(interpretation.skills):
         hopeless = one.skill.satisfaction.support.empty
         gone = hopeless
@@ -32,6 +34,9 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
         if not gone:
             continue
         lost = rejected is not None and _falls_with(position, interpretation.precedences, rejected)
+        precedences = tuple(
+            entry for entry in precedences if entry.first != position or _asked(entry, interpretation)
+        )
         frees = not hopeless and not lost and _has_time(one)
         looser = without(order, position, also_before=frees)
         if looser == order:
@@ -43,9 +48,15 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
         )
         problems.append(problem_of(one.wish, ProblemKind.NOTE, message, identifier=one.identifier))
         order = looser
-    if order == interpretation.order:
+    if order == interpretation.order and precedences == interpretation.precedences:
         return interpretation
-    return replace(interpretation, order=order, problems=tuple(problems))
+    return replace(interpretation, order=order, precedences=precedences, problems=tuple(problems))
+
+
+def _asked(entry: Precedence, interpretation: Interpretation) -> bool:
+    """Whether the second of two asked for the first: "serve it after frying", not "set it before dinner"."""
+    first, second = interpretation.skills[entry.first], interpretation.skills[entry.second]
+    return first.identifier in second.follows or first.wish.identifier in second.wish.after
 
 
 def _falls_with(position: int, entries: Iterable[Precedence], rejected: Sequence[bool]) -> bool:

@@ -9,7 +9,7 @@ from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -243,12 +243,17 @@ class Maker:
 
 
 def _from_to(instruction: Instruction) -> Instruction:
-    """Take the two ends of what happens as its start and its length: "I have a meeting from two to four"."""
+    """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
+
+    "Between two and four" leaves open when in between something is done, though not when it happens.
+    """
     operation, requirements = instruction.operation, list(instruction.requirements)
-    if operation is None or not operation.stated:
+    if operation is None or instruction.duration is not None:
         return instruction
     for place, part in enumerate(requirements):
-        if part.preposition == "between" and part.earliest is not None and part.latest is not None:
+        ends = part.preposition == "between" and part.earliest is not None and part.latest is not None
+        whole = part.text.lower().startswith("from ") and part.reference is Reference.START
+        if ends and part.earliest is not None and part.latest is not None and (operation.stated or whole):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)

@@ -146,7 +146,7 @@ def scheduled(
         task = task_of(interpretation, request)
         schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
         looser = loosened(interpretation, schedule.rejected)
-        if looser.order == interpretation.order:
+        if looser is interpretation:
             break
         interpretation = looser
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))

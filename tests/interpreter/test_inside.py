@@ -50,7 +50,7 @@ def test_things_that_have_nothing_in_common_stay_free() -> None:
 
 
 def test_in_the_meantime_is_beside_the_line_before() -> None:
-    made = told(["proof the dough for an hour at 9 am", "sort the racks in the meantime"])
+    made = told(["bake the bread for an hour at 9 am", "sort the racks in the meantime"])
     assert "09:00" <= starts(made)["s2"] < "10:00"
 
 

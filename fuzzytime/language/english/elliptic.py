@@ -69,7 +69,7 @@ def after_it(duration: Duration) -> Said | None:
     return so_far_in(duration)
 
 
-@grammar.rule("said", "<duration> before", weight=0.05)
+@grammar.rule("said", "<duration> before|early", weight=0.05)
 def before_it(duration: Duration) -> Said | None:
     """(be there) ten minutes before: counted from what was said before; but "the night before"."""
     if any(unit not in SUB_DAY for _, unit in duration.terms):

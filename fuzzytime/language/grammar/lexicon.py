@@ -92,6 +92,8 @@ class Lexicon:
         By words for what people do, the hours at which they do it.
     questions, foreign
         Words that begin a question, by how they do, and words that show that a text is not English.
+    conversation
+        What is said about what was asked for already, by what it does.
     function_words
         Words that may follow a bare number without making it a count.
     misspelt
@@ -130,6 +132,7 @@ class Lexicon:
     happening: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
+    moving: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]
     addressing: frozenset[str]
@@ -142,6 +145,7 @@ class Lexicon:
     counting: frozenset[str]
     amount_nouns: frozenset[str]
     questions: Mapping[str, frozenset[tuple[str, ...]]]
+    conversation: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]

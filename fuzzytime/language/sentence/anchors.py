@@ -36,6 +36,12 @@ ORDERING = {
 BACK = frozenset({"it", "that", "this"})
 """Words for an event that is the instruction before."""
 
+BESIDE = frozenset({"during", "over", "with", "at"})
+"""Prepositions of what goes on: "during lunch"."""
+
+END = frozenset({"the end", "the very end"})
+"""Words for the end of what goes on."""
+
 INTO = "into"
 """The preposition of times that count from the start of the instruction before."""
 
@@ -81,10 +87,17 @@ class Anchors:
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
+        condition = clause.condition
+        if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
+            # "Text me when you are finished"
+            return last if last >= 0 and not condition.negated else None
         happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
         if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
+        if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
+            # "Add the hops 15 minutes before the end"
+            return self._going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
         if target is not None or not self.awaits:
             return target
@@ -114,7 +127,9 @@ class Anchors:
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
-        if target is not None and self._is_stated(target):
+        if (clause.object or "").lower() in END:
+            edge = Edge.END
+        elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
             edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
         anchor = Anchor(
@@ -156,24 +171,23 @@ class Anchors:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
         part = time.part if isinstance(time, Wall) and time.days is None else None
-        if (
-            part is None
-            or not part.meal
-            or part.place
-            or constraint not in {Constraint.BEFORE, Constraint.AFTER}
-        ):
+        beside = requirement.text.split()[0].lower() in BESIDE
+        if part is None or not part.meal or part.place:
+            return None
+        if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
             return None
         words = content_words(part.name)
-        beside = [
+        own = [
             self.first + place
             for place, operation in enumerate(self.own)
             if operation is not None and words <= content_words(operation.object)
         ]
-        targets = [place for place in beside if place != self.position]
+        targets = [place for place in own if place != self.position]
         target = targets[-1] if targets else self.mentions.about(words, self.first)
         if target is None:
             return None
-        edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
+        constraint = Constraint.AT if beside or constraint is None else constraint
+        edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         anchor = Anchor(text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0)
         return _only(requirement, anchor, constraint)
 

@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
+from fuzzytime.language.sentence.statements import PHASES
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -168,7 +169,7 @@ class Reader(Places):
             near = [p for p in names if self.tree.reach(p)[0] == verb + 1]
             owned = [p for p in names if self.tree.children(p, "poss")]
             owned += [p for p in near if self.tree.children(p, "det")]
-            named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
+            named = owned or [p for p in names if p == verb + 1 and self._is_named(p)]
             words = self.words([p for p in named if not self.timed(p)], verb)
         if not words:
             # "Say hello"
@@ -185,6 +186,11 @@ class Reader(Places):
             words = self.words(self.tree.children(particle, *SUBJECTS), verb)
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
         return self._called_by_time(kept)
+
+    def _is_named(self, place: int) -> bool:
+        """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""
+        node = self.tree.nodes[place]
+        return node.tag in {"NNP", "NN"} and node.lower not in self.lexicon.places
 
     def _called_by_time(self, words: list[int]) -> list[int]:
         """Give an object with the time that it is called by: "catch the 7:42"."""
@@ -240,6 +246,8 @@ class Reader(Places):
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        # "Load the truck, it leaves at three"
+        told = told or (subjects[:1] == ["it"] and self.tree.nodes[verb].lower in PHASES)
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
@@ -248,6 +256,8 @@ class Reader(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        # "Dinner is at half past seven"
+        rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]

@@ -13,6 +13,9 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clause import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
+ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
+"""Words for all that is meant, whatever that is."""
+
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 EMPTY = frozenset(
@@ -140,8 +143,8 @@ class Mentions:
         named, words = _names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
-        single += [self._by_verb.get(noun, []) for noun in (named if clause.is_event else words - named)]
-        if not named or named <= PRONOUNS:
+        single += [self._by_verb.get(noun, []) for noun in words]
+        if not named or named <= PRONOUNS | ALL:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
@@ -198,7 +201,7 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             shared = len(named & known)
         return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
     same_verb = clause.verb == operation.lemma
-    if same_verb and (shared or not named or named <= PRONOUNS or not known):
+    if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
     if operation.stated and shared and clause.verb in BEGINNING | ENDING:
         # "Five minutes before the meeting starts", where the meeting is at three.

@@ -92,7 +92,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
-        rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
+        moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
+        rescheduling=frozenset(
+            form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
+        ),
         events=frozenset(form[0] for form in speech.words("rescheduling", "events")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
@@ -109,6 +112,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             name: frozenset(speech.words("questions", name))
             for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
         },
+        conversation={
+            name: frozenset(speech.words("conversation", name))
+            for name in ("dropping", "last", "next", "all", "when")
+        },
         foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=function_words,
         misspelt=misspellings((form[0] for form in speech.words("spelling", "words")), known),
@@ -122,11 +129,11 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening",
+    "happening", "conversation",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "days_on", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges",
-    "seasons", "holidays",
+    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",
+    "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip
