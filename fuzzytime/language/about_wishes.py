@@ -98,7 +98,7 @@ def _dropped(said: str, words: Sequence[Word], now: datetime, lexicon: Lexicon) 
         return None
     if not rest or tuple(word.text for word in words_of(rest)) in lexicon.conversation["last"]:
         return About(kind=AboutKind.DROP)
-    names = content_words(rest)
+    names = content_words(rest) - {form[0] for form in lexicon.courtesies}
     return About(kind=AboutKind.DROP, names=names) if names else None
 
 

@@ -27,6 +27,22 @@ def test_a_length_told_afterwards_counts_too() -> None:
     assert starts(made)["s3"] == "18:00"
 
 
+@pytest.mark.parametrize(
+    "line",
+    ["it should be done by noon", "the report must be finished by noon", "that has to be done by 12"],
+)
+def test_when_something_must_be_done_is_told_of_it(line: str) -> None:
+    made = told(["write the report for two hours", line, "write the letter at 8 am"])
+    (report, _) = made.skills
+    assert [part.text for part in report.requirements] == ["by noon"]
+    assert report.skill.duration == 7200
+
+
+def test_what_nothing_before_is_about_is_asked_for_itself() -> None:
+    made = told(["call mum at 8 am", "the soup must be ready by noon"])
+    assert len(made.skills) == 2
+
+
 def test_inside_of_nothing_is_told() -> None:
     assert any("none was given so far" in note for note in notes(told(["turn it halfway through"])))
 

@@ -152,6 +152,11 @@ class Anchors:
             anchor=anchor,
         )
 
+    def is_asked(self, target: int) -> bool:
+        """Whether an instruction asks for something to be done."""
+        operation = self._operation(target)
+        return operation is not None and not operation.stated
+
     def _operation(self, target: int) -> Operation | None:
         place = target - self.first
         return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
