@@ -116,7 +116,7 @@ class Understanding:
         typer.Option("--ctx", metavar="NAME=VALUE", help="What is so now, such as pan_temp=180; repeatable."),
     ] = None
     context: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Readings over time, one JSON object a line.")
+        Path | None, typer.Option(metavar="FILE", help="Readings over time: one JSON object a line, or CSV.")
     ] = None
 
 

@@ -15,7 +15,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
-from fuzzytime.language import Language, Reading, check_length
+from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.skills import FuzzySkill
 
@@ -36,7 +36,12 @@ class Interpreter:
     @classmethod
     def shipped(cls) -> "Interpreter":
         """Give the interpreter of the shipped tables, in the everyday profile."""
-        return cls(Language.shipped(), Rulebook.shipped())
+        return cls.joining(Language.shipped(), Rulebook.shipped())
+
+    @classmethod
+    def joining(cls, language: Language, rulebook: Rulebook) -> "Interpreter":
+        """Give the interpreter of a language and tables, whose own words of time it understands as well."""
+        return cls(with_words(language, rulebook.tables.words), rulebook)
 
     def skill(
         self,

@@ -14,6 +14,7 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
@@ -45,4 +46,5 @@ __all__ = [
     "installed_model",
     "model_files",
     "shares_thing",
+    "with_words",
 ]

@@ -23,7 +23,13 @@ def test_what_happens_needs_no_verb(line: str, name: str, length: float) -> None
 
 
 @pytest.mark.parametrize(
-    "line", ["cook dinner at seven pm", "book a meeting at three pm", "serve lunch at noon"]
+    "line",
+    [
+        "cook dinner at seven pm",
+        "schedule lunch at noon",
+        "book a meeting at three pm",
+        "serve lunch at noon",
+    ],
 )
 def test_what_is_asked_for_is_no_happening(line: str) -> None:
     (one,) = told([line]).skills

@@ -120,15 +120,15 @@ class _TaskFile:
         if "zone" in top and isinstance(top["zone"], Scalar):
             zone = self.reader.read(top["zone"], "zone", parse_zone) or zone
         said = top.get("now")
+        own = None
+        if isinstance(said, Scalar):
+            own = self.reader.read(said, "now", lambda text: parse_instant(text, zone))
+        elif said is not None:
+            self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
         if self.surroundings.now is not None:
             return self.surroundings.now
-        if said is None:
-            fallback = self.surroundings.fallback_now
-            return fallback.astimezone(zone) if zone is not None else fallback
-        if not isinstance(said, Scalar):
-            self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
-            return self.now
-        return self.reader.read(said, "now", lambda text: parse_instant(text, zone)) or self.now
+        fallback = self.surroundings.fallback_now
+        return own or (fallback.astimezone(zone) if zone is not None else fallback)
 
     # -- wishes ---------------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@ from functools import cache
 
 from fuzzytime.language.english import (
     bounded_repetitions,
+    bounds,
     clocks,
     counted,
     dates,
@@ -16,8 +17,10 @@ from fuzzytime.language.english import (
     periods,
     prepositions,
     ranges,
+    repeated_days,
     repetitions,
     stacks,
+    zones,
 )
 from fuzzytime.language.grammar.chart import Grammar
 
@@ -25,6 +28,7 @@ _ROOMS = (
     numbers,
     durations,
     clocks,
+    zones,
     days,
     parts,
     dates,
@@ -32,10 +36,12 @@ _ROOMS = (
     stacks,
     goals,
     prepositions,
+    bounds,
     counted,
     elliptic,
     ranges,
     repetitions,
+    repeated_days,
     bounded_repetitions,
 )
 

@@ -7,7 +7,16 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
 from fuzzytime.language.meaning.calendar import Cycle, Fields
-from fuzzytime.language.meaning.expressions import Goal, HourMark, Range, Repeat, Said, SameTime, Wall
+from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
+    Goal,
+    HourMark,
+    Range,
+    Repeat,
+    Said,
+    SameTime,
+    Wall,
+)
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -49,6 +58,44 @@ def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     clock = replace(wall.clock, bare=False, pair=False)
     more = dict.fromkeys(replace(old, clock=clock) for old in repeat.walls)
     return replace(repeat, walls=tuple(dict.fromkeys((*repeat.walls, *more))))
+
+
+@grammar.rule("moments", "<wall>", weight=-0.1)
+def moment(wall: Wall) -> tuple[Wall, ...] | None:
+    """At eight, in the morning."""
+    return (wall,) if wall.days is None and (wall.clock is not None or wall.part is not None) else None
+
+
+@grammar.rule("moments", "<moments> ,|and|& at|@|in|once? <wall>", "<moments> , and at|@|in|once? <wall>")
+def more_moments(moments: tuple[Wall, ...], wall: Wall) -> tuple[Wall, ...] | None:
+    """At eight, at noon and at six."""
+    last = moment(wall)
+    return None if last is None else (*moments, *last)
+
+
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|:|-? at|@|in|once? <moments>",
+    "at|@|in? <moments> , <repeat>",
+    weight=0.7,
+)
+def so_often_at(first: Repeat | tuple[Wall, ...], second: tuple[Wall, ...] | Repeat) -> Repeat | None:
+    """Twice a day, at eight and six; three times a day: morning, noon and night."""
+    repeat, moments = (first, second) if isinstance(first, Repeat) else (second, first)
+    if not isinstance(repeat, Repeat) or isinstance(moments, Repeat) or repeat.every is None:
+        return None
+    if (
+        not repeat.shared
+        or len(moments) == 1
+        or repeat.every.seconds * len(moments) != UNIT_SECONDS[Unit.DAY]
+    ):
+        return None
+    clocks = (wall.clock and replace(wall.clock, bare=False, pair=False) for wall in moments)
+    walls = (
+        replace(wall, days=Cycle(Unit.DAY), clock=clock, weak=False)
+        for wall, clock in zip(moments, clocks, strict=True)
+    )
+    return Repeat(walls=tuple(walls))
 
 
 @grammar.rule("repeat", "at|@ <wall> ,|and <wall> <repeat>", weight=0.35)
@@ -102,6 +149,21 @@ def every_mark(first: Repeat | SameTime | HourMark, second: Repeat | SameTime | 
 def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     """Every day until friday, every ten minutes from noon to two."""
     return bounded_repeat(repeat, said)
+
+
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and the? first time|one|dose? <said>",
+    "<repeat> the first time|one|dose? <said>",
+    weight=0.6,
+)
+def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
+    """Twice a day, the first time around eight."""
+    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
+        return None
+    if repeat.starting is not None or repeat.until is not None:
+        return None
+    return replace(repeat, starting=said.time, shared=False)
 
 
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")

@@ -1,4 +1,4 @@
-"""Times of day: "six", "half past three", "8:30 pm", "15h30", "1730", "noon", "three pm in the afternoon"."""
+"""Times of day: "six", "half past three", "8:30 pm", "15h30", "1730", "noon"."""
 
 from dataclasses import replace
 
@@ -9,9 +9,6 @@ from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
-
-GREENWICH = "+00:00"
-"""The zone that others are counted from."""
 
 
 @grammar.rule("clock", "<integer>", weight=-0.4)
@@ -266,38 +263,6 @@ def named_twice(hour: Integer, part: Part) -> Clock | None:
 def wall(clock: Clock) -> Wall:
     """A clock time alone."""
     return Wall(clock=clock)
-
-
-def _east(zone: str, hours: int) -> str | None:
-    """Give the zone some hours east of Greenwich; None where another is named."""
-    return f"{hours:+03d}:00" if zone == GREENWICH and abs(hours) < 15 else None
-
-
-@grammar.rule("zone", "<zone> + <integer>", weight=0.3)
-def zone_ahead(zone: str, hours: Integer) -> str | None:
-    """GMT+1."""
-    return _east(zone, hours.value)
-
-
-@grammar.rule("zone", "<zone> - <integer>", weight=0.3)
-def zone_behind(zone: str, hours: Integer) -> str | None:
-    """UTC-5."""
-    return _east(zone, -hours.value)
-
-
-@grammar.rule("wall", "<wall> <zone>", "<wall> ( <zone> )", weight=0.1)
-def with_zone(time: Wall, zone: str) -> Wall | None:
-    """3pm PST, 8 GMT, 9 am (BST)."""
-    if time.clock is None or time.zone is not None:
-        return None
-    return replace(time, zone=zone, clock=replace(time.clock, bare=False, pair=False))
-
-
-@grammar.rule("wall", "<15h30> <zone>", weight=0.1)
-def typed_with_zone(numbers: Typed, zone: str) -> Wall | None:
-    """15h30 GMT."""
-    clock = typed_with_h(numbers)
-    return None if clock is None else Wall(clock=clock, zone=zone)
 
 
 def minutes_of(quantity: Quantity) -> Duration:

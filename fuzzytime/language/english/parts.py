@@ -97,6 +97,12 @@ def first_thing(days: Calendar) -> Wall | None:
     return later_today((0.0, 0.5), days)
 
 
+@grammar.rule("wall", "first thing", weight=0.1)
+def first_thing_alone() -> Wall | None:
+    """First thing, without a day: of the next that begins."""
+    return later_today((0.0, 0.5), Relative(1))
+
+
 @grammar.rule("wall", "<days>|<date> <day_half>", weight=0.1)
 def day_half(days: Calendar, half: Part) -> Wall:
     """Tuesday am."""

@@ -1,35 +1,28 @@
-"""How a preposition binds a time: "by noon", "not before six", "shortly after lunch", "at 1730"."""
+"""How a preposition binds a time: "at six", "around noon", "shortly after lunch", "at 1730"."""
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import number
-from fuzzytime.language.english.counted import coming_deadline
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import joined
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
-from fuzzytime.language.meaning.relations import Deictic, Which
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Said, TimeWord, Wall
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
 
-LATER_YEARS = 2000
-"""From here on, four digits behind a bound are a year."""
 
-
-def _said(
+def said_of(
     goal: Goal, preposition: str | None, constraint: Constraint | None = None, edge: Edge = Edge.START
 ) -> Said:
+    """Give a time with its hedges, bound as said."""
     return Said(goal.time, constraint, preposition, goal.hedges, edge)
 
 
 @grammar.rule("said", "<goal>")
 def plain(goal: Goal) -> Said:
     """Tomorrow, now, six o'clock."""
-    return _said(goal, None)
+    return said_of(goal, None)
 
 
 @grammar.rule("said", "<preposition_at> the? <goal>", weight=0.1)
@@ -39,7 +32,7 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
         preposition.name in {"in", "at", "on"} or goal.time.constraint is Constraint.EVERY
     ):
         return None
-    return _said(goal, preposition.name)
+    return said_of(goal, preposition.name)
 
 
 @grammar.rule(
@@ -75,11 +68,10 @@ def leisure() -> str:
     return "time"
 
 
-@grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
-def before_it_is_over(days: Calendar) -> Said:
-    """Before the week is out."""
-    period = Deictic(Which.THIS, days) if isinstance(days, Cycle) else days
-    return Said(Ending(Edge.END, period), Constraint.BEFORE, "before", (), Edge.LAST)
+@grammar.rule("said", "with|alongside <meal>", "with the|my|our|your|his|her|their <meal>", weight=0.2)
+def with_meal(meal: Part) -> Said | None:
+    """With breakfast: then, and no part of it."""
+    return None if meal.place else Said(Wall(part=meal), None, "at")
 
 
 @grammar.rule("said", "at like|say ,? <clock>", weight=0.5)
@@ -110,134 +102,11 @@ def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
     return None if time is None else Said(time, None, "at")
 
 
-@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
-def deadline(preposition: Preposition, goal: Goal) -> Said | None:
-    """By noon, no later than six, before tomorrow."""
-    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
-        return None
-    if isinstance(goal.time, Coming):
-        return replace(coming_deadline(goal), preposition=preposition.name)
-    return _said(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
-
-
-@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
-def release(preposition: Preposition, goal: Goal) -> Said | None:
-    """After 5 pm, from monday, not before noon."""
-    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
-        return None
-    return _said(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
-
-
-def _as_clock(goal: Goal) -> Goal:
-    """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
-    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None
-    year = days.year if isinstance(days, Fields) and days == Fields(year=days.year) else None
-    if year is None or not 1000 <= year < LATER_YEARS:
-        return goal
-    clock = number(Integer(year, str(year)))
-    return goal if clock is None else replace(goal, time=Wall(clock=clock))
-
-
-@grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
-def until_after(goal: Goal) -> Said | None:
-    """Until after lunch: until its end; "don't start it until after ten" is turned like every deadline."""
-    if isinstance(goal.time, TimeWord):
-        return None
-    return _said(goal, "until", Constraint.BEFORE, Edge.END)
-
-
-@grammar.rule("said", "not until|till|before after the? <goal>", weight=0.4)
-def not_until_after(goal: Goal) -> Said | None:
-    """Not until after ten."""
-    if isinstance(goal.time, TimeWord):
-        return None
-    return _said(goal, "not before", Constraint.AFTER, Edge.END)
-
-
-@grammar.rule("said", "past <clock>", weight=0.1)
-def past_clock(clock: Clock) -> Said:
-    """Past six; but "past tuesday" is the last one."""
-    return Said(Wall(clock=clock), Constraint.AFTER, "after")
-
-
 @grammar.rule("said", "starting|beginning|commencing at? the? <goal>", weight=0.3)
 def starting_at(goal: Goal) -> Said | None:
     """Starting at three pm: then, not some time after it; but "starting tomorrow" is from then on."""
     clock = isinstance(goal.time, Wall) and goal.time.clock is not None
-    return _said(goal, "starting") if clock else None
-
-
-@grammar.rule(
-    "said",
-    "<goal> or|and later|after|greater|onwards|onward",
-    "<goal> onwards|onward",
-    "<goal> at the earliest",
-    weight=0.3,
-)
-def or_later(goal: Goal) -> Said | None:
-    """3 pm or later, monday onwards, at noon at the earliest; but "now and later" are two."""
-    if isinstance(goal.time, TimeWord):
-        return None
-    return _said(goal, "not before", Constraint.AFTER, Edge.START)
-
-
-@grammar.rule(
-    "said",
-    "at|on|from|by <goal> or|and later|after|onwards|onward",
-    "from <goal> on|onwards|onward",
-    "at|on <goal> at the very? earliest",
-    weight=0.4,
-)
-def at_or_later(goal: Goal) -> Said:
-    """At 3 pm or later."""
-    return _said(goal, "not before", Constraint.AFTER, Edge.START)
-
-
-@grammar.rule(
-    "said",
-    "<goal> or|and before|earlier|sooner",
-    "by|at|on|in? <goal> at? the? very? latest",
-    "at|on|by <goal> or earlier|before|sooner",
-    weight=0.4,
-)
-def or_earlier(goal: Goal) -> Said:
-    """Noon at the latest, six or earlier."""
-    return _said(goal, "no later than", Constraint.BEFORE, Edge.LAST)
-
-
-@grammar.rule(
-    "said", "<said> ,? at the very? latest", "at the? very? latest ,? <said>", "latest <said>", weight=0.5
-)
-def latest(said: Said) -> Said | None:
-    """In ten minutes at the latest, at the latest on friday."""
-    if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
-        return None
-    return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
-
-
-@grammar.rule(
-    "said",
-    "<said> ,? at the very? earliest",
-    "at the? very? earliest ,? <said>",
-    "earliest <said>",
-    weight=0.5,
-)
-def earliest(said: Said) -> Said | None:
-    """In ten minutes at the earliest, at the earliest on friday."""
-    if said.constraint not in {None, Constraint.AT, Constraint.AFTER} or isinstance(said.time, TimeWord):
-        return None
-    return replace(said, constraint=Constraint.AFTER, preposition="not before", edge=Edge.START)
-
-
-@grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)
-def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:
-    """Within the day."""
-    if isinstance(goal.time, (TimeWord, Offset)):
-        return None
-    if isinstance(goal.time, Coming):
-        return replace(coming_deadline(goal), preposition="within")
-    hedges = () if hedge is None else (hedge,)
-    return Said(goal.time, Constraint.BEFORE, "within", (*hedges, *goal.hedges), Edge.LAST)
+    return said_of(goal, "starting") if clock else None
 
 
 @grammar.rule("said", "<beside> the? <goal>", "at|on <beside> the? <goal>", weight=0.4)
@@ -290,7 +159,7 @@ def sometime(preposition: Preposition, said: Said) -> Said | None:
 @grammar.rule("said", "for <preposition_at> <goal>", weight=0.3)
 def for_sometime(preposition: Preposition, goal: Goal) -> Said | None:
     """For sometime next week, behind what is made for a time."""
-    return _said(goal, preposition.name) if preposition.name == "sometime" else None
+    return said_of(goal, preposition.name) if preposition.name == "sometime" else None
 
 
 @grammar.rule("said", "<hedge> <said>", weight=0.05)

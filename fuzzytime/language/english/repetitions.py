@@ -1,24 +1,19 @@
-"""Repetitions: "every twenty minutes", "daily at nine", "on mondays", "every other friday", "twice a day"."""
-
-from dataclasses import replace
+"""Repetitions by lengths of time: "every twenty minutes", "daily", "twice a day", "three times this week"."""
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
+from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Duration,
     Repeat,
+    Rest,
     UnitWord,
     Wall,
 )
-from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
-
-LONGEST_MONTH = 31
 
 SMALL = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 
@@ -77,186 +72,7 @@ def every_nth(number: int, unit: UnitWord) -> Repeat | None:
     return of_unit(unit, number) if number > 0 else None
 
 
-@grammar.rule("repeat", "every|each single? <weekday>", "on? <weekdays>", "every <weekdays>")
-def every_weekday(number: int) -> Repeat:
-    """Every monday, on sundays."""
-    return Repeat(walls=(Wall(Fields(weekday=number)),))
-
-
-@grammar.rule(
-    "repeat",
-    "every|each other|second|alternate <weekday>",
-    "on? alternate <weekday>|<weekdays>",
-    "on? every other <weekdays>",
-    weight=0.4,
-)
-def every_other_weekday(number: int) -> Repeat:
-    """Every other friday."""
-    return Repeat(walls=(Wall(Fields(weekday=number)),), skip=2)
-
-
-@grammar.rule("repeat", "every|each <ordinal> <weekday>", weight=0.5)
-def every_nth_weekday(number: int, weekday: int) -> Repeat | None:
-    """Every third thursday."""
-    return Repeat(walls=(Wall(Fields(weekday=weekday)),), skip=number) if 1 < number < 100 else None
-
-
-@grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
-def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
-    """Every monday and thursday, on mondays and fridays."""
-    if not repeat.walls or any(not isinstance(wall.days, Fields) or wall.clock for wall in repeat.walls):
-        return None
-    return replace(repeat, walls=(*repeat.walls, Wall(Fields(weekday=number))))
-
-
-@grammar.rule(
-    "repeat",
-    "on? weekdays|workdays",
-    "every|each weekday|workday",
-    "every|each working|work|business day",
-    "on? business|working|work days",
-)
-def weekdays() -> Repeat:
-    """On weekdays."""
-    return Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in range(5)))
-
-
-@grammar.rule("repeat", "on? weekends", "every|each weekend", "all weekends", "at weekends")
-def weekends() -> Repeat:
-    """On weekends."""
-    return Repeat(walls=(Wall(Weekend()),))
-
-
-@grammar.rule("repeat", "every|each single? <part>|<meal>", "in? the? <parts>", "on <parts>")
-def every_part(part: Part) -> Repeat:
-    """Every morning, in the evenings."""
-    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
-
-
-@grammar.rule("repeat", "every|each other|second <part>", "on? alternate <parts>", weight=0.3)
-def every_other_part(part: Part) -> Repeat:
-    """Every other morning."""
-    return Repeat(walls=(Wall(Cycle(Unit.DAY), part),), skip=2)
-
-
-@grammar.rule("repeat", "every|each <part> and|& <part>", weight=0.3)
-def every_two_parts(first: Part, second: Part) -> Repeat:
-    """Every morning and evening."""
-    return Repeat(walls=(Wall(Cycle(Unit.DAY), first), Wall(Cycle(Unit.DAY), second)))
-
-
-@grammar.rule("repeat", "weekday <part>|<parts>", "every|each weekday <part>", weight=0.2)
-def weekday_part(part: Part) -> Repeat:
-    """Weekday mornings."""
-    return Repeat(walls=tuple(Wall(Fields(weekday=day), part) for day in range(5)))
-
-
-@grammar.rule("weekday list", "<weekday>")
-def one_weekday(number: int) -> tuple[int, ...]:
-    """Tuesday, in "tuesday and friday nights"."""
-    return (number,)
-
-
-@grammar.rule(
-    "weekday list", "<weekday list> ,|and|&|or <weekday>", "<weekday list> , and <weekday>", weight=0.1
-)
-def another_weekday(numbers: tuple[int, ...], number: int) -> tuple[int, ...]:
-    """Monday, wednesday and friday."""
-    return (*numbers, number)
-
-
-@grammar.rule("repeat", "on? <weekday list> <parts>", "every|each <weekday list> <part>", weight=0.2)
-def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
-    """Tuesday afternoons, every friday evening, tuesday and friday nights."""
-    return Repeat(walls=tuple(Wall(Fields(weekday=number), part) for number in numbers))
-
-
-@grammar.rule("repeat", "every|each <date>", "every|each <feast>", "every|each <season>", weight=0.1)
-def every_date(days: Calendar) -> Repeat | None:
-    """Every june third, every easter."""
-    return Repeat(walls=(Wall(days),)) if not days.fixed else None
-
-
-@grammar.rule("repeat", "every|each <month>")
-def every_month(number: int) -> Repeat:
-    """Every june."""
-    return Repeat(walls=(Wall(Fields(month=number)),))
-
-
-@grammar.rule(
-    "repeat", "the? <ordinal> of every|each <unit>", "every|each <unit> on the <ordinal>", weight=0.3
-)
-def day_of_every(first: int | UnitWord, second: UnitWord | int) -> Repeat | None:
-    """The fifteenth of every month."""
-    number, unit = (first, second) if isinstance(first, int) else (second, first)
-    if not isinstance(number, int) or not isinstance(unit, UnitWord) or unit.unit is not Unit.MONTH:
-        return None
-    return Repeat(walls=(Wall(Fields(day=number)),))
-
-
-@grammar.rule("repeat", "the? <ordinal> ,|and|& <repeat>", "the? <ordinal> , and <repeat>", weight=0.3)
-def more_days_of_every(number: int, repeat: Repeat) -> Repeat | None:
-    """The first and the fifteenth of every month."""
-    days = [wall.days for wall in repeat.walls]
-    monthly = all(isinstance(day, Fields) and day == Fields(day=day.day) for day in days)
-    plain = repeat.skip == 1 and all(wall.clock is None and wall.part is None for wall in repeat.walls)
-    if not days or not monthly or not plain or not 1 <= number <= LONGEST_MONTH:
-        return None
-    return replace(repeat, walls=(Wall(Fields(day=number)), *repeat.walls))
-
-
-@grammar.rule(
-    "repeat", "every|each <ordinal> ,|and|& the? <ordinal>", "every|each <ordinal> of the? month", weight=0.3
-)
-def days_of_month(first: int, second: int | None = None) -> Repeat | None:
-    """Every 1st and 15th, every third of the month."""
-    days = [day for day in (first, second) if day is not None]
-    if not all(1 <= day <= LONGEST_MONTH for day in days):
-        return None
-    return Repeat(walls=tuple(Wall(Fields(day=day)) for day in days))
-
-
-@grammar.rule(
-    "repeat",
-    "<repeat> ,? except|but|excluding|bar|save for|not? on|at? <weekday list>|<weekdays>|<off>",
-    "<repeat> ,? and? not on|at? <weekday list>|<weekdays>|<off>",
-    weight=0.6,
-)
-def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
-    """Every day except sundays, on weekdays but friday."""
-    left_out = days if isinstance(days, tuple) else (days,)
-    fields = [wall.days for wall in repeat.walls]
-    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1 and repeat.starting is None and repeat.until is None:
-        walls = tuple(replace(repeat.walls[0], days=Fields(weekday=day)) for day in range(7))
-    else:
-        walls = repeat.walls
-    kept = tuple(
-        wall for wall in walls if isinstance(wall.days, Fields) and wall.days.weekday not in {None, *left_out}
-    )
-    return replace(repeat, every=None, walls=kept) if kept and len(kept) < len(walls) else None
-
-
-@grammar.rule("off", "weekends", "the? weekend")
-def off() -> tuple[int, ...]:
-    """Weekends, as what is left out of a repetition."""
-    return (5, 6)
-
-
-@grammar.rule(
-    "repeat",
-    "the? <ordinal> <series> of every|each <series>",
-    "the? last <series> of every|each <series>",
-    weight=0.3,
-)
-def nth_of_every(first: int | Calendar, second: Calendar, third: Calendar | None = None) -> Repeat | None:
-    """The first monday of every month, the last day of each year."""
-    number, inner, outer = (-1, first, second) if third is None else (first, second, third)
-    if not isinstance(number, int) or not isinstance(inner, Calendar) or not isinstance(outer, Cycle):
-        return None
-    return Repeat(walls=(Wall(Nth(number, inner, outer)),)) if inner != outer else None
-
-
-@grammar.rule("repeat", "a? daily", "a? nightly", "everyday", "day in day out", "each day of the week")
+@grammar.rule("repeat", "a? daily", "everyday", "day in day out", "each day of the week")
 def daily() -> Repeat:
     """Daily."""
     return of_unit(UnitWord(Unit.DAY, 1, "day"))
@@ -341,3 +157,12 @@ def so_often(number: int, unit: UnitWord | None = None) -> Repeat | None:
     days = unit is None or unit.unit not in SMALL
     # "Twice a day": once in each half of it, and at no moment.
     return Repeat(Duration(((length / number, Unit.SECOND),)), shared=days)
+
+
+@grammar.rule("repeat", "<times> <wall>|<rest>", weight=0.5)
+def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
+    """Twice today, three times this week: once in each share of it."""
+    timed = isinstance(within, Wall) and (within.clock is not None or within.days is None)
+    if number == 1 or timed:
+        return None
+    return Repeat(times=number, starting=within, until=within)

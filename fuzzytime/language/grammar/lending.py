@@ -14,8 +14,8 @@ from fuzzytime.requirement import Constraint, Unit
 LISTING = frozenset({",", "and", "&", "or"})
 """Words between the times of a list."""
 
-MOVING = frozenset({"move", "shift", "reschedule", "postpone", "rebook", "change", "push", "delay"})
-"""Verbs that give another time to what has one."""
+AGAIN = frozenset({"again", "then", "once", "more", "also"})
+"""Words between two times of the same thing: "at seven and again at seven pm"."""
 
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
@@ -74,7 +74,9 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
     named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
-    if not named or not MOVING & set(before):
+    # "Move bingo from two to three": what has no article is done, and is no thing.
+    named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
+    if not named or not lexicon.moving & set(before):
         return phrase
     return replace(phrase, said=Said(said.time.last, None, "to"))
 
@@ -85,8 +87,11 @@ def _counted(number: Duration, unit: Unit) -> Duration:
 
 
 def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
-    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am"."""
-    joints = {word.text for word in words[phrase.end : following.first]}
+    """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am".
+
+    Of the same number twice, the first is in the other half: "at 7 and again at 7 pm".
+    """
+    joints = {word.text for word in words[phrase.end : following.first]} - AGAIN
     first, second = phrase.said.time, following.said.time
     if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
         return phrase
@@ -94,7 +99,9 @@ def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
         return phrase
     half = second.clock.half
     open_half = first.clock.is_open and first.clock.half is None and half in {Half.AM, Half.PM}
-    if not open_half or first.clock.seconds % NOON >= second.clock.seconds % NOON:
+    if half is None or not open_half or first.clock.seconds % NOON > second.clock.seconds % NOON:
         return phrase
+    if first.clock.seconds % NOON == second.clock.seconds % NOON:
+        half = Half.PM if half is Half.AM else Half.AM
     clock = replace(first.clock, half=half, bare=False)
     return replace(phrase, said=replace(phrase.said, time=replace(first, clock=clock)))

@@ -132,6 +132,7 @@ class Lexicon:
     happening: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
+    moving: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]
     addressing: frozenset[str]

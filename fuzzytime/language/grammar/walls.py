@@ -17,6 +17,12 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
+THING = "thing"
+"""The last word of a time that may be any thing: "first thing"."""
+
+STOPS = frozenset({"", ".", ",", ";", "!", "and", "then", "please"})
+"""Words behind which a thing is not described further."""
+
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
 
@@ -38,7 +44,7 @@ class Walls:
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
-        if self._is_part_of_noun(piece, said, wall):
+        if self._is_thing(piece) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
@@ -82,6 +88,13 @@ class Walls:
         return not (
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
+
+    def _is_thing(self, piece: Piece) -> bool:
+        """Whether it is served with something, or described behind: "with tea", "the first thing you see"."""
+        if self.texts[piece.end - 1] == THING:
+            return self.around.follower(piece) not in STOPS
+        served = self._is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
+        return self.texts[piece.start] == "with" and served
 
     def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it only names something, or belongs to what does."""

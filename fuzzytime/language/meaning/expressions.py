@@ -184,7 +184,7 @@ class Repeat:
     """A repetition: every so long, or at each of some days, parts of the day and clock times.
 
     ``starting`` and ``until`` bound it where that was said; ``shared`` says that each occurrence has its
-    whole share of the time ("twice a day").
+    whole share of the time ("twice a day"); ``times`` how often it is between those bounds ("twice today").
     """
 
     every: Duration | None = None
@@ -193,6 +193,7 @@ class Repeat:
     starting: Time | None = None
     until: Time | None = None
     shared: bool = False
+    times: int | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,9 @@ from fuzzytime.requirement import Unit
 if TYPE_CHECKING:
     from fuzzytime.language.meaning.moment import Moment
 
+JUST_BEFORE = 1.0
+"""Seconds before the end of what an occurrence lies in."""
+
 MOST = 10_000
 """Occurrences that are given at most."""
 
@@ -199,6 +202,11 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
             first=0.0 if first is None else max(0.0, first),
             last=math.inf if last is None else last,
         )
+    if repeat.times is not None and first is not None and last is not None:
+        # "Twice today": once in each half of what is left of it.
+        start = max(0.0, first)
+        step = (last - start) / repeat.times
+        return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
     if repeat.every is None:
         raise UngroundedError("a repetition must say how often")
     step = repeat.every.seconds

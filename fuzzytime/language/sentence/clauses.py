@@ -1,4 +1,4 @@
-"""Clauses about time: "when the pan is hot", "after setting the table", "five minutes before you serve"."""
+"""Where clauses about time stand: markers, distances, ends, own times; "five minutes before you serve"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -8,8 +8,10 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.conditions import BE, being, condition_of, happening, state
+from fuzzytime.language.sentence.clause_contents import Contents
+from fuzzytime.language.sentence.conditions import BE, IF
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint
 
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
@@ -17,9 +19,6 @@ EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 
 DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 """Subjects that come and go."""
-
-STATED = frozenset({"when", "if", "until"})
-"""Clauses that say what must be so."""
 
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
@@ -29,11 +28,6 @@ WITHIN = (("of",), ("after",))
 
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
-
-REFLEXIVE = ("self", "selves")
-"""How pronouns end that are no event: "clean up after yourselves"."""
-
-NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
 def clauses_of(
@@ -54,7 +48,7 @@ def clauses_of(
     place = 0
     while place < len(words):
         form = None if place in covered else longest_match(words, place, lexicon.clauses)
-        form = form or reader.awaited(place) or reader.bounded(place)
+        form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -80,6 +74,7 @@ class _Clauses:
         self.lexicon = lexicon
         self.covered = covered
         self.named = named
+        self.contents = Contents(tree, phrases, lexicon)
 
     def awaited(self, place: int) -> tuple[str, ...] | None:
         """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
@@ -94,9 +89,15 @@ class _Clauses:
         """Give the "of" of "within an hour of calling" as what begins a clause."""
         return ("of",) if self.words[place].text == "of" and self._bound(place) is not None else None
 
+    def inverted(self, place: int) -> tuple[str, ...] | None:
+        """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
+        word, node = self.words[place], next(iter(self.tree.nodes), None)
+        leads = place == 0 and node is not None and node.lower == IF != word.text
+        return (word.text,) if leads and word.text in INVERTING else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses.get(form, "until")
+        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
         bound = self._bound(place) if form in WITHIN else None
         if bound is not None:
             kind = "within"
@@ -105,7 +106,8 @@ class _Clauses:
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
-        if said_end <= first:
+        if said_end <= first or self.covered.issuperset(range(first, said_end)):
+            # "Once today"
             return None
         content = (self.words[first].start, self.words[said_end - 1].end)
         nodes = list(self.tree.at(*content))
@@ -132,34 +134,13 @@ class _Clauses:
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
-            event = self._event(clause, nodes)
+            event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
-        found = self._told(clause, nodes)
+        found = self.contents.told(clause, nodes)
         eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
-
-    def _told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
-        """Give a clause with what it says: that something is done, or so, or an event."""
-        said = self.tree.text[slice(*clause.span)]
-        verb = self._verb(nodes)
-        if verb is not None:
-            return replace(
-                clause,
-                verb=self.tree.nodes[verb].lemma,
-                object=self._object(verb, nodes),
-                condition=condition_of(self.tree, verb, nodes, said),
-            )
-        if clause.kind in STATED:
-            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
-            if condition is None and clause.marker.startswith("the "):
-                # "The minute steak"
-                return None
-            condition = condition or state(self.tree, nodes, said)
-            if condition is not None:
-                return replace(clause, condition=condition)
-        return self._event(clause, nodes)
 
     def _is_counted(self, place: int) -> bool:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
@@ -170,11 +151,11 @@ class _Clauses:
         return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
 
     def _is_mark(self, place: int) -> bool:
-        """Whether a clause ends before a word: a comma, or "and" before a time or another clause."""
+        """Whether a clause ends before a word: a comma, or "and", "or" before a time or another clause."""
         text = self.words[place].text
         if text == "," and self._is_inside_number(place):
             return False
-        if text not in {"and", "but"} or place + 1 >= len(self.words) or place - 1 in self.covered:
+        if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text == ","
         # "Before you leave and again when you get back"
         behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
@@ -220,79 +201,6 @@ class _Clauses:
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
         return place >= 0 and self.words[place].text in self.lexicon.lasting
-
-    def _verb(self, nodes: Sequence[int]) -> int | None:
-        """Give the clause's own verb: the highest in it."""
-        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, nodes)]
-        if not verbs:
-            return None
-        inside = set(nodes)
-        tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
-        return tops[0] if tops else verbs[0]
-
-    def _describes(self, place: int, nodes: Sequence[int]) -> bool:
-        """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""
-        node = self.tree.nodes[place]
-        if node.relation in {"relcl", "acl"}:
-            return node.head in nodes
-        if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
-            # "Remind me the day before the exam to print my notes"
-            return True
-        return node.relation in {"aux", "auxpass", "amod", "compound"}
-
-    def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
-        inside = set(nodes)
-        for place in (
-            *self.tree.children(verb, "dobj", "nsubjpass"),
-            *self.tree.children(verb, "nsubj", "attr"),
-        ):
-            if place in inside:
-                text = " ".join(
-                    self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
-                )
-                if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
-                    return text
-        return None
-
-    def _event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
-        """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        together = clause.marker in {"at the same time as", "during"}
-        if (
-            not (together or clause.kind in {"after", "before", "until", "into", "within"})
-            or not self.tree.nodes[nodes[-1]].tag
-        ):
-            return None
-        head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
-        if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
-            return None
-        noun = self._noun_end(nodes)
-        if self.tree.nodes[noun].lower in self.lexicon.landmarks:
-            # "Turn left after the second crossing"
-            return None
-        end = self.tree.nodes[noun].end
-        return replace(
-            clause,
-            span=(clause.span[0], end),
-            content=(clause.content[0], end),
-            object=self.tree.text[clause.content[0] : end],
-            is_event=True,
-        )
-
-    def _noun_end(self, nodes: Sequence[int]) -> int:
-        """Give the last word of the noun: up to a preposition, a verb, or a time."""
-        last = nodes[0]
-        for place in nodes:
-            node = self.tree.nodes[place]
-            timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
-            if place > nodes[0] and (
-                timed
-                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
-                or node.is_verb
-                or node.relation == "nsubj"
-            ):
-                break
-            last = place
-        return last
 
 
 def _is_dated(phrase: Phrase) -> bool:

@@ -18,11 +18,11 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
-from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
-from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
@@ -33,21 +33,13 @@ from fuzzytime.language.sentence.references import (
     PRONOUNS,
     SEVERAL,
     Mentions,
-    content_words,
     is_several,
     resolved_object,
 )
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
-from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
-
-DOERS = frozenset({"you", "i", "we"})
-"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
-
-RESULTING = frozenset({"when", "if", "after"})
-"""Clauses about what another instruction does: "when it is done"; "until it is done" is about its own."""
-
-LASTING = frozenset({"until", "through"})
+from fuzzytime.language.sentence.waiting import INVERTING
+from fuzzytime.requirement import Constraint, TimeRequirement
 
 
 def composed(
@@ -156,7 +148,11 @@ class _Composer:
 
     def _doubts(self, sketch: Sketch) -> list[Remark]:
         part, words = sketch.part, self.draft.scanned.words
-        return list(doubts_of(self.draft.text, part.segment.span, words, part.tree, self.lexicon))
+        first, end = part.segment.span
+        front = self.draft.text[first : part.offset].partition(" ")[0].lower()
+        # "Should the bell ring, open the door" asks nothing.
+        span = (part.offset if front in INVERTING else first, end)
+        return list(doubts_of(self.draft.text, span, words, part.tree, self.lexicon))
 
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
@@ -175,13 +171,17 @@ class _Composer:
                 if phrase.span == grounded.requirement.span
             )
             requirement = anchors.of_phrase(phrase, grounded.requirement)
-            requirements.append(_referred(requirement, reference))
+            requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
                 alone = _follows_nothing(requirement.text, requirement.span)
                 self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:
                 self.remarks.append(_follows_nothing(requirement.text, requirement.span))
-        requirements += [self._of_clause(clause, anchors, sketch) for clause in sketch.clauses]
+        for clause in sketch.clauses:
+            required, remarks = of_clause(clause, anchors, sketch, self.draft)
+            self.explained.append(clause.span)
+            self.remarks += remarks
+            requirements.append(required)
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
@@ -203,6 +203,7 @@ class _Composer:
         said = self.draft.text[slice(*segment.span)].strip()
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
+        self.remarks += map(self._of_something_else, sketch.others)
         return Instruction(
             span=segment.span,
             operation=operation,
@@ -213,6 +214,10 @@ class _Composer:
             length_of=told,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
+
+    def _of_something_else(self, phrase: Phrase) -> Remark:
+        message = f"{self.draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
+        return Remark(RemarkKind.POLICY, phrase.span, message)
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
@@ -238,48 +243,6 @@ class _Composer:
         if since is not None:
             self.moment = replace(self.moment, since=since, carried=False)
 
-    def _of_clause(self, clause: Clause, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
-        text = self.draft.text[slice(*clause.span)]
-        self.explained.append(clause.span)
-        numbers = comparisons_in(self.draft.scanned, clause.content, self.lexicon)
-        target = anchors.target_of(clause)
-        said = clause.condition
-        if target is None and said and said.word in self.lexicon.results and clause.kind in RESULTING:
-            # "Boil the pasta. Drain it when it is done": when it is boiled.
-            named = _named(said, _thing(clause, anchors, sketch), self.lexicon)
-            target = anchors.target_of(replace(clause, condition=named))
-        if (
-            target is None
-            and clause.condition is not None
-            and clause.kind in {"when", "if", "until", "while"}
-        ):
-            reference = Reference.FINISH if clause.kind == "until" else Reference.START
-            thing = _thing(clause, anchors, sketch)
-            condition = _named(replace(clause.condition, text=text, comparisons=numbers), thing, self.lexicon)
-            if clause.kind in RESULTING and not condition.negated:
-                # "Warm up the printer. Once it is warm, print"
-                made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
-                condition = replace(condition, target=anchors.target_of(made))
-            return TimeRequirement(
-                text=text,
-                span=clause.span,
-                constraint=Constraint.WHEN,
-                preposition=clause.marker,
-                condition=condition,
-                reference=reference,
-            )
-        what = self.draft.text[slice(*clause.content)]
-        if target is None:
-            subject = None if clause.condition is None else clause.condition.subject
-            message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
-            if clause.is_event or (subject is not None and subject not in DOERS):
-                message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
-            self.remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
-        requirement = anchors.of_clause(clause, text, what, target)
-        if target is None and requirement.anchor is not None:
-            requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
-        return _referred(requirement, sketch.reference)
-
     def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
         """Give the words of all trees with places in the whole text, and the paper's reading of the first."""
         tokens: list[Token] = []
@@ -301,42 +264,3 @@ def _follows_nothing(said: str, span: Span) -> Remark:
     """Point at words that order an instruction beside another, where it is the first."""
     message = f"{said!r} is about an instruction before it, and none was given so far"
     return Remark(RemarkKind.UNRESOLVED, span, message)
-
-
-def _referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
-    """Give a requirement the moment of the execution that its verb is about."""
-    if reference is None or requirement.constraint in {
-        Constraint.FOR,
-        Constraint.EVERY,
-        Constraint.WHEN,
-    }:
-        return requirement
-    lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
-    if reference is Reference.THROUGHOUT and not lasting:
-        return requirement
-    return replace(requirement, reference=reference, reference_said=True)
-
-
-def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
-    """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
-
-    "Warm the milk and, once it is warm, add the yeast": the milk.
-    """
-    operation = sketch.operation
-    if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
-        pronoun = replace(operation, object=clause.condition.subject)
-        own = anchors.own[: anchors.position - anchors.first]
-        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
-        if earlier is not None and earlier.lower() not in PRONOUNS:
-            return earlier
-    return None if operation is None else operation.object
-
-
-def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
-    """Put a name for a pronoun: "stir the sauce until it thickens"."""
-    if condition.subject not in PRONOUNS or thing is None:
-        return condition
-    if condition.subject == "it" and condition.word in lexicon.impersonal:
-        return condition
-    words = [word for word in thing.lower().split() if content_words(word)]
-    return replace(condition, subject=" ".join(words) or condition.subject)

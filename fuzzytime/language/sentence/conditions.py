@@ -20,6 +20,9 @@ STARTING = frozenset({"start", "begin", "stop", "cease"})
 UNLESS = "unless"
 """The marker whose clause must not hold."""
 
+IF = "if"
+"""The marker whose clause may have a bare verb: "if the bell ring", as in "should the bell ring"."""
+
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
@@ -77,8 +80,9 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
     *before, last = (tree.nodes[p] for p in nodes)
     named = [node.lower for node in before if node.tag not in DETERMINERS]
-    if named and before[-1].tag == "NNS" and last.tag in {"NN", "JJ"} and last.may_act:
-        # "When the edges brown"
+    bare = named and last.tag in {"NN", "JJ"} and last.may_act
+    if bare and (before[-1].tag == "NNS" or text.lower().startswith(IF)):
+        # "When the edges brown", "should the bell ring"
         return Condition(text=text, subject=" ".join(named), word=last.lower)
     if (
         last.tag != "NNS"

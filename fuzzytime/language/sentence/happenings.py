@@ -24,6 +24,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     root = tree.root
     if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
+    if root and tree.nodes[0].lower in lexicon.appointing:
+        # "Schedule lunch at noon" asks for it.
+        return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
     return tree.nodes[root].tag in ONE and any(map(_is_range, phrases))

@@ -169,7 +169,7 @@ class Reader(Places):
             near = [p for p in names if self.tree.reach(p)[0] == verb + 1]
             owned = [p for p in names if self.tree.children(p, "poss")]
             owned += [p for p in near if self.tree.children(p, "det")]
-            named = owned or [p for p in names if p == verb + 1 and self.tree.nodes[p].tag == "NNP"]
+            named = owned or [p for p in names if p == verb + 1 and self._is_named(p)]
             words = self.words([p for p in named if not self.timed(p)], verb)
         if not words:
             # "Say hello"
@@ -186,6 +186,11 @@ class Reader(Places):
             words = self.words(self.tree.children(particle, *SUBJECTS), verb)
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
         return self._called_by_time(kept)
+
+    def _is_named(self, place: int) -> bool:
+        """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""
+        node = self.tree.nodes[place]
+        return node.tag in {"NNP", "NN"} and node.lower not in self.lexicon.places
 
     def _called_by_time(self, words: list[int]) -> list[int]:
         """Give an object with the time that it is called by: "catch the 7:42"."""

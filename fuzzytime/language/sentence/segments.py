@@ -104,7 +104,11 @@ def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
 def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
     """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
     first = next(iter(phrases), None)
-    if first is None or not first.first or words[first.first - 1].text not in lexicon.happening:
+    if first is None or not first.first:
+        return
+    # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
+    named = all(word.text in ARTICLES | lexicon.taken for word in words[: first.first]) and first.first > 1
+    if not named and words[first.first - 1].text not in lexicon.happening:
         return
     behind = first.end + 1
     if behind < len(words) and words[first.end].text in {",", "-", ":"}:

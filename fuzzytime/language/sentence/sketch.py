@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.happenings import happening_of
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
@@ -45,7 +46,8 @@ DATED = "clause"
 class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
-    ``references`` gives, for each of its times, which moment of the execution the words say it is about.
+    ``references`` gives, for each of its times, which moment of the execution the words say it is about;
+    ``others`` are times of something else: "the film that starts at eight".
     """
 
     part: Part
@@ -54,6 +56,7 @@ class Sketch:
     references: tuple[Reference | None, ...]
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
+    others: tuple[Phrase, ...] = ()
 
     @property
     def heard(self) -> list[Span]:
@@ -95,6 +98,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None:
         references = (None,) * len(kept)
         return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
+    others = elsewhere(part, kept, action, lexicon)
+    kept = [phrase for phrase in kept if phrase not in others]
     spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
@@ -110,6 +115,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
+        others=tuple(others),
     )
 
 

@@ -1,9 +1,10 @@
 """Instructions before they are grounded: operation, times and clauses of each part of a draft."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Phrase,
@@ -25,15 +26,44 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    for whole in shared(within(sketches, draft.text), draft.text, lexicon):
+    for offered in shared(within(sketches, draft.text), draft.text, lexicon):
+        whole, later = _first_offered(offered, draft.text)
+        remarks += (_not_used(draft.text, span) for span in later)
         for phrases, dropped in _alternatives(draft, whole.phrases):
             kept = [whole.phrases.index(phrase) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
-                text = draft.text[slice(*phrase.span)]
-                message = f"{text!r} is not used: of times joined by 'or', the first is taken"
-                remarks.append(Remark(RemarkKind.POLICY, phrase.span, message))
+                remarks.append(_not_used(draft.text, phrase.span))
     return on_their_days(found, draft.text), remarks
+
+
+def _not_used(text: str, span: Span) -> Remark:
+    message = f"{text[slice(*span)]!r} is not used: of times joined by 'or', the first is taken"
+    return Remark(RemarkKind.POLICY, span, message)
+
+
+def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
+    """Leave out clauses, and times behind one, that "or" joins to what is said before; give those left out.
+
+    "For ten minutes or until tender" says both: it is about as long as that.
+    """
+    lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
+    clauses = {clause.span for clause in sketch.clauses}
+    left = [
+        second
+        for first, second in pairwise(sorted(sketch.heard))
+        if text[first[1] : second[0]].strip(" ,").lower() in OFFERED
+        and first not in lasting
+        and not clauses.isdisjoint((first, second))
+    ]
+    phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
+    kept = replace(
+        sketch,
+        phrases=tuple(sketch.phrases[place] for place in phrases),
+        references=tuple(sketch.references[place] for place in phrases),
+        clauses=tuple(clause for clause in sketch.clauses if clause.span not in left),
+    )
+    return kept, left
 
 
 def _alternatives(

@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
+from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.happenings import happens
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
@@ -19,6 +20,13 @@ JOINT = re.compile(r"[\s,;&]*(\b(?:and|so)\b)?[\s,;&]*$", re.IGNORECASE)
 
 JOINING = (["and"], ["&"], ["then"], ["but"])
 """Words behind which a clause in front leads a further instruction."""
+
+
+AT = "at"
+"""The preposition of clock times, which holds for the one that corrects them too."""
+
+INVERTING = frozenset({"should", "had"})
+"""Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,11 +63,18 @@ class Source:
 
     @property
     def sound(self) -> str:
-        """The text with spaces where words were taken back: "at five, I mean six"."""
+        """The text with spaces where words were taken back: "at five, I mean six" is "at six"."""
         text = self.scanned.text
-        for first, end in (remark.span for remark in self.remarks):
+        for start, end in (remark.span for remark in self.remarks):
+            first = self._behind_preposition(start, end)
             text = text[:first] + " " * (end - first) + text[end:]
         return text
+
+    def _behind_preposition(self, start: int, end: int) -> int:
+        """Give where words begin that are taken back: the "at" in front of them stays."""
+        words = {word.start: word for word in self.scanned.words}
+        kept = start in words and end in words and words[start].text == AT != words[end].text
+        return words[start].end if kept else start
 
     @property
     def covered(self) -> frozenset[int]:
@@ -97,8 +112,10 @@ class Waiting:
 
     @property
     def front(self) -> str:
-        """The clause in front, nothing where there is none."""
-        return self.source.sound[self.segment.span[0] : self.main]
+        """The clause in front, nothing where there is none; one without its "if" as if it had one."""
+        text = self.source.sound[self.segment.span[0] : self.main]
+        first = text.partition(" ")[0]
+        return IF.ljust(len(first)) + text[len(first) :] if first.lower() in INVERTING else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
         """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
@@ -202,7 +219,9 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     words = source.scanned.words
     places = source.places(*segment.span)
     marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
-    if marker is None:
+    inverted = bool(places) and words[places[0]].text in INVERTING
+    if marker is None and not inverted:
         return segment.span[0]
-    comma = next((place for place in places if place >= marker.end and words[place].text == ","), None)
+    behind = places[0] + 1 if marker is None else marker.end
+    comma = next((place for place in places if place >= behind and words[place].text == ","), None)
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

@@ -92,7 +92,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
-        rescheduling=frozenset(form[0] for form in speech.words("rescheduling", "verbs")),
+        moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
+        rescheduling=frozenset(
+            form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
+        ),
         events=frozenset(form[0] for form in speech.words("rescheduling", "events")),
         addressing=frozenset(form[0] for form in speech.words("verbs", "addressing")),
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
@@ -130,7 +133,7 @@ _SPEECH = (
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "days_on", "deictics", "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges",
-    "seasons", "holidays",
+    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",
+    "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

@@ -72,6 +72,7 @@ def read_parts(tables: Tables) -> None:
     """Add parts of the day, shares and edges of periods."""
     reader = tables.reader
     parts: dict[str, Part] = {}
+    main: list[Part] = []
 
     def part(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         key = f"parts.{name}"
@@ -87,11 +88,21 @@ def read_parts(tables: Tables) -> None:
             tables.add(
                 fields["from"], key, "parts", parts[name], [(*form_of(name)[:-1], form_of(name)[-1] + "s")]
             )
+        if "main" in fields and reader.boolean(fields["main"], f"{key}.main"):
+            main.append(parts[name])
+        if "each" in fields:
+            tables.add(fields["each"], key, "parts", parts[name], tables.forms(fields["each"], f"{key}.each"))
         return [("meal" if meal else "part", parts[name])]
 
     tables.table(
-        "parts", {"from": True, "to": True, "half": True, "meal": False, "late": False, "place": False}, part
+        "parts",
+        {"from": True, "to": True, "half": True, "meal": False, "late": False, "place": False}
+        | {"main": False, "each": False},
+        part,
     )
+    if main and "all_meals" in tables.sections:
+        node = tables.sections["all_meals"]
+        tables.add(node, "all_meals", "meals", tuple(main), tables.words("all_meals"))
 
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))

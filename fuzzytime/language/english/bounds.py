@@ -1,0 +1,150 @@
+"""Bounds of a time: "by noon", "not before six", "at noon at the latest", "until after lunch"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.counted import coming_deadline
+from fuzzytime.language.english.prepositions import said_of
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.relations import Deictic, Which
+from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+LATER_YEARS = 2000
+"""From here on, four digits behind a bound are a year."""
+
+
+@grammar.rule("said", "before the <days>|<series> is|'s out|over|up|through", weight=0.4)
+def before_it_is_over(days: Calendar) -> Said:
+    """Before the week is out."""
+    period = Deictic(Which.THIS, days) if isinstance(days, Cycle) else days
+    return Said(Ending(Edge.END, period), Constraint.BEFORE, "before", (), Edge.LAST)
+
+
+@grammar.rule("said", "<preposition_before> the? <goal>", "<preposition_before> at <goal>", weight=0.2)
+def deadline(preposition: Preposition, goal: Goal) -> Said | None:
+    """By noon, no later than six, before tomorrow."""
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
+        return None
+    if isinstance(goal.time, Coming):
+        return replace(coming_deadline(goal), preposition=preposition.name)
+    return said_of(_as_clock(goal), preposition.name, Constraint.BEFORE, preposition.edge)
+
+
+@grammar.rule("said", "<preposition_after> the? <goal>", "<preposition_after> at <goal>", weight=0.2)
+def release(preposition: Preposition, goal: Goal) -> Said | None:
+    """After 5 pm, from monday, not before noon."""
+    if isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT:
+        return None
+    return said_of(_as_clock(goal), preposition.name, Constraint.AFTER, preposition.edge)
+
+
+def _as_clock(goal: Goal) -> Goal:
+    """Read the digits of a bound as a clock time, where they would be a year long gone: "by 1730"."""
+    days = goal.time.days if isinstance(goal.time, Wall) and goal.time.weak else None
+    year = days.year if isinstance(days, Fields) and days == Fields(year=days.year) else None
+    if year is None or not 1000 <= year < LATER_YEARS:
+        return goal
+    clock = number(Integer(year, str(year)))
+    return goal if clock is None else replace(goal, time=Wall(clock=clock))
+
+
+@grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
+def until_after(goal: Goal) -> Said | None:
+    """Until after lunch: until its end; "don't start it until after ten" is turned like every deadline."""
+    if isinstance(goal.time, TimeWord):
+        return None
+    return said_of(goal, "until", Constraint.BEFORE, Edge.END)
+
+
+@grammar.rule("said", "not until|till|before after the? <goal>", weight=0.4)
+def not_until_after(goal: Goal) -> Said | None:
+    """Not until after ten."""
+    if isinstance(goal.time, TimeWord):
+        return None
+    return said_of(goal, "not before", Constraint.AFTER, Edge.END)
+
+
+@grammar.rule("said", "past <clock>", weight=0.1)
+def past_clock(clock: Clock) -> Said:
+    """Past six; but "past tuesday" is the last one."""
+    return Said(Wall(clock=clock), Constraint.AFTER, "after")
+
+
+@grammar.rule(
+    "said",
+    "<goal> or|and later|after|greater|onwards|onward",
+    "<goal> onwards|onward",
+    "<goal> at the earliest",
+    weight=0.3,
+)
+def or_later(goal: Goal) -> Said | None:
+    """3 pm or later, monday onwards, at noon at the earliest; but "now and later" are two."""
+    if isinstance(goal.time, TimeWord):
+        return None
+    return said_of(goal, "not before", Constraint.AFTER, Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "at|on|from|by <goal> or|and later|after|onwards|onward",
+    "from <goal> on|onwards|onward",
+    "at|on <goal> at the very? earliest",
+    weight=0.4,
+)
+def at_or_later(goal: Goal) -> Said:
+    """At 3 pm or later."""
+    return said_of(goal, "not before", Constraint.AFTER, Edge.START)
+
+
+@grammar.rule(
+    "said",
+    "<goal> or|and before|earlier|sooner",
+    "by|at|on|in? <goal> at? the? very? latest",
+    "at|on|by <goal> or earlier|before|sooner",
+    weight=0.4,
+)
+def or_earlier(goal: Goal) -> Said:
+    """Noon at the latest, six or earlier."""
+    return said_of(goal, "no later than", Constraint.BEFORE, Edge.LAST)
+
+
+@grammar.rule(
+    "said", "<said> ,? at the very? latest", "at the? very? latest ,? <said>", "latest <said>", weight=0.5
+)
+def latest(said: Said) -> Said | None:
+    """In ten minutes at the latest, at the latest on friday."""
+    if said.constraint not in {None, Constraint.AT, Constraint.BEFORE} or isinstance(said.time, TimeWord):
+        return None
+    return replace(said, constraint=Constraint.BEFORE, preposition="no later than", edge=Edge.LAST)
+
+
+@grammar.rule(
+    "said",
+    "<said> ,? at the very? earliest",
+    "at the? very? earliest ,? <said>",
+    "earliest <said>",
+    weight=0.5,
+)
+def earliest(said: Said) -> Said | None:
+    """In ten minutes at the earliest, at the earliest on friday."""
+    if said.constraint not in {None, Constraint.AT, Constraint.AFTER} or isinstance(said.time, TimeWord):
+        return None
+    return replace(said, constraint=Constraint.AFTER, preposition="not before", edge=Edge.START)
+
+
+@grammar.rule("said", "<hedge>? within the? <deictic>? <goal>", weight=0.2)
+def within_time(hedge: str | None, which: object, goal: Goal) -> Said | None:
+    """Within the day."""
+    if isinstance(goal.time, (TimeWord, Offset)):
+        return None
+    if isinstance(goal.time, Coming):
+        return replace(coming_deadline(goal), preposition="within")
+    hedges = () if hedge is None else (hedge,)
+    return Said(goal.time, Constraint.BEFORE, "within", (*hedges, *goal.hedges), Edge.LAST)

@@ -1,0 +1,53 @@
+"""Zones of clock times: "3 pm PST", "8 GMT", "noon UTC-5", "9:40 local time"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.clocks import typed_with_h
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.expressions import Wall
+
+grammar = Grammar()
+
+GREENWICH = "+00:00"
+"""The zone that others are counted from."""
+
+
+def _east(zone: str, hours: int) -> str | None:
+    """Give the zone some hours east of Greenwich; None where another is named."""
+    return f"{hours:+03d}:00" if zone == GREENWICH and abs(hours) < 15 else None
+
+
+@grammar.rule("zone", "<zone> + <integer>", weight=0.3)
+def zone_ahead(zone: str, hours: Integer) -> str | None:
+    """GMT+1."""
+    return _east(zone, hours.value)
+
+
+@grammar.rule("zone", "<zone> - <integer>", weight=0.3)
+def zone_behind(zone: str, hours: Integer) -> str | None:
+    """UTC-5."""
+    return _east(zone, -hours.value)
+
+
+@grammar.rule("wall", "<wall> <zone>", "<wall> ( <zone> )", weight=0.1)
+def with_zone(time: Wall, zone: str) -> Wall | None:
+    """3pm PST, 8 GMT, 9 am (BST)."""
+    if time.clock is None or time.zone is not None:
+        return None
+    return replace(time, zone=zone, clock=replace(time.clock, bare=False, pair=False))
+
+
+@grammar.rule("wall", "<wall> local|my|our|your time", "<wall> ( local|my|our|your time )", weight=0.3)
+def with_own_zone(time: Wall) -> Wall | None:
+    """9:40 local time: by the clocks that the time now is told by."""
+    if time.clock is None or time.zone is not None:
+        return None
+    return replace(time, clock=replace(time.clock, bare=False, pair=False))
+
+
+@grammar.rule("wall", "<15h30> <zone>", weight=0.1)
+def typed_with_zone(numbers: Typed, zone: str) -> Wall | None:
+    """15h30 GMT."""
+    clock = typed_with_h(numbers)
+    return None if clock is None else Wall(clock=clock, zone=zone)

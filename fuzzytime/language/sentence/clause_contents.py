@@ -1,0 +1,121 @@
+"""What a clause says: that something is done ("you serve") or so ("it is hot"), or an event ("dinner")."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.conditions import being, condition_of, happening, state
+from fuzzytime.language.sentence.tree import Tree
+
+STATED = frozenset({"when", "if", "until"})
+"""Clauses that say what must be so."""
+
+NAMING = frozenset({"after", "before", "until", "into", "within"})
+"""Clauses that may name an event."""
+
+REFLEXIVE = ("self", "selves")
+"""How pronouns end that are no event: "clean up after yourselves"."""
+
+NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """Reads what clauses of a tree say; ``phrases`` are the times, at which a noun ends."""
+
+    tree: Tree
+    phrases: Sequence[Phrase]
+    lexicon: Lexicon
+
+    def told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
+        """Give a clause with what it says: that something is done, or so, or an event."""
+        said = self.tree.text[slice(*clause.span)]
+        verb = self._verb(nodes)
+        if verb is not None:
+            return replace(
+                clause,
+                verb=self.tree.nodes[verb].lemma,
+                object=self._object(verb, nodes),
+                condition=condition_of(self.tree, verb, nodes, said),
+            )
+        if clause.kind in STATED:
+            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
+            if condition is None and clause.marker.startswith("the "):
+                # "The minute steak"
+                return None
+            condition = condition or state(self.tree, nodes, said)
+            if condition is not None:
+                return replace(clause, condition=condition)
+        return self.event(clause, nodes)
+
+    def _verb(self, nodes: Sequence[int]) -> int | None:
+        """Give the clause's own verb: the highest in it."""
+        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, nodes)]
+        if not verbs:
+            return None
+        inside = set(nodes)
+        tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
+        return tops[0] if tops else verbs[0]
+
+    def _describes(self, place: int, nodes: Sequence[int]) -> bool:
+        """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""
+        node = self.tree.nodes[place]
+        if node.relation in {"relcl", "acl"}:
+            return node.head in nodes
+        if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
+            # "Remind me the day before the exam to print my notes"
+            return True
+        return node.relation in {"aux", "auxpass", "amod", "compound"}
+
+    def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
+        inside = set(nodes)
+        for place in (
+            *self.tree.children(verb, "dobj", "nsubjpass"),
+            *self.tree.children(verb, "nsubj", "attr"),
+        ):
+            if place in inside:
+                text = " ".join(
+                    self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
+                )
+                if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
+                    return text
+        return None
+
+    def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
+        """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
+        together = clause.marker in {"at the same time as", "during"}
+        if not (together or clause.kind in NAMING) or not self.tree.nodes[nodes[-1]].tag:
+            return None
+        head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
+        if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
+            return None
+        noun = self._noun_end(nodes)
+        if self.tree.nodes[noun].lower in self.lexicon.landmarks:
+            # "Turn left after the second crossing"
+            return None
+        end = self.tree.nodes[noun].end
+        return replace(
+            clause,
+            span=(clause.span[0], end),
+            content=(clause.content[0], end),
+            object=self.tree.text[clause.content[0] : end],
+            is_event=True,
+        )
+
+    def _noun_end(self, nodes: Sequence[int]) -> int:
+        """Give the last word of the noun: up to a preposition, a verb, or a time."""
+        last = nodes[0]
+        for place in nodes:
+            node = self.tree.nodes[place]
+            timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
+            if place > nodes[0] and (
+                timed
+                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
+                or node.is_verb
+                or node.relation == "nsubj"
+            ):
+                break
+            last = place
+        return last

@@ -1,0 +1,110 @@
+"""What the clauses of an instruction require: that something is so, or is done, before it or after it."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.comparisons import comparisons_in
+from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
+from fuzzytime.language.sentence.sketch import Sketch
+from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
+
+DOERS = frozenset({"you", "i", "we"})
+"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
+
+RESULTING = frozenset({"when", "if", "after"})
+"""Clauses about what another instruction does: "when it is done"; "until it is done" is about its own."""
+
+STATING = frozenset({"when", "if", "until", "while"})
+"""Clauses that may say what must be so."""
+
+LASTING = frozenset({"until", "through"})
+
+
+def of_clause(
+    clause: Clause, anchors: Anchors, sketch: Sketch, draft: Draft
+) -> tuple[TimeRequirement, list[Remark]]:
+    """Give what a clause requires: a condition, or where another instruction lies; and remarks on it."""
+    lexicon = anchors.lexicon
+    text = draft.text[slice(*clause.span)]
+    remarks: list[Remark] = []
+    numbers = comparisons_in(draft.scanned, clause.content, lexicon)
+    target = anchors.target_of(clause)
+    said = clause.condition
+    if target is None and said and said.word in lexicon.results and clause.kind in RESULTING:
+        # "Boil the pasta. Drain it when it is done": when it is boiled.
+        named = _named(said, _thing(clause, anchors, sketch), lexicon)
+        target = anchors.target_of(replace(clause, condition=named))
+    if target is None and said is not None and clause.kind in STATING:
+        condition = replace(said, text=text, comparisons=numbers)
+        return _of_condition(clause, condition, anchors, sketch), []
+    what = draft.text[slice(*clause.content)]
+    if target is None:
+        subject = None if said is None else said.subject
+        message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+        if clause.is_event or (subject is not None and subject not in DOERS):
+            message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
+        remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
+    requirement = anchors.of_clause(clause, text, what, target)
+    if target is None and requirement.anchor is not None:
+        requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
+    return referred(requirement, sketch.reference), remarks
+
+
+def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
+    """Give the requirement that something is so, which another instruction may bring about."""
+    condition = _named(said, _thing(clause, anchors, sketch), anchors.lexicon)
+    if clause.kind in RESULTING and not condition.negated:
+        # "Warm up the printer. Once it is warm, print"
+        made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
+        condition = replace(condition, target=anchors.target_of(made))
+    return TimeRequirement(
+        text=said.text,
+        span=clause.span,
+        constraint=Constraint.WHEN,
+        preposition=clause.marker,
+        condition=condition,
+        reference=Reference.FINISH if clause.kind == "until" else Reference.START,
+    )
+
+
+def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
+    """Give a requirement the moment of the execution that its verb is about."""
+    if reference is None or requirement.constraint in {
+        Constraint.FOR,
+        Constraint.EVERY,
+        Constraint.WHEN,
+    }:
+        return requirement
+    lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
+    if reference is Reference.THROUGHOUT and not lasting:
+        return requirement
+    return replace(requirement, reference=reference, reference_said=True)
+
+
+def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
+    """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
+
+    "Warm the milk and, once it is warm, add the yeast": the milk.
+    """
+    operation = sketch.operation
+    if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
+        pronoun = replace(operation, object=clause.condition.subject)
+        own = anchors.own[: anchors.position - anchors.first]
+        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
+        if earlier is not None and earlier.lower() not in PRONOUNS:
+            return earlier
+    return None if operation is None else operation.object
+
+
+def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
+    """Put a name for a pronoun: "stir the sauce until it thickens"."""
+    if condition.subject not in PRONOUNS or thing is None:
+        return condition
+    if condition.subject == "it" and condition.word in lexicon.impersonal:
+        return condition
+    words = [word for word in thing.lower().split() if content_words(word)]
+    return replace(condition, subject=" ".join(words) or condition.subject)

@@ -1,0 +1,64 @@
+"""Times of something else than what is to be done: of what is told, and of things described by them.
+
+"Remind me at six that the oven is cleaned at seven", "print the tickets for the film that starts at eight".
+"""
+
+from collections.abc import Collection, Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.actions import Action
+from fuzzytime.language.sentence.waiting import Part
+
+RELATIVE = frozenset({"which", "that", "who", "whose", "where"})
+"""Words that begin what describes a thing."""
+
+PERSONS = ("NN", "PRP")
+SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
+"""How tags begin of words in front of what is told, and of its first."""
+
+RECALLING = "remind"
+"""Somebody is reminded at the only time that is said, whatever it is of."""
+
+
+def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
+    """Give the times that are no times of what is to be done."""
+    starts = {phrase.span: next(part.tree.at(*_local(part, phrase)), None) for phrase in phrases}
+    timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
+    told = _told_from(part, action, timed, lexicon)
+    own = told is not None and any(place is None or place < told for place in starts.values())
+    if part.tree.nodes[action.place].lemma == RECALLING and not own:
+        told = None
+    found = []
+    for phrase in phrases:
+        place = starts[phrase.span]
+        if place is not None and ((told is not None and place > told) or _is_described(part, place, action)):
+            found.append(phrase)
+    return found
+
+
+def _local(part: Part, phrase: Phrase) -> tuple[int, int]:
+    first, end = phrase.span
+    return first - part.offset, end - part.offset
+
+
+def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexicon) -> int | None:
+    """Give the "that" behind which is what somebody is told; None where nothing is."""
+    nodes = part.tree.nodes
+    if nodes[action.place].lemma not in lexicon.addressing:
+        return None
+    for place in range(action.place + 2, len(nodes) - 1):
+        behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
+        if nodes[place].lower == "that" and behind_whom and nodes[place + 1].tag.startswith(SAID):
+            return place
+    return None
+
+
+def _is_described(part: Part, place: int, action: Action) -> bool:
+    """Whether a time stands right behind the verb of a relative clause: "the film that starts at eight"."""
+    tree, verb = part.tree, place - 1
+    if verb <= action.place or not tree.nodes[verb].is_verb:
+        return False
+    # "The meeting I have tomorrow" is what is counted from.
+    before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
+    return any(tree.nodes[p].lower in RELATIVE for p in before)
