@@ -45,6 +45,8 @@ class Gathering:
             self.links.instructions.append(places[-1][1])
         if not listed:
             self.rows.join(reading, places, self.skills)
+            for instruction, made in places:
+                self.rows.await_arrival(instruction, made, self.skills)
 
     def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
