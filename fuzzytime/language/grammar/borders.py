@@ -37,6 +37,7 @@ class Borders:
             or self._is_excepted(piece)
             or self._holds_particle(piece)
             or self._names_event(piece)
+            or self._is_object(piece)
         )
 
     def runs_on(self, piece: Piece) -> bool:
@@ -101,6 +102,10 @@ class Borders:
             # "Bring the car round at six"
             return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
+
+    def _is_object(self, piece: Piece) -> bool:
+        """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
+        return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
 
     def _names_event(self, piece: Piece) -> bool:
         """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""

@@ -51,6 +51,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if (
                     around.is_name(piece)
+                    or around.is_object(start)
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)

@@ -18,7 +18,6 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.grounding import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
@@ -176,7 +175,7 @@ class _Composer:
             operation, duration = replace(operation, negated=False), duration if lasting else None
         told = length_of(operation, requirements, self.draft.text[slice(*segment.span)].strip(), anchors)
         self.remarks += unknown_length(told, segment.span)
-        self.remarks += map(self._of_something_else, sketch.others)
+        self.remarks += sketch.remarks
         return Instruction(
             span=segment.span,
             operation=operation,
@@ -186,10 +185,6 @@ class _Composer:
             fuzzy_parameters=sketch.parameters,
             length_of=told,
         )
-
-    def _of_something_else(self, phrase: Phrase) -> Remark:
-        message = f"{self.draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
-        return Remark(RemarkKind.POLICY, phrase.span, message)
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""

@@ -14,6 +14,10 @@ from fuzzytime.requirement import Constraint, Unit
 GIVEN = frozenset({"me", "us", "him", "her", "them"})
 """Who is given what is named behind."""
 
+REPEATING = frozenset({"repeat", "redo"})
+REPEATED = frozenset({"it", "this", "that"})
+"""Verbs that ask for what was done before, and how that is named."""
+
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
@@ -68,6 +72,10 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         if rest and set(rest.lower().split()) <= AGAIN:
             # "Ring the bell at six, then again at seven"
             return before
+    said_again = sketch.operation
+    if said_again is not None and said_again.lemma in REPEATING and sketch.phrases:
+        # "Baste the roast, and repeat this every ten minutes"
+        return before if (said_again.object or "it").lower() in REPEATED else None
     if sketch.operation is not None:
         return None
     then = part.segment.connective == "then"

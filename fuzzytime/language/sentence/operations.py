@@ -153,7 +153,9 @@ class Reader(Places):
             return [place for place in self.words([clause.noun], verb) if place in about]
         level = self.level(verb)
         direct = [p for p in (*self.tree.children(verb, *OBJECTS), *self._asked(verb)) if p not in level]
-        words = self.words([p for p in direct if p > verb and not self.timed(p)], verb)
+        words = self.words(
+            [p for p in direct if p > verb and (not self.timed(p) or self._is_joined(p))], verb
+        )
         if not words:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
             named = self.words([p for p in direct if p > verb], verb)
@@ -184,7 +186,11 @@ class Reader(Places):
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self.words(self.tree.children(particle, *SUBJECTS), verb)
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
-        return self._called_by_time(kept)
+        return self._called_by_time(self.with_numbers(kept))
+
+    def _is_joined(self, place: int) -> bool:
+        """Whether a tree joined a word about time to the thing before it: "send me the file asap"."""
+        return any(not self.timed(p) for p in self.tree.children(place, "compound") if p == place - 1)
 
     def _is_named(self, place: int) -> bool:
         """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""
@@ -253,6 +259,8 @@ class Reader(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        # "The delivery arrives between ten and eleven"
+        rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.tree import Tree
 
+LISTED = frozenset({",", "and", "&", "or"})
+"""What joins the numbers of a list."""
+
 LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
 """How strong a fire or a machine is on."""
 
@@ -52,6 +55,32 @@ class Wording:
                     break
                 found.append(place)
         return sorted(set(found))
+
+    def with_numbers(self, words: Sequence[int]) -> list[int]:
+        """Give words with the numbers that things are called by: "valve 1", "rooms 3, 4 and 5"."""
+        found = set(words)
+        called = [p for p in words if self.tree.nodes[p].lower in self.lexicon.machines]
+        found.update(p + 1 for p in called if self._counts(p + 1))
+        for place in sorted(found):
+            end: int | None = place
+            while end is not None and self._counts(end):
+                found.update(range(place, end + 1))
+                end = self._next_number(end)
+        return sorted(found)
+
+    def _counts(self, place: int) -> bool:
+        inside = place < len(self.tree.nodes)
+        return inside and self.tree.nodes[place].tag == "CD" and not self.timed(place)
+
+    def _next_number(self, place: int) -> int | None:
+        """Give the number behind another and a joint, if it counts nothing itself."""
+        nodes, behind = self.tree.nodes, place + 1
+        while behind < len(nodes) and nodes[behind].lower in LISTED:
+            behind += 1
+        if not place + 1 < behind < len(nodes) or not self._counts(behind):
+            return None
+        counted = behind + 1 < len(nodes) and nodes[behind + 1].tag.startswith("NN")
+        return None if counted else behind
 
     def _describes(self, place: int) -> bool:
         """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
