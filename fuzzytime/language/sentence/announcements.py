@@ -73,7 +73,7 @@ def _names_event(words: Sequence[Word], lexicon: Lexicon) -> bool:
     if "with" in texts:
         together = texts.index("with")
         texts, company = texts[:together], texts[together + 1 :]
-        if not 0 < len(company) < LONGEST_NAME:
+        if not 0 < len(company) < LONGEST_NAME or lexicon.function_words & set(company) - OWNING:
             return False
     if not 0 < len(texts) <= LONGEST_NAME:
         return False

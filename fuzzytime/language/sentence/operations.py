@@ -182,6 +182,7 @@ class Reader(Places):
         if not words:
             # "Clear it away": a pronoun behind the verb was taken for who does it.
             words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
+        words = words or self.numbers_from(verb + 1)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self.words(self.tree.children(particle, *SUBJECTS), verb)

@@ -171,6 +171,9 @@ class Waiting:
         if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
             # "Pat it dry"
             return True
+        if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
+            # "Print the boarding passes tonight"
+            return True
         # "Fetch crate 4, bring it here": the first order is taken for who does the second.
         subjects = tree.children(tree.root, *SUBJECTS)
         taken = any(first in tree.below(place) for place in subjects)
