@@ -84,6 +84,10 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
         # "Push the meeting back by half an hour": how much later, and no time.
         return True
+    numbered = piece.end < len(around.words) and around.words[piece.end].is_digits
+    if piece.category == "unit" and numbered and around.words[piece.start].capital:
+        # "Year 4"
+        return True
     named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}

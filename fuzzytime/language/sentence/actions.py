@@ -56,6 +56,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             reference = Reference.FINISH
         elif (
             lemma in lexicon.wanting
+            or _is_going_to(tree, root)
             or (lemma == "let" and _lets(tree, root))
             or (lemma == "have" and _has_to(tree, below))
         ):
@@ -162,6 +163,11 @@ def _lets(tree: Tree, place: int) -> bool:
     """Whether it is "let us" or "lets", not "let me know"."""
     following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _is_going_to(tree: Tree, place: int) -> bool:
+    """Whether it is "it's going to rain", not "go to see her"."""
+    return tree.nodes[place].lower in {"going", "gonna"} and bool(tree.children(place, "aux"))
 
 
 def _has_to(tree: Tree, below: int) -> bool:

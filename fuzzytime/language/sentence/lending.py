@@ -9,7 +9,7 @@ from fuzzytime.language.sentence.anchors import INTO
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import Constraint, Reference, Unit
 
 GIVEN = frozenset({"me", "us", "him", "her", "them"})
 """Who is given what is named behind."""
@@ -159,7 +159,13 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if operation.object is None and operation.lemma not in lexicon.intransitive:
             operation = replace(operation, object=second.operation.object)
         first = replace(first, operation=operation)
-        if not first.phrases and all(phrase.said.constraint in STARTS for phrase in second.phrases):
+        goes_on = Reference.THROUGHOUT in second.references
+        # "Cover and leave it overnight"
+        if (
+            not first.phrases
+            and not goes_on
+            and all(phrase.said.constraint in STARTS for phrase in second.phrases)
+        ):
             first = replace(first, phrases=second.phrases, references=second.references)
             second = replace(second, phrases=(), references=())
         found[place - 1 : place + 1] = [first, second]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.language.sentence.wording import Wording
 
 SIDES = frozenset({"left", "right"})
-BEHIND = frozenset({"for", "about", "with", "from", "between"})
+BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
 """Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
 
 BECOMING = frozenset({"dry", "clean", "flat", "smooth", "thin", "open", "shut", "loose", "tight", "crisp"})
