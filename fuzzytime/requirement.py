@@ -112,7 +112,8 @@ class Anchor:
 
     ``target`` is the position of that instruction among all given so far, from 0, or None for an event or
     a reference that could not be resolved. ``lag`` is in seconds, negative before the anchor; ``exact`` says
-    that the lag is wished for ("five minutes before"), not only its sign ("before"). ``lasting`` and
+    that the lag is wished for ("five minutes before"), not only its sign ("before"); it counts from ``edge``,
+    or from the ``share`` of its length that is over then ("halfway through"). ``lasting`` and
     ``comparisons`` are those of a state that is measured from ("after the oven is above 150 degrees").
     """
 
@@ -123,6 +124,7 @@ class Anchor:
     edge: Edge = Edge.END
     lag: float = 0.0
     exact: bool = False
+    share: float | None = None
     lasting: Lasting | None = None
     comparisons: tuple[Comparison, ...] = ()
 
@@ -133,6 +135,16 @@ class Recurrence(Protocol):
     @property
     def interval(self) -> float | None:
         """Seconds between occurrences, None where they are not evenly spaced."""
+        ...
+
+    @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        ...
+
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over: "every day from 9 to 10"."""
         ...
 
     def occurrences(self, until: float) -> tuple[float, ...]:

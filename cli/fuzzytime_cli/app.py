@@ -4,10 +4,10 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from typer.core import TyperGroup
 
 from fuzzytime_cli import study
 from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
@@ -15,15 +15,21 @@ from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import exit_of
 from fuzzytime_cli.narrow import help_that_fits
+from fuzzytime_cli.parameters import Command, Group
 
 if TYPE_CHECKING:
     import typer._click as click
 
-PLAINER = (("Value error, ", ""), ("Input should be ", "must be "))
+PLAINER = (
+    ("Value error, ", ""),
+    ("Input should be ", "must be "),
+    (", unable to parse string as an integer", ""),
+    (", unable to parse string as a number", ""),
+)
 """Words of the library that checks options, and what people would say."""
 
 
-class Root(TyperGroup):
+class Root(Group):
     """The command itself: it says what is wrong with an option in plain words."""
 
     def invoke(self, ctx: "click.Context") -> Any:  # noqa: ANN401 - whatever a command returns
@@ -49,16 +55,17 @@ app = typer.Typer(
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-app.command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
-app.command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
-app.command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
-app.command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
-app.command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
-app.command("parse", short_help="Show the operations and times of each text.")(parse.parse)
+command = partial(app.command, cls=Command)
+command("plan", short_help="Print the best schedule, and how well each wish is satisfied.")(plan.plan)
+command("explain", short_help="Show what was understood, which rules apply, why then.")(explain.explain)
+command("repl", short_help="Hold a conversation: the schedule follows as you type.")(repl.repl)
+command("run", cls=live.CommandWithProgram, short_help="Carry a plan out, planning anew.")(live.run)
+command("batch", short_help="Plan many task files: one JSON line each, in order.")(batch.batch)
+command("parse", short_help="Show the operations and times of each text.")(parse.parse)
 app.add_typer(rules.app, name="rules", short_help="Check rule tables; show what applies.")
 app.add_typer(study.app, name="study", short_help="Ask people what they mean; plan with what they answer.")
 app.add_typer(config.app, name="config", short_help="Show the settings, and where each comes from.")
-app.command("doctor", short_help="Check the installation.")(doctor.doctor)
+command("doctor", short_help="Check the installation.")(doctor.doctor)
 
 
 def _show_version(wanted: bool) -> None:  # noqa: FBT001 - Typer calls it with the flag's value

@@ -80,8 +80,7 @@ class Assembly:
         actor = self.settings.text("actor")
         with as_config():
             for path in files:
-                if not path.exists():
-                    raise NoInputError(f"{path}: there is no such rule table")
+                require_file(path, "rule table")
             return Rulebook.shipped(
                 Profile(self.settings.text("profile")), Actor(actor) if actor else None, files
             )
@@ -114,7 +113,7 @@ class Assembly:
             from fuzzytime_cli.personal import kept_ratings, personal_rulebook
 
             rulebook = personal_rulebook(rulebook, kept_ratings(data_folder()))
-        return Interpreter(self.language(), rulebook)
+        return Interpreter.joining(self.language(), rulebook)
 
     def context(
         self, understanding: Understanding, now: datetime, signals: "Mapping[str, Signal]"
@@ -130,8 +129,7 @@ class Assembly:
 
         context = Context()
         if understanding.context is not None:
-            if not understanding.context.exists():
-                raise NoInputError(f"{understanding.context}: there is no such context file")
+            require_file(understanding.context, "context file")
             context = read_context_file(understanding.context, now, signals)
         for assignment in understanding.ctx or ():
             with as_usage("--ctx"):
@@ -216,6 +214,20 @@ def standing_rules(environment: "Mapping[str, str]") -> tuple[Path, ...]:
 
     candidates = (user_file(environment).parent / "rules.yaml", Path(PROJECT_RULES))
     return tuple(path for path in candidates if path.is_file())
+
+
+def require_file(path: Path, what: str) -> None:
+    """Make sure that a file is there, be it a pipe.
+
+    Raises
+    ------
+    NoInputError
+        If it is not, or is a folder.
+    """
+    if path.is_dir():
+        raise NoInputError(f"{path}: a {what} must be a file, and it is a folder")
+    if not path.exists():
+        raise NoInputError(f"{path}: there is no such {what}")
 
 
 def parse_cache(environment: "Mapping[str, str]") -> Path | None:

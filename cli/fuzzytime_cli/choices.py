@@ -1,6 +1,8 @@
 """Closed sets of words that flags and settings may take."""
 
 from enum import StrEnum
+from pathlib import Path
+from typing import Self
 
 
 class ProfileChoice(StrEnum):
@@ -38,6 +40,12 @@ class PlanFormat(StrEnum):
     ICS = "ics"
     HTML = "html"
     SVG = "svg"
+
+    @classmethod
+    def of_file(cls, path: Path | None) -> Self | None:
+        """Give the format that a file's name ends in, if it does."""
+        ending = path.suffix.lower().removeprefix(".") if path is not None else ""
+        return next((kind for kind in cls if kind == ending), None)
 
 
 class RunFormat(StrEnum):

@@ -116,7 +116,7 @@ class Understanding:
         typer.Option("--ctx", metavar="NAME=VALUE", help="What is so now, such as pan_temp=180; repeatable."),
     ] = None
     context: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Readings over time, one JSON object a line.")
+        Path | None, typer.Option(metavar="FILE", help="Readings over time: one JSON object a line, or CSV.")
     ] = None
 
 
@@ -154,5 +154,13 @@ class Solving:
         typer.Option(
             metavar="DURATION",
             help="How far to look ahead, such as 8h; if not given, past the last wish, at most 48 h.",
+        ),
+    ] = None
+    in_order: Annotated[
+        bool | None,
+        typer.Option(
+            "--in-order/--any-order",
+            help="Take instructions as steps, each after the one before, unless words say another order.",
+            show_default=False,
         ),
     ] = None

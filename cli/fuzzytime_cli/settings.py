@@ -71,6 +71,7 @@ KINDS: Mapping[str, Kind] = {
     "time_limit": Kind(5.0, "seconds after which the best schedule so far is given", low=0.01, high=86400),
     "seed": Kind(0, "seed of the methods that draw at random", low=0, high=2**32),
     "horizon": Kind("", "how far to look ahead, such as 8h; empty: past the last window, at most 48 h"),
+    "in_order": Kind(default=False, help="whether instructions are steps, each after the one before"),
     "zone": Kind("", "time zone; empty: the machine's"),
     "personal": Kind(default=True, help="whether your ratings of starts (:rate) move the tables"),
     "bell": Kind(default=False, help="ring the terminal's bell when a start time comes"),

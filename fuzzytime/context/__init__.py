@@ -2,14 +2,11 @@
 
 from fuzzytime.context.files import (
     parse_assignment,
-    parse_context_line,
-    parse_fields,
     read_context_file,
     read_context_lines,
     read_context_node,
-    reading_of,
-    time_of,
 )
+from fuzzytime.context.lines import parse_context_line, parse_fields, reading_of, time_of
 from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Approach, Course, Hold, Linear, Signal
 from fuzzytime.context.units import parse_quantity, symbol

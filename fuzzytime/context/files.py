@@ -1,29 +1,24 @@
-"""Readings from outside: files of JSON lines, assignments on a command line, the context of a task file."""
+"""Readings from outside: files of JSON lines or CSV, assignments, the context of a task file."""
 
-import json
-import math
+import codecs
 from collections.abc import Mapping
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any
 
+from fuzzytime.context.lines import LONGEST_LINE, LineError, parse_context_line
 from fuzzytime.context.readings import MAX_READINGS, Context, Reading, admitted
 from fuzzytime.context.signals import Signal
-from fuzzytime.context.units import parse_quantity
+from fuzzytime.context.spreadsheet import is_head, read_rows
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
-from fuzzytime.times import parse_instant, seconds_between
 from fuzzytime.yaml_nodes import Mapping as MappingNode
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
-LONGEST_LINE = 4096
 LARGEST_FILE = 64 << 20
 
 _NOTHING = ("", "~", "null")
 """How YAML writes that an event has no value."""
-
-_KEYS = ("signal", "at_s", "at", "value", "unit")
 
 
 def parse_assignment(text: str, signals: Mapping[str, Signal] | None = None) -> Reading:
@@ -56,7 +51,7 @@ def parse_assignment(text: str, signals: Mapping[str, Signal] | None = None) -> 
 def read_context_file(
     path: Path, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
 ) -> Context:
-    """Read a file of JSON lines: ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``.
+    """Read a file of JSON lines or of comma-separated values, UTF-8 or UTF-16 with its mark.
 
     Parameters and mistakes are those of `read_context_lines`.
 
@@ -80,7 +75,10 @@ def read_context_lines(
     now: datetime | None = None,
     signals: Mapping[str, Signal] | None = None,
 ) -> Context:
-    """Read one reading a line, as JSON; empty lines are passed over.
+    """Read one reading a line, as JSON, or a table whose first line is a head; empty lines are passed over.
+
+    A line of JSON is ``{"signal": "pan_temp", "at_s": -30, "value": 120, "unit": "degC"}``; of a table see
+    `fuzzytime.context.spreadsheet`.
 
     Parameters
     ----------
@@ -100,16 +98,20 @@ def read_context_lines(
     if len(raw) > LARGEST_FILE:
         message = f"readings must not be more than {LARGEST_FILE:,} bytes"
         raise DocumentError((Mistake(shown, 1, 1, "", message),))
+    raw = _as_utf8(raw, shown)
+    first, _, _ = raw.partition(b"\n")
+    if is_head(first.decode("utf-8", "replace").strip()):
+        return read_rows(_text_of(raw, shown), shown, now, signals)
     readings: list[Reading] = []
     mistakes: list[Mistake] = []
-    for number, line in enumerate(raw.removeprefix(b"\xef\xbb\xbf").split(b"\n"), 1):
+    for number, line in enumerate(raw.split(b"\n"), 1):
         if not line.strip():
             continue
         try:
             readings.append(parse_context_line(line, now, signals))
         except FuzzytimeError as error:
             text = line[:LONGEST_LINE].decode("utf-8", "replace").rstrip("\r")
-            column = error.column if isinstance(error, LineError) else 1
+            column = error.column_in(text) if isinstance(error, LineError) else 1
             mistakes.append(Mistake(shown, number, column, "", str(error), text))
         if max(len(readings), len(mistakes)) > MAX_READINGS:
             message = f"a context must hold at most {MAX_READINGS:,} readings"
@@ -119,140 +121,25 @@ def read_context_lines(
     return Context(tuple(readings))
 
 
-class LineError(FuzzytimeError):
-    """A line that is no reading, and the column from which on, from 1."""
-
-    def __init__(self, message: str, column: int = 1) -> None:
-        super().__init__(message)
-        self.column = column
-
-
-def parse_context_line(
-    line: bytes | str, now: datetime | None = None, signals: Mapping[str, Signal] | None = None
-) -> Reading:
-    """Read one reading from one line of JSON.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is none, or not one that its signal can have.
-    """
-    return reading_of(parse_fields(line), signals, now)
-
-
-def reading_of(
-    fields: Mapping[str, Any],
-    signals: Mapping[str, Signal] | None = None,
-    now: datetime | None = None,
-    latest: float = 0.0,
-) -> Reading:
-    """Make a reading of the fields of a JSON object.
-
-    Parameters
-    ----------
-    fields
-        ``signal``, and perhaps ``value``, ``unit``, and one of ``at`` and ``at_s``.
-    signals, now
-        As in `read_context_file`.
-    latest
-        The time, in seconds from now, after which no value may lie.
-
-    Raises
-    ------
-    FuzzytimeError
-        If they are none, or not one that its signal can have.
-    """
-    for name in fields:
-        if name not in _KEYS:
-            raise LineError(f"unknown key {name!r}{suggestion(name, _KEYS)}")
-    signal = fields.get("signal")
-    if not isinstance(signal, str) or not signal:
-        raise LineError(f"'signal' must be a name, got {signal!r}")
-    unit = fields.get("unit")
-    if unit is not None and not isinstance(unit, str):
-        raise LineError(f"'unit' must be a text, got {unit!r}")
-    value = fields.get("value")
-    if isinstance(value, str):
-        value, said = parse_quantity(value)
-        unit = said if unit is None else unit
-    elif value is not None:
-        value = _number(value, "value")
-    reading = Reading(signal, time_of(fields, now), value, unit)
-    if reading.at > latest and value is not None:
-        raise LineError(f"a reading must not lie in the future, got {reading.at:g} s")
-    return reading if signals is None else admitted(reading, signals)
-
-
-def parse_fields(line: bytes | str) -> dict[str, Any]:
-    """Give the fields of a line that is a JSON object, with distinct keys and finite numbers.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is none.
-    """
-    if len(line) > LONGEST_LINE:
-        raise LineError(f"a line must not be longer than {LONGEST_LINE} bytes, got {len(line)}")
+def _as_utf8(raw: bytes, shown: str) -> bytes:
+    """Take a mark of UTF-8 away, and turn UTF-16 with its mark into UTF-8."""
+    if raw[:2] not in {codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE}:
+        return raw.removeprefix(codecs.BOM_UTF8)
     try:
-        text = line.decode("utf-8") if isinstance(line, bytes) else line
-        fields = json.loads(text, object_pairs_hook=_distinct, parse_constant=_no_constant)
-    except json.JSONDecodeError as error:
-        raise LineError(f"a line must be a JSON object: {error.msg}", error.colno) from error
+        return raw.decode("utf-16").encode()
     except UnicodeDecodeError as error:
-        raise LineError(
-            f"text must be UTF-8, got byte 0x{error.object[error.start]:02x}", error.start + 1
-        ) from error
-    except (ValueError, RecursionError) as error:
-        raise LineError("a line must be a flat JSON object of plain numbers") from error
-    if not isinstance(fields, dict):
-        raise LineError(f"a line must be a JSON object, got {str(fields)[:40]!r}")
-    return fields
+        message = f"text that begins as UTF-16 must be UTF-16: {error.reason}"
+        raise DocumentError((Mistake(shown, 1, 1, "", message),)) from error
 
 
-def _distinct(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    fields = dict(pairs)
-    if len(fields) < len(pairs):
-        twice = next(name for i, (name, _) in enumerate(pairs) if name in dict(pairs[:i]))
-        raise LineError(f"keys must differ, got {twice!r} twice")
-    return fields
-
-
-def _no_constant(name: str) -> float:
-    raise LineError(f"numbers must be finite, got {name}")
-
-
-def _number(value: object, name: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float):
-        raise LineError(f"{name!r} must be a number, got {str(value)[:40]!r}")
+def _text_of(raw: bytes, shown: str) -> str:
     try:
-        number = float(value)
-    except OverflowError:
-        number = math.inf
-    if not math.isfinite(number):
-        raise LineError(f"{name!r} must be finite, got {str(value)[:40]}")
-    return number
-
-
-def time_of(fields: Mapping[str, Any], now: datetime | None) -> float:
-    """Give the time that ``at`` or ``at_s`` says, in seconds from now; 0 where none is said.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is no time.
-    """
-    if "at" in fields and "at_s" in fields:
-        raise LineError("a time must be given by 'at' or by 'at_s', not both")
-    if "at_s" in fields:
-        return _number(fields["at_s"], "at_s")
-    at = fields.get("at")
-    if at is None:
-        return 0.0
-    if not isinstance(at, str):
-        raise LineError(f"'at' must be a date and time, got {str(at)[:40]!r}")
-    if now is None:
-        raise LineError(f"'at' needs a moment to count from; use 'at_s', got {at!r}")
-    return seconds_between(now, parse_instant(at, now.tzinfo))
+        return raw.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before = raw[: error.start].decode("utf-8")
+        line, column = before.count("\n") + 1, len(before) - before.rfind("\n")
+        message = f"text must be UTF-8, got byte 0x{raw[error.start]:02x}"
+        raise DocumentError((Mistake(shown, line, column, "", message),)) from error
 
 
 def read_context_node(

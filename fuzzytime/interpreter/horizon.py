@@ -25,6 +25,8 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     ends = [0.0]
     for interpreted in skills:
         window = interpreted.skill.satisfaction.acceptable(THRESHOLD)
+        if window.low <= MAX_HORIZON < window.high < math.inf:
+            ends.append(MAX_HORIZON)
         ends += (
             [window.high] if math.isfinite(window.high) else [window.low] if math.isfinite(window.low) else []
         )

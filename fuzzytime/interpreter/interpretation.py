@@ -59,6 +59,8 @@ class Interpreted:
         Why ψ is 0 everywhere; empty where it is not.
     follows
         Identifiers of the skills that it asked to come after; without them it makes no sense.
+    in_order
+        Whether it follows what was said before it because steps are done in the order said.
     """
 
     identifier: str
@@ -71,13 +73,18 @@ class Interpreted:
     resolutions: tuple[Resolution, ...] = ()
     reason: str = ""
     follows: tuple[str, ...] = ()
+    in_order: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interpretation:
-    """All wishes understood: skills in order, what binds them, what was not understood, how far ahead."""
+    """All wishes understood: skills in order, what binds them, what was not understood, how far ahead.
+
+    ``order`` binds what is done in the order said, as long as that keeps nothing from its own time.
+    """
 
     skills: tuple[Interpreted, ...]
     precedences: tuple[Precedence, ...] = ()
+    order: tuple[Precedence, ...] = ()
     problems: tuple[Problem, ...] = ()
     horizon: float = 0.0

@@ -6,14 +6,16 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.context import Context
-from fuzzytime.errors import FuzzytimeError, InstructionError
+from fuzzytime.errors import InstructionError
+from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
+from fuzzytime.interpreter.in_order import Rows, free_of_circles
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
-from fuzzytime.interpreter.remarks import is_spoiled, notes_of, problem_of, remarks_of
+from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
-from fuzzytime.language import Instruction, Language, Reading, check_length
+from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.skills import FuzzySkill
 
@@ -34,7 +36,12 @@ class Interpreter:
     @classmethod
     def shipped(cls) -> "Interpreter":
         """Give the interpreter of the shipped tables, in the everyday profile."""
-        return cls(Language.shipped(), Rulebook.shipped())
+        return cls.joining(Language.shipped(), Rulebook.shipped())
+
+    @classmethod
+    def joining(cls, language: Language, rulebook: Rulebook) -> "Interpreter":
+        """Give the interpreter of a language and tables, whose own words of time it understands as well."""
+        return cls(with_words(language, rulebook.tables.words), rulebook)
 
     def skill(
         self,
@@ -91,23 +98,22 @@ class Interpreter:
         """
         admitted = request.context.admitted(self.rulebook.signals)
         request = request.named()
-        maker = Maker(self.rulebook, request)
-        links = Links(frozenset(wish.identifier for wish in request.wishes))
-        problems: list[Problem] = []
-        skills: list[Interpreted] = []
+        names = frozenset(wish.identifier for wish in request.wishes)
+        gathered = Gathering(Maker(self.rulebook, request), Links(names), Rows(request.in_order))
+        problems = gathered.problems
         readings = iter(self._readings(request, problems))
         for wish in request.wishes:
             if isinstance(wish, DirectWish):
-                skills.append(maker.direct(wish))
+                gathered.direct(wish)
             elif isinstance(wish, SpokenWish):
-                for instruction, reading in self._readable(next(readings), wish, admitted, problems):
-                    if instruction.length_of is not None:
-                        links.instructions.append(_lengthened(maker, skills, instruction, links))
-                        continue
-                    made = _made(maker, wish, reading, instruction, problems)
-                    links.instructions.append(range(len(skills), len(skills) + len(made)))
-                    skills += made
-        skills, precedences, unresolved = link(_identified(skills), links, self.rulebook)
+                reading = next(readings)
+                if reading is not None:
+                    self._remark(reading, wish, admitted, problems)
+                    gathered.spoken(wish, reading)
+        skills, precedences, unresolved = link(_identified(gathered.skills), gathered.links, self.rulebook)
+        order = free_of_circles(gathered.rows.kept(), precedences)
+        following = {entry.second for entry in order}
+        skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]
         horizon = horizon_of(skills, request)
         skills = [within_horizon(interpreted, horizon, request) for interpreted in skills]
         for interpreted in skills:
@@ -115,6 +121,7 @@ class Interpreter:
         return Interpretation(
             skills=tuple(skills),
             precedences=precedences,
+            order=order,
             problems=(*problems, *unresolved),
             horizon=horizon,
         )
@@ -127,12 +134,8 @@ class Interpreter:
         readings = iter(self.language.read_all(kept))
         return [next(readings) if fine else None for fine in good]
 
-    def _readable(
-        self, reading: Reading | None, wish: SpokenWish, context: Context, problems: list[Problem]
-    ) -> Sequence[tuple[Instruction, Reading]]:
-        """Give a reading's instructions after noting its remarks."""
-        if reading is None:
-            return ()
+    def _remark(self, reading: Reading, wish: SpokenWish, context: Context, problems: list[Problem]) -> None:
+        """Note a reading's remarks, and that it says nothing to do where it does not."""
         told = self._told_by_readings(reading, context)
         remarks = [
             remark
@@ -142,7 +145,6 @@ class Interpreter:
         problems += remarks
         if not reading.instructions and not remarks:
             problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, "says nothing to do"))
-        return [(instruction, reading) for instruction in reading.instructions]
 
     def _told_by_readings(self, reading: Reading, context: Context) -> set[tuple[int, int]]:
         """Give the words that refer to no instruction but to what readings tell: "after the timer rings"."""
@@ -156,20 +158,6 @@ class Interpreter:
         }
 
 
-def _lengthened(maker: Maker, skills: list[Interpreted], instruction: Instruction, links: Links) -> range:
-    """Let skills go on for as long as an instruction tells ("it takes an hour"), and give their places.
-
-    Who refers to these words means what they are about.
-    """
-    told, length = instruction.length_of, instruction.duration
-    if told is None or told.target is None or length is None:
-        return range(0)
-    meant = links.skills_of(told.target)
-    for place in meant:
-        skills[place] = maker.lasting(skills[place], length)
-    return meant
-
-
 def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
     """Say whether a wish's text is read at all; where it is not, say why."""
     try:
@@ -179,29 +167,6 @@ def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
         problems.append(problem_of(refused, ProblemKind.UNREADABLE, error.message, error.span))
         return False
     return True
-
-
-def _made(
-    maker: Maker, wish: SpokenWish, reading: Reading, instruction: Instruction, problems: list[Problem]
-) -> list[Interpreted]:
-    """Make an instruction's skills; where there is none to make, say why."""
-    operation = instruction.operation
-    if is_spoiled(instruction, reading, remarks_of(reading, wish)):
-        return []
-    if operation is None or operation.negated:
-        what = "says a time but nothing to do" if operation is None else "asks for something not to be done"
-        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
-        return []
-    try:
-        made = maker.spoken(wish, reading, instruction)
-    except FuzzytimeError as error:
-        problems.append(problem_of(wish, ProblemKind.UNREADABLE, str(error), instruction.span))
-        return []
-    if not made:
-        problems.append(
-            problem_of(wish, ProblemKind.NOTHING_TO_DO, "does not occur within the horizon", instruction.span)
-        )
-    return made
 
 
 def _identified(skills: Sequence[Interpreted]) -> list[Interpreted]:

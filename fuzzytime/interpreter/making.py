@@ -3,16 +3,20 @@
 import math
 from dataclasses import dataclass, replace
 
+from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
+
+ATTEND = "attend"
+"""The row of durations for what happens, by its name."""
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
@@ -36,8 +40,16 @@ class Maker:
             identifier=wish.identifier, wish=wish, skill=skill, duration=duration, reason=reason
         )
 
-    def spoken(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> list[Interpreted]:
+    def spoken(
+        self,
+        wish: SpokenWish,
+        reading: Reading,
+        instruction: Instruction,
+        inside: GoingOn | None = None,
+    ) -> list[Interpreted]:
         """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
+
+        Where it is repeated ``inside`` something that goes on, each counts from that.
 
         Raises
         ------
@@ -50,9 +62,23 @@ class Maker:
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._one(wish, reading, instruction, once)]
+        if inside is not None and repeated.recurrence.interval is not None:
+            rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
+            times = inside.times(repeated, repeated.recurrence.interval)[:MAX_OCCURRENCES]
+            return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
-        return [self._one(wish, reading, instruction, (_occurrence(repeated, *w), *once)) for w in windows]
+        stated = instruction.operation is not None and instruction.operation.stated
+        made = []
+        for start, end in windows:
+            occurring = instruction
+            if stated and repeated.recurrence.spans:
+                # "I have a class every day from nine to ten"
+                occurring = replace(instruction, duration=end - start)
+            last = start if stated and repeated.recurrence.spans else end
+            made.append(self._one(wish, reading, occurring, (_occurrence(repeated, start, last), *once)))
+        # What no occurrence can satisfy is one loss, not a hundred.
+        return made[:1] if all(one.reason for one in made) else made
 
     def _told(self, requirement: TimeRequirement) -> TimeRequirement:
         """Wait for the instruction that makes a condition true, where no reading tells of it."""
@@ -167,13 +193,26 @@ class Maker:
         table = self._table_duration(operation)
         if operation is not None and operation.stated:
             # What happens by itself needs nobody's hands: "the guests arrive at six".
-            elapsed = length if length is not None else table.elapsed if table.known else 0.0
-            return OperationDuration(hands_on=0.0, elapsed=elapsed, source="said", assumed=False)
+            if length is not None:
+                return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
+            known = self._happening(operation) or (table if table.known else None)
+            if known is None:
+                return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
+            return replace(known, hands_on=0.0)
         if length is None:
             return table
         unattended = table.known and table.elapsed > table.hands_on
         hands_on = min(table.hands_on, length) if unattended else length
         return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
+
+    def _happening(self, operation: Operation) -> OperationDuration | None:
+        """Give how long something that happens takes by the table; None where it is not in it.
+
+        What who speaks takes part in takes as long as anything that is attended.
+        """
+        anything = self.rulebook.duration_of(ATTEND)
+        found = self.rulebook.duration_of(ATTEND, operation.object)
+        return found if operation.attended or found != anything else None
 
     def lasting(self, made: Interpreted, length: float) -> Interpreted:
         """Let a skill go on for as long as was told of it afterwards.
@@ -204,12 +243,17 @@ class Maker:
 
 
 def _from_to(instruction: Instruction) -> Instruction:
-    """Take the two ends of what happens as its start and its length: "I have a meeting from two to four"."""
+    """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
+
+    "Between two and four" leaves open when in between something is done, though not when it happens.
+    """
     operation, requirements = instruction.operation, list(instruction.requirements)
-    if operation is None or not operation.stated:
+    if operation is None or instruction.duration is not None:
         return instruction
     for place, part in enumerate(requirements):
-        if part.preposition == "between" and part.earliest is not None and part.latest is not None:
+        ends = part.preposition == "between" and part.earliest is not None and part.latest is not None
+        whole = part.text.lower().startswith("from ") and part.reference is Reference.START
+        if ends and part.earliest is not None and part.latest is not None and (operation.stated or whole):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)

@@ -1,12 +1,14 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
+from itertools import pairwise
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
+from fuzzytime.interpreter.loosening import loosened
 from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
@@ -42,7 +44,7 @@ def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
     return FuzzyTask(
         tuple(interpreted.skill for interpreted in interpretation.skills),
         request.agents,
-        interpretation.precedences,
+        (*interpretation.precedences, *interpretation.order),
         request.busy,
     )
 
@@ -92,7 +94,25 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     interpretation = interpreter.interpret(request)
     busy = (*request.busy, *_attended(interpretation, request))
     interpretation, held = without_started(interpretation, request.started)
-    return replace(request, busy=(*busy, *held)), interpretation
+    return replace(request, busy=(*_parted(busy, interpretation), *held)), interpretation
+
+
+def _parted(busy: Iterable[Busy], interpretation: Interpretation) -> Iterator[Busy]:
+    """Give busy times in parts where something happens that needs nobody's hands: it happens all the same."""
+    happening = sorted(
+        one.skill.preferred
+        for one in interpretation.skills
+        if one.skill.preferred is not None and _is_stated(one) and not one.skill.duration
+    )
+    for taken in busy:
+        ends = [taken.start, *(time for time in happening if taken.start < time < taken.end), taken.end]
+        for start, end in pairwise(ends):
+            yield replace(taken, start=start, end=end)
+
+
+def _is_stated(interpreted: Interpreted) -> bool:
+    operation = None if interpreted.instruction is None else interpreted.instruction.operation
+    return operation is not None and operation.stated
 
 
 def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy]:
@@ -120,9 +140,15 @@ def scheduled(
     previous: Plan | None = None,
 ) -> Plan:
     """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
-    task = task_of(interpretation, request)
     hints = () if previous is None else _starts_of(previous, interpretation, request.now)
-    schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+    interpretation = loosened(interpretation)
+    while True:
+        task = task_of(interpretation, request)
+        schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+        looser = loosened(interpretation, schedule.rejected)
+        if looser is interpretation:
+            break
+        interpretation = looser
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 

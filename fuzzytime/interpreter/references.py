@@ -54,7 +54,8 @@ def link(
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
                 continue
-            targets = [target for target in links.skills_of(requirement.anchor.target) if target != position]
+            meant = _whole(requirement.anchor, links.skills_of(requirement.anchor.target), linked, links)
+            targets = [target for target in meant if target != position]
             if not targets:
                 message = f"refers to {requirement.anchor.text!r}, which is not planned"
                 problems.append(
@@ -77,6 +78,15 @@ def link(
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
     return linked, kept, problems
+
+
+def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
+    """Give for what is repeated inside something else that itself, where it is its end that counts."""
+    if len(meant) < 2 or anchor.edge is Edge.START or anchor.exact:
+        return meant
+    repeated = (part for part in skills[meant[0]].requirements if part.recurrence is not None)
+    inside = next((part.anchor.target for part in repeated if part.anchor is not None), None)
+    return meant if inside is None else links.skills_of(inside)
 
 
 def _said_by_identifier(
@@ -120,7 +130,10 @@ class _Tie:
     @property
     def moment(self) -> float:
         """Seconds from the start of the target to the moment that is measured from."""
-        return 0.0 if self.anchor.edge is Edge.START else self.target.skill.time_until_done
+        length = self.target.skill.time_until_done
+        if self.anchor.share is not None:
+            return self.anchor.share * length
+        return 0.0 if self.anchor.edge is Edge.START else length
 
     def allowed(self) -> Interval:
         """Give the interval of x."""
@@ -155,7 +168,8 @@ class _Tie:
     def precedence(self, target: int, this: int) -> Precedence:
         """Give the interval of x as lags from the one that comes first being done to the other's start."""
         x = self.allowed()
-        comes_first = self.requirement.constraint is Constraint.BEFORE or self.anchor.lag < 0
+        ahead = self.anchor.lag < 0 and self.anchor.edge is Edge.START
+        comes_first = self.requirement.constraint is Constraint.BEFORE or ahead
         if comes_first:
             offset = self.moment + self.this.skill.time_until_done
             return Precedence(this, target, -x.high - offset, -x.low - offset)

@@ -101,6 +101,9 @@ class Request:
         Seconds ahead; None takes the end of the last window, at most `MAX_HORIZON`.
     started
         Skills of these wishes that have started.
+    in_order
+        Whether wishes in words are steps, each after the one before unless words say another order. A
+        numbered list is so by itself.
     """
 
     now: datetime
@@ -110,6 +113,7 @@ class Request:
     busy: tuple[Busy, ...] = ()
     horizon: float | None = None
     started: tuple[Started, ...] = ()
+    in_order: bool = False
 
     def named(self) -> "Request":
         """Give the request with every wish named: as it is, or s1, s2, … by its place among the wishes."""

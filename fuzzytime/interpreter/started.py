@@ -28,14 +28,15 @@ def without_started(
     ]
     moved = {position: place for place, position in enumerate(open_positions)}
     skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
-    kept = []
-    for precedence in interpretation.precedences:
-        if precedence.first in moved and precedence.second in moved:
-            first, second = moved[precedence.first], moved[precedence.second]
-            kept.append(replace(precedence, first=first, second=second))
-        elif precedence.second in moved:
-            first_started = by_identifier[interpretation.skills[precedence.first].identifier]
-            skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
+    binding: list[list[Precedence]] = [[], []]
+    for kept, precedences in zip(binding, (interpretation.precedences, interpretation.order), strict=True):
+        for precedence in precedences:
+            if precedence.first in moved and precedence.second in moved:
+                first, second = moved[precedence.first], moved[precedence.second]
+                kept.append(replace(precedence, first=first, second=second))
+            elif precedence.second in moved:
+                first_started = by_identifier[interpretation.skills[precedence.first].identifier]
+                skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
     busy = tuple(
         Busy(max(0.0, one.start), one.end, names.get(one.identifier, one.identifier), one.agent)
         for one in started
@@ -44,7 +45,8 @@ def without_started(
     remaining = replace(
         interpretation,
         skills=tuple(skills[position] for position in open_positions),
-        precedences=tuple(kept),
+        precedences=tuple(binding[0]),
+        order=tuple(binding[1]),
         problems=tuple(
             problem
             for problem in interpretation.problems

@@ -1,5 +1,6 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
+from fuzzytime.language.about_wishes import About, AboutKind, about_wishes
 from fuzzytime.language.answer import answer
 from fuzzytime.language.finding import Times, check_length, find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -13,12 +14,16 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
+from fuzzytime.language.sentence.references import content_words, shares_thing
 
 __all__ = [
+    "About",
+    "AboutKind",
     "Instruction",
     "Language",
     "Lexicon",
@@ -33,9 +38,13 @@ __all__ = [
     "StrictReading",
     "Times",
     "Token",
+    "about_wishes",
     "answer",
     "check_length",
+    "content_words",
     "find_times",
     "installed_model",
     "model_files",
+    "shares_thing",
+    "with_words",
 ]

@@ -155,7 +155,10 @@ class StrictReading:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Reading:
-    """One text, read: its instructions, its tree, the paper's strict reading, and what needs saying."""
+    """One text, read: its instructions, its tree, the paper's strict reading, and what needs saying.
+
+    ``step`` is its number in a numbered list ("2. fry the onions"), None where it has none.
+    """
 
     text: str
     now: datetime | None
@@ -164,3 +167,4 @@ class Reading:
     strict: StrictReading = StrictReading()
     remarks: tuple[Remark, ...] = ()
     questions: tuple[Question, ...] = ()
+    step: int | None = None

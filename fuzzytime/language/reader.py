@@ -1,6 +1,6 @@
 """Language: from texts to readings, by the grammar for times and the tree for everything around them."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from pathlib import Path
@@ -10,12 +10,14 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.policy import Policy
+from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.drafts import Draft, drafted
 from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.parse_cache import ParseCache
 from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.requirement import TimeRequirement
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,16 +109,27 @@ class Language:
             mentions.add(operation)
         readings: list[Reading] = []
         drafts = self._drafts(list(texts))
+        since: float | None = None
+        given_since = []
         for draft in drafts:
-            reading = composed(draft, self.lexicon, mentions, len(mentions.operations))
+            # What lines said at another moment is no clue to what these mean.
+            since = since if readings and readings[-1].now == draft.now else None
+            given_since.append(since)
+            reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
+            since = last_said(_times_in(reading), since)
             for instruction in reading.instructions:
+                if instruction.duration is not None:
+                    told = instruction.length_of
+                    meant = len(mentions.operations) if told is None else told.target
+                    mentions.lasting += [] if meant is None else [meant]
                 mentions.add(instruction.operation)
             readings.append(reading)
         first = len(given)
         for place, draft in enumerate(drafts):
             behind = first + len(readings[place].instructions)
             if behind < len(mentions.operations) and _waits(readings[place]):
-                readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True)
+                since = given_since[place]
+                readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
         return readings
 
@@ -159,6 +172,11 @@ class Language:
         if self.cache is not None:
             self.cache.keep(made.values(), package)
         return made
+
+
+def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
+    for instruction in reading.instructions:
+        yield from instruction.requirements
 
 
 def _waits(reading: Reading) -> bool:

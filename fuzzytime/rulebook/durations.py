@@ -13,7 +13,8 @@ class OperationDuration:
     """Seconds that an operation keeps the agent busy, and until it is done.
 
     ``assumed`` says that nobody said it: it comes from a table. ``known`` says that the table has a row for
-    the verb; otherwise it is the default for anything.
+    the verb; otherwise it is the default for anything. ``needed_for`` are the verbs that wait until it
+    is done where several things are done in a row; without any, all do.
     """
 
     hands_on: float
@@ -21,6 +22,7 @@ class OperationDuration:
     source: str
     assumed: bool = True
     known: bool = True
+    needed_for: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         if not 0 <= self.hands_on <= self.elapsed < float("inf"):

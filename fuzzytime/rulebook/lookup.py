@@ -56,15 +56,21 @@ def find(requirement: TimeRequirement, tables: Tables, verb: str | None = None) 
 
 
 def _word_row(requirement: TimeRequirement, tables: Tables) -> tuple[Row, tuple[str, ...]] | None:
-    """Find the row of a time word, with the longest run of hedges before it that has one ("very soon")."""
+    """Find the row of a time word: with hedges, as it was said, or as the language calls it.
+
+    The longest run of hedges before the word counts that has a row with it ("very soon"); then the row of
+    the very words ("whenever you can"), and then that of what they are called ("when you can").
+    """
     if requirement.word is None:
         return None
     hedges = requirement.fuzziness
-    for start in range(len(hedges) + 1):
+    for start in range(len(hedges)):
         row = tables.words.get(" ".join((*hedges[start:], requirement.word)))
         if row is not None:
             return row, hedges[:start]
-    return None
+    said = " ".join(requirement.text.lower().split())
+    row = tables.words.get(said) or tables.words.get(requirement.word)
+    return None if row is None else (row, hedges)
 
 
 def _expressible(requirement: TimeRequirement) -> Constraint:

@@ -8,6 +8,7 @@ from fuzzytime.rulebook.formula import Direction, Formula, Happened, Is, Not, Op
 from fuzzytime.rulebook.grammar import SOFTNESS
 from fuzzytime.rulebook.joined import joined
 from fuzzytime.rulebook.lookup import UNIT_LENGTHS
+from fuzzytime.rulebook.measured import candidates
 from fuzzytime.rulebook.phrases import (
     denies,
     event_named,
@@ -18,7 +19,7 @@ from fuzzytime.rulebook.phrases import (
     within,
 )
 from fuzzytime.rulebook.tables import Tables
-from fuzzytime.rulebook.thresholds import candidates, threshold, without
+from fuzzytime.rulebook.thresholds import threshold, without
 from fuzzytime.rulebook.variables import Term, Variable
 
 

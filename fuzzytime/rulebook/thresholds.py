@@ -6,7 +6,6 @@ softness, "above 150" is 0 at 150; the same downwards.
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
@@ -14,21 +13,18 @@ import numpy as np
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.context.series import Series
-from fuzzytime.context.units import convert, fits, measured_in, symbol
+from fuzzytime.context.units import symbol
 from fuzzytime.requirement import Comparison, Side
 from fuzzytime.rulebook.formula import Is
-from fuzzytime.rulebook.phrases import in_numbers, plain, ways_to_name, within
+from fuzzytime.rulebook.measured import Meant, measured
+from fuzzytime.rulebook.phrases import plain
 from fuzzytime.rulebook.tables import Tables
-from fuzzytime.rulebook.variables import Source, Term, Variable
+from fuzzytime.rulebook.variables import Term
 
 _ALL_THE_WAY = 0.5
 """The share of the way to a number that a signal must fall, as expected, for it to be coming down to it."""
 
-MOST_SHOWN = 4
-"""Signals that a reason names at most."""
-
 _OPEN = math.inf
-_NAMELESS = frozenset(("", "it", "they", "there", "temperature"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,15 +35,6 @@ class Threshold:
     atom: Is | None = None
     reason: str | None = None
     notes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class _Meant:
-    """A variable that may be meant, its signal, and the unit that was said, None where none was."""
-
-    variable: Variable
-    signal: Signal
-    unit: str | None
 
 
 def without(comparison: Comparison, said: str, mark: str = "") -> str:
@@ -63,146 +50,25 @@ def threshold(
     context: Context,
     before: str | None = None,
 ) -> Threshold:
-    """Find what a number measures, and make its term.
+    """Find what a number measures, and make its term; parameters are those of `measured`.
 
-    Parameters
-    ----------
-    named
-        The clause, plain, without the words of the comparison.
-    guess
-        What the clause is about, or what a pronoun in it stands for, as far as the sentence tells.
-    context
-        Readings: they tell what "it" is, and from which side "at 150" is reached.
-    before
-        The variable that the clause spoke of before: "above 100 degrees, but below 150".
+    Readings tell from which side "at 150" is reached, too.
     """
-    meant = _meant(comparison, named, guess, tables) or _gone_on(comparison, before, tables)
-    named_none = not meant
-    if named_none and _is_nameless(guess, named):
-        meant = [one for one in _of_unit(comparison, tables) if context.of_signal(one.signal.name)]
-    meant = [one for one in meant if _can_be(comparison, one)] or meant
-    signals = list(dict.fromkeys(one.signal.name for one in meant))
-    if not meant:
-        return Threshold(tables, reason=_why_unknown(comparison, named, guess, tables))
-    if len(signals) > 1:
-        return Threshold(tables, reason=f"{comparison.text!r} may be about {' or '.join(signals)}: name it")
-    notes: tuple[str, ...] = ()
-    if named_none:
-        notes = (f"{comparison.text!r} is taken as about {signals[0]}: nothing else of its kind was read",)
-    return _made(comparison, meant[0], tables, context, notes)
-
-
-def candidates(comparison: Comparison, named: str, guess: str | None, tables: Tables) -> frozenset[str]:
-    """Give the signals that a number may be about, whatever has been read."""
-    meant = _meant(comparison, named, guess, tables) or _of_unit(comparison, tables)
-    return frozenset(one.signal.name for one in meant)
-
-
-def _meant(comparison: Comparison, named: str, guess: str | None, tables: Tables) -> list[_Meant]:
-    """Give what the words name and the unit fits: by a unit that was said, then by the longest words."""
-    for text in (named, plain(guess or "")):
-        ranked: dict[tuple[bool, int], list[_Meant]] = {}
-        for variable, length in _named(text, tables):
-            signal = tables.signals[variable.signal]
-            if fits(comparison.behind, signal.unit):
-                unit = measured_in(comparison.behind, signal.unit)
-                # A bare number is the very thing for a signal without a unit.
-                exact = unit is not None or signal.unit is None
-                ranked.setdefault((exact, length), []).append(_Meant(variable, signal, unit))
-        if ranked:
-            return ranked[max(ranked)]
-    return []
-
-
-def _gone_on(comparison: Comparison, before: str | None, tables: Tables) -> list[_Meant]:
-    """Give what the clause spoke of before, if the number fits that."""
-    variable = tables.variables.get(before or "")
-    if variable is None or variable.source is not Source.OF:
-        return []
-    signal = tables.signals[variable.signal]
-    if not fits(comparison.behind, signal.unit):
-        return []
-    return [_Meant(variable, signal, measured_in(comparison.behind, signal.unit))]
-
-
-def _of_unit(comparison: Comparison, tables: Tables) -> list[_Meant]:
-    """Give everything that is measured in the unit that was said: "hotter than 150 degrees"."""
-    found = []
-    for variable in _values(tables):
-        signal = tables.signals[variable.signal]
-        unit = measured_in(comparison.behind, signal.unit)
-        if unit is not None:
-            found.append(_Meant(variable, signal, unit))
-    return found
-
-
-def _named(text: str, tables: Tables) -> Iterator[tuple[Variable, int]]:
-    """Give the variables whose names stand in a plain text, and how long the names are."""
-    for variable in _values(tables):
-        ways = in_numbers((*ways_to_name(variable), *_as_spoken(variable.signal)))
-        length = max((len(way) for way in ways if within(way, text)), default=0)
-        if length:
-            yield variable, length
-
-
-def _values(tables: Tables) -> Iterator[Variable]:
-    """Give the variables over values of signals, and one for each signal that has none."""
-    spoken = set()
-    for variable in tables.variables.values():
-        if variable.source is Source.OF:
-            spoken.add(variable.signal)
-            yield variable
-    for signal in tables.signals.values():
-        if not signal.event and signal.name not in spoken:
-            taken = signal.name in tables.variables
-            yield Variable(
-                name=f"{signal.name}_value" if taken else signal.name, source=Source.OF, signal=signal.name
-            )
-
-
-def _as_spoken(signal: str) -> tuple[str, ...]:
-    """Give the ways to say a signal's own name: "kiln_temp" is the kiln temperature."""
-    words = signal.replace("_", " ").lower()
-    return (words, f"{words}erature") if words.endswith("temp") else (words,)
-
-
-def _is_nameless(guess: str | None, named: str) -> bool:
-    """Tell whether a clause names nothing: "it" and "there" leave open what the number is about."""
-    subject = plain(guess or "")
-    return subject in _NAMELESS or not within(subject, named)
-
-
-def _can_be(comparison: Comparison, meant: _Meant) -> bool:
-    """Tell whether a signal can have a value that is said: no room is at 150 degrees."""
-    number = _converted(comparison.number, meant.unit or meant.signal.unit, meant.signal)
-    return meant.signal.low <= number <= meant.signal.high
-
-
-def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: Tables) -> str:
-    said = f"{comparison.text} {comparison.behind}".strip()
-    for text in (named, plain(guess or "")):
-        for variable, _ in _named(text, tables):
-            unit = tables.signals[variable.signal].unit
-            return f"{variable.signal} is measured in {symbol(unit) or 'a bare number'}, got {said!r}"
-    if not _is_nameless(guess, named):
-        return f"no signal of {guess!r} tells {said!r}"
-    possible = [one for one in _of_unit(comparison, tables) if _can_be(comparison, one)]
-    signals = dict.fromkeys(one.signal.name for one in possible)
-    if not signals:
-        return f"no signal tells {said!r}"
-    shown = ", ".join(list(signals)[:MOST_SHOWN]) + (", …" if len(signals) > MOST_SHOWN else "")
-    return f"not enough readings: {said!r} may be about {shown}"
+    found = measured(comparison, named, guess, tables, context, before)
+    if found.meant is None:
+        return Threshold(tables, reason=found.reason)
+    return _made(comparison, found.meant, tables, context, found.notes)
 
 
 def _made(
-    comparison: Comparison, meant: _Meant, tables: Tables, context: Context, notes: tuple[str, ...]
+    comparison: Comparison, meant: Meant, tables: Tables, context: Context, notes: tuple[str, ...]
 ) -> Threshold:
     signal = meant.signal
     unit = meant.unit or signal.unit
     side = comparison.side
-    low = _converted(comparison.number, unit, signal)
-    high = low if comparison.until is None else _converted(comparison.until, unit, signal)
-    softness, why, unknown = _softness(comparison, unit, signal, tables)
+    low = meant.in_signal(comparison.number)
+    high = low if comparison.until is None else meant.in_signal(comparison.until)
+    softness, why, unknown = _softness(comparison, meant, tables)
     if side is Side.AT:
         side = Side.AT_MOST if _comes_down(low, signal, context) else Side.AT_LEAST
         if side is Side.AT_MOST:
@@ -220,22 +86,16 @@ def _made(
     return Threshold(replace(tables, variables=variables), Is(variable.name, said), notes=(*notes, *unknown))
 
 
-def _converted(value: float, unit: str | None, signal: Signal) -> float:
-    return value if unit is None or signal.unit is None else convert(value, unit, signal.unit)
-
-
-def _softness(
-    comparison: Comparison, unit: str | None, signal: Signal, tables: Tables
-) -> tuple[float, str, tuple[str, ...]]:
+def _softness(comparison: Comparison, meant: Meant, tables: Tables) -> tuple[float, str, tuple[str, ...]]:
     """Give the softness in the signal's unit, where it comes from, and notes about hedges."""
-    soft = tables.thresholds
+    soft, signal = tables.thresholds, meant.signal
     if signal.softness is not None:
         softness, why = signal.softness, f"over {signal.name}'s own softness"
     elif soft is None or comparison.number == 0:
         softness, why = 0.0, ""
     else:
         number = comparison.number
-        softness = abs(_converted(number * (1 + soft.share), unit, signal) - _converted(number, unit, signal))
+        softness = abs(meant.in_signal(number * (1 + soft.share)) - meant.in_signal(number))
         why = f"over {100 * soft.share:.3g} % of the number, {soft.source}"
     known = [hedge for hedge in comparison.fuzziness if hedge in tables.time_hedges]
     for hedge in known:

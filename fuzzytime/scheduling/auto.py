@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from fuzzytime.scheduling import shares, small
-from fuzzytime.scheduling.exact import MANY, Labels, beam_search
+from fuzzytime.scheduling.exact import MANY, Labels, search_part
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.milp import Milp
@@ -55,7 +55,7 @@ class Auto:
 
 def _solve_part(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
     """Solve a stretch of all agents, or look for a better day of one."""
-    return beam_search(part, watch, warm) if part.agents == 1 else Auto().search(part, watch, warm)
+    return search_part(part, watch, warm) if part.agents == 1 else Auto().search(part, watch, warm)
 
 
 PARTS = Stretches(_solve_part, length=14, rejected=8)

@@ -45,8 +45,8 @@ STRETCH = 30
 REJECTED = 25
 """Skills that may come into it."""
 
-PART_BEAM = 300
-"""Sets a block in the beam for a part."""
+PART_ROUNDS = 2
+"""Rounds in which the bound of a part is made better: what it began with is mostly good."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -157,7 +157,7 @@ class _Search(GridSearch):
         """Search stretch by stretch on the same grid, by labels in a beam, at prices good for all."""
 
         def solve(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
-            return beam_search(part, watch, warm, relaxation.grid.step, relaxation.prices[members])
+            return search_part(part, watch, warm, relaxation.grid.step, relaxation.prices[members])
 
         self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
 
@@ -189,10 +189,10 @@ class _Search(GridSearch):
         return self.timed(grid, slots, np.full(slots.size, self.problem.lanes[0].agents[0], np.int64))
 
 
-def beam_search(
+def search_part(
     problem: Problem, watch: Stopwatch, warm: Draft, step: float | None = None, prices: Floats | None = None
 ) -> Draft:
-    """Look once for a better schedule of one agent, mostly of a part, by labels in a beam; no bound.
+    """Look on one grid for a better schedule of one agent, mostly of a part; no bound.
 
     Parameters
     ----------
@@ -213,6 +213,6 @@ def beam_search(
     grid, search = grid_of(problem, step), _Search(problem, watch, warm)
     prices = prices_from(problem, grid, warm) if prices is None else prices
     relaxation = Relaxation(problem, grid, warm.cost, prices)
-    relaxation.improve(warm.cost, STEPS, search.left_over, watch, rounds=1)
-    search.labels(relaxation, warm.cost, watch.limits.memory // 16, PART_BEAM)
+    relaxation.improve(warm.cost, STEPS, search.left_over, watch, rounds=PART_ROUNDS)
+    search.close(relaxation)
     return search.best

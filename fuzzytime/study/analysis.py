@@ -59,7 +59,7 @@ class Analysis:
     comparison, scale
         F2: variances, and answers to the control question. None where a group is too small.
     start_times
-        F3 over everybody (None) and each group; empty where fewer than two times were asked.
+        F3 over everybody (None), and each of several groups; empty where fewer than two times were asked.
     intervals
         95 % intervals of the trapezoids' corners by key, in seconds; empty where none were asked for.
     """
@@ -118,7 +118,7 @@ def analyse(
         compared=compared,
         comparison=_compared(answers, compared, permutations, seed),
         scale=_scale(answers, compared),
-        start_times={**_start_times(None, overall), **_of_groups(by_group)},
+        start_times={**_start_times(None, overall), **(_of_groups(by_group) if len(groups) > 1 else {})},
         intervals={
             key: corner_intervals(described, resamples=resamples, seed=seed)
             for key, described in overall.items()

@@ -86,6 +86,14 @@ class Answers:
         """Who counts: everybody who is not set aside."""
         return tuple(person for person in self.participants if not self._reason(person))
 
+    @property
+    def head_count(self) -> str:
+        """How many count, and of several groups how many of each: ``8 participants (4 robot, 4 person)``."""
+        number = len(self.counted)
+        people = f"{number} participant{'s' * (number != 1)}"
+        of_each = ", ".join(f"{len(self.members(group))} {group}" for group in self.design.groups)
+        return f"{people} ({of_each})" if len(self.design.groups) > 1 else people
+
     def members(self, group: str | None) -> tuple[Participant, ...]:
         """Give the participants of a group, or of all, who count."""
         return tuple(person for person in self.counted if group in (None, person.group))

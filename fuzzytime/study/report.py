@@ -12,7 +12,8 @@ from fuzzytime.study.assets import asset
 from fuzzytime.study.density import SQUARE_MINUTE
 from fuzzytime.study.described import Described
 from fuzzytime.study.fitting import Model
-from fuzzytime.study.report_page import Page, between, number
+from fuzzytime.study.report_page import Page
+from fuzzytime.study.wording import between, number
 from fuzzytime.times import MINUTE, format_duration
 
 
@@ -49,10 +50,7 @@ def report(analysis: Analysis, pictures: Mapping[str, bytes]) -> str:
 def _participants(page: Page, analysis: Analysis) -> None:
     answers = analysis.answers
     page.heading("Participants")
-    groups = ", ".join(f"{len(answers.members(group))} {group}" for group in answers.design.groups)
-    page.paragraph(
-        f"{len(answers.counted)} participants count ({groups}), {len(answers.set_aside)} set aside."
-    )
+    page.paragraph(f"{answers.head_count} count, {len(answers.set_aside)} set aside.")
     if answers.set_aside:
         page.table("Participants set aside.", ("participant", "reason"), map(_pair, answers.set_aside))
     rows = []

@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-import numpy as np
-
 
 @dataclass(slots=True)
 class Page:
@@ -62,16 +60,6 @@ class Page:
     def html(self) -> str:
         """What is between the body's tags."""
         return "".join(self.parts)
-
-
-def number(value: float, digits: int) -> str:
-    """Write a number for a table or a sentence, with a true minus; a dash where there is none."""
-    return f"{value:.{digits}f}".replace("-", "−") if np.isfinite(value) else "–"
-
-
-def between(low: float, high: float, digits: int, unit: str = "") -> str:
-    """Write a range of numbers."""
-    return f"{number(low, digits)} to {number(high, digits)}{f' {unit}' * bool(unit)}"
 
 
 _NUMBER = r"[−\d.,]+(%| [a-z]+)?"

@@ -5,6 +5,7 @@ from collections.abc import Mapping, Sequence
 
 from fuzzytime.study.calibrate import Calibration
 from fuzzytime.study.fitting import Fit
+from fuzzytime.study.wording import between
 from fuzzytime.times import MINUTE
 
 CONSTRAINTS = {"in": "at", "before": "before", "after": "after"}
@@ -17,9 +18,7 @@ ACTORS = ("robot", "person")
 def rule_table(calibration: Calibration) -> str:
     """Write a calibration as a rule file, every number with its source."""
     answers = calibration.answers
-    counts = ", ".join(f"{len(answers.members(group))} {group}" for group in answers.design.groups)
-    people = len(answers.counted)
-    study = f"study {answers.design.name}, {people} participants ({counts})"
+    study = f"study {answers.design.name}, {answers.head_count}"
     lines = [
         f"# Rules calibrated from the {_comment(study)}.",
         *([f"# {len(answers.set_aside)} more were set aside."] if answers.set_aside else []),
@@ -97,7 +96,7 @@ def _time(seconds: float) -> str:
 
 def _errors(fits: Sequence[Fit]) -> str:
     errors = [fit.sse for fit in fits]
-    return f"prediction error (SSE) {min(errors):.3f} to {max(errors):.3f}"
+    return f"prediction error (SSE) {between(min(errors), max(errors), 3)}"
 
 
 def _text(text: str) -> str:

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.context import Hold, Signal
-from fuzzytime.context.files import LONGEST_LINE
+from fuzzytime.context.lines import LONGEST_LINE
 from fuzzytime_cli.live.clock import BEAT, MachineClock, SimulatedClock
 from fuzzytime_cli.live.feeds import follow_into, lines_of, play, read_into
 from fuzzytime_cli.live.inbox import MOST_UNREAD, Arrival, Closed, Inbox, Line, Outcome

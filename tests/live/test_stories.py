@@ -226,6 +226,14 @@ def test_what_is_dropped_is_not_started_and_what_needs_it_has_no_time() -> None:
     assert story.of(Rejected, "fry")
 
 
+def test_words_about_what_is_asked_for_are_understood_before_the_first_plan() -> None:
+    lines = [{"drop": "table"}, {"say": "Feed the cat soon", "id": "cat"}, {"done": "cat"}]
+    story = told([wish("Set the table now", "table"), wish("Stir the soup soon", "stir")], lines)
+    assert set(story.starts) == {"stir"}
+    assert story.one(Finished).done == ("cat", "stir")
+    assert story.one(Finished).dropped == ("table",)
+
+
 def test_by_word_a_skill_goes_on_until_it_is_said_to_be_done() -> None:
     wishes = [
         wish("Mix the batter now", "mix", duration=60.0),

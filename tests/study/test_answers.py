@@ -23,6 +23,13 @@ def test_everybody_who_answered_attentively_counts(answers: Answers) -> None:
     assert [len(answers.members(group)) for group in ("robot", "person", None)] == [16, 16, 32]
 
 
+def test_groups_are_counted_where_there_are_several(answers: Answers) -> None:
+    assert answers.head_count == "32 participants (16 robot, 16 person)"
+    alone = replace(answers.design, groups={"robot": "robot"})
+    assert Answers(alone, answers.members("robot")).head_count == "16 participants"
+    assert Answers(alone, answers.members("robot")[:1]).head_count == "1 participant"
+
+
 def test_rows_are_the_same_participants_in_every_instruction(answers: Answers) -> None:
     robots = answers.subjective("robot")
     assert list(robots) == [entry.key for entry in answers.design.instructions]

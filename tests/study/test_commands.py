@@ -59,7 +59,7 @@ def test_participants_are_listed_with_what_became_of_them(fine: Run, simulated: 
     lines = fine("list", simulated).out.splitlines()
     assert lines[0].split() == ["participant", "group", "origin", "state", "curves"]
     assert sum("counts" in line for line in lines[1:9]) == 8
-    assert lines[-1] == "sucker2024: 8 participants count (4 robot, 4 person), 0 set aside"
+    assert lines[-1] == "sucker2024: 8 participants (4 robot, 4 person) count, 0 set aside"
     rows = [json.loads(line) for line in fine("list", simulated, "--json").out.splitlines()]
     assert len(rows) == 8
     assert rows[0]["curves"] == 4

@@ -214,6 +214,22 @@ def test_what_is_done_no_longer_holds_its_agent() -> None:
     assert talk.start("s2") < before
 
 
+def test_what_is_done_before_its_time_leaves_the_rest_of_its_instruction() -> None:
+    talk = Talk()
+    talk.say("Boil the eggs in about five minutes, then call mum")
+    before = talk.start("s1.2")
+    assert "done: boil the eggs" in talk.say(":done 1")
+    assert NINE <= talk.start("s1.2") < before
+    assert "boil the eggs" not in talk.say(":list").split("\n\n")[0]
+
+
+def test_of_a_repetition_one_occurrence_is_done() -> None:
+    talk = Talk()
+    talk.say("Water the plants every two hours until 6 pm")
+    talk.say(":done s1")
+    assert talk.start("s1.2") > NINE
+
+
 def test_another_terminal_is_noticed(tmp_path: Path) -> None:
     first, second = Talk(tmp_path / "s.sqlite"), Talk(tmp_path / "s.sqlite")
     first.say("Stir the soup soon")

@@ -62,7 +62,32 @@ def test_what_is_rejected_has_no_bar_in_a_picture(tmp_path: Path) -> None:
     document = minidom.parseString(written(tmp_path, "svg", *wishes))  # noqa: S318 - our own output
     words = [getattr(node.firstChild, "data", "") for node in document.getElementsByTagName("text")]
     assert {"flip the pancakes", "rejected"} <= set(words)
-    assert len(document.getElementsByTagName("rect")) == 1
+    bars = [node for node in document.getElementsByTagName("rect") if not _in_legend(node)]
+    assert len(bars) == 1
+
+
+def test_a_picture_says_what_its_shapes_mean_and_of_no_others(tmp_path: Path) -> None:
+    def legend(*arguments: str) -> list[str]:
+        document = minidom.parseString(written(tmp_path, "svg", *arguments))  # noqa: S318 - our own output
+        texts = [node for node in document.getElementsByTagName("text") if _in_legend(node)]
+        return [getattr(node.firstChild, "data", "") for node in texts]
+
+    shading = "how well a start there would satisfy"
+    workshop = [shading, "at work", "goes on by itself", "time that is taken"]
+    assert legend("examples/workshop.yaml") == workshop
+    assert legend("-i", "Stir the soup now") == [shading, "at work"]
+    assert legend("-i", "Flip the pancakes when the pan is hot") == [shading]
+
+
+def test_a_picture_for_several_says_who_does_what(tmp_path: Path) -> None:
+    text = written(tmp_path, "svg", "-i", "Stir the soup now", "-i", "Feed the cat now", "--agents", "2")
+    assert ">by 1: 1.00<" in text
+    assert ">by 2: 1.00<" in text
+
+
+def _in_legend(node: minidom.Element) -> bool:
+    group = node.parentNode
+    return isinstance(group, minidom.Element) and group.getAttribute("class") == "legend"
 
 
 def test_typed_text_reaches_no_output_raw(tmp_path: Path) -> None:

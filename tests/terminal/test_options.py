@@ -1,12 +1,14 @@
 """What the help says of options is so."""
 
 import re
+from pathlib import Path
 from typing import get_type_hints
 
 import pytest
 
 from fuzzytime_cli.options import Solving
 from fuzzytime_cli.settings import KINDS
+from terminal.running import ran
 
 HELPS = {
     name: hint.__metadata__[0].help
@@ -19,3 +21,74 @@ HELPS = {
 def test_the_help_tells_the_default_that_counts(name: str) -> None:
     (said,) = re.findall(r"\(default ([\d.]+)\)|(\w+) \(the default\)", HELPS[name])
     assert "".join(said) == str(KINDS[name].default).removesuffix(".0")
+
+
+SOUP = ("plan", "-i", "Stir the soup soon", "--now", "2026-03-04T09:00")
+
+
+@pytest.mark.parametrize(
+    ("name", "begins"),
+    [
+        ("soup.ics", "BEGIN:VCALENDAR"),
+        ("soup.CSV", "id,start"),
+        ("soup.json", "{"),
+        ("soup.svg", "<svg"),
+        ("soup.html", "<!doctype html>"),
+        ("soup.txt", "   start"),
+    ],
+)
+def test_the_name_of_the_file_says_its_format(name: str, begins: str, tmp_path: Path) -> None:
+    file = tmp_path / name
+    assert ran(*SOUP, "-o", str(file), folder=tmp_path).code == 0
+    assert file.read_text(encoding="utf-8").startswith(begins)
+
+
+def test_a_format_that_is_given_counts_more_than_the_name(tmp_path: Path) -> None:
+    file = tmp_path / "soup.ics"
+    assert ran(*SOUP, "-o", str(file), "--format", "csv", folder=tmp_path).code == 0
+    assert file.read_text(encoding="utf-8").startswith("id,start")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["plan", "-i", " "], "an instruction must not be empty"),
+        (["explain", ""], "an instruction must not be empty"),
+        (["rules", "show", ""], "the words must not be empty"),
+        (["plan", "-i", "Stir", "--agents", "two"], "'--agents': must be a valid integer\n"),
+        (["plan", "-i", "Stir", "--threshold", "low"], "'--threshold': must be a valid number\n"),
+    ],
+)
+def test_what_is_wrong_with_a_value_is_said_in_plain_words(
+    arguments: list[str], said: str, tmp_path: Path
+) -> None:
+    done = ran(*arguments, folder=tmp_path)
+    assert done.code == 2
+    assert said in done.err
+
+
+@pytest.mark.parametrize("command", [["rules", "check"], ["plan", "-i", "Stir", "--rules"]])
+def test_a_folder_is_no_rule_table(command: list[str], tmp_path: Path) -> None:
+    done = ran(*command, str(tmp_path), folder=tmp_path)
+    assert done.code == 66
+    assert "a rule table must be a file, and it is a folder" in done.err
+
+
+def test_rules_show_says_that_words_are_not_about_time(tmp_path: Path) -> None:
+    assert ran("rules", "show", "banana", folder=tmp_path).out.startswith("no words about time")
+
+
+def test_parse_answers_a_file_and_then_what_was_typed(tmp_path: Path) -> None:
+    file = tmp_path / "one.txt"
+    file.write_text("Stir the soup soon\n", encoding="utf-8")
+    done = ran("parse", str(file), "-i", "Feed the cat", "--now", "2026-03-04T09:00", folder=tmp_path)
+    assert done.out.startswith("Stir the soup soon\n")
+    assert "\nFeed the cat\n" in done.out
+
+
+def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path: Path) -> None:
+    file = tmp_path / "task.yaml"
+    file.write_text("now: tomorrow\ninstructions: [Stir the soup soon]\n", encoding="utf-8")
+    done = ran("plan", str(file), "--now", "2026-03-04T09:00", folder=tmp_path)
+    assert done.code == 65
+    assert f"{file}:1:6: now: a date and time must look like 2026-03-04T09:00, got 'tomorrow'" in done.err

@@ -7,10 +7,12 @@ from typing import Annotated
 
 import typer
 
-app = typer.Typer(help="Show the settings.", no_args_is_help=True)
+from fuzzytime_cli.parameters import Command, Group
+
+app = typer.Typer(cls=Group, help="Show the settings.", no_args_is_help=True)
 
 
-@app.command(short_help="Show every setting's value.")
+@app.command(cls=Command, short_help="Show every setting's value.")
 def show(
     origin: Annotated[bool, typer.Option("--origin", help="Say where each value came from.")] = False,  # noqa: FBT002
     as_json: Annotated[bool, typer.Option("--json", help="Write JSON.")] = False,  # noqa: FBT002

@@ -3,6 +3,7 @@
 import json
 import os
 import sys
+from itertools import chain
 from typing import Annotated
 
 import typer
@@ -12,7 +13,10 @@ from fuzzytime_cli.options import Instructions, Moment, Solving, Understanding, 
 
 @flattened
 def parse(
-    file: Annotated[str, typer.Argument(help="Texts, one a line; or - for standard input.")] = "-",
+    file: Annotated[
+        str | None,
+        typer.Argument(help="Texts, one a line; or - for standard input, as without file and -i."),
+    ] = None,
     jsonl: Annotated[  # noqa: FBT002 - a flag
         bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
     ] = False,
@@ -33,9 +37,10 @@ def parse(
     language, now = assembly.language(), assembly.moment()
     texts = [text.encode("utf-8", "replace") for text in instruction or ()]
     screen = Screen.of(sys.stdout, dict(os.environ))
-    with open_stream(file if not texts else None) as stream:
-        lines = iter(texts) if texts else lines_of(stream)
-        asked = (asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in lines)
+    with open_stream(file or ("-" if not texts else None)) as stream:
+        asked = (
+            asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in chain(lines_of(stream), texts)
+        )
         for reply in answers(asked, language):
             if jsonl:
                 sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")

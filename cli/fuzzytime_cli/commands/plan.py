@@ -32,7 +32,12 @@ if TYPE_CHECKING:
 def plan(
     file: TaskFile = None,
     instruction: Instructions = None,
-    output_format: Annotated[PlanFormat, typer.Option("--format", help="What to write.")] = PlanFormat.TABLE,
+    output_format: Annotated[
+        PlanFormat | None,
+        typer.Option(
+            "--format", help="What to write; if not given, what the name after -o ends in, or a table."
+        ),
+    ] = None,
     output: OutputFile = None,
     *,
     strict: Annotated[
@@ -51,7 +56,7 @@ def plan(
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
     made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
-    write_plan(made, output_format, output)
+    write_plan(made, output_format or PlanFormat.of_file(output) or PlanFormat.TABLE, output)
     code = exit_of_plan(made, strict=strict)
     if code != Exit.FINE:
         raise typer.Exit(code)
@@ -70,6 +75,8 @@ def request_of(
 
     if file is None and not instructions:
         raise UsageError("say what to plan: a file, - for standard input, or -i TEXT")
+    if not all(map(str.strip, instructions)):
+        raise UsageError("an instruction must not be empty")
     source = read_source(file) if file is not None else None
     return request_from(source, instructions, assembly, understanding, signals)
 
@@ -107,6 +114,8 @@ def request_from(
                 request = replace(request, agents=int(assembly.settings.number("agents")))
         else:
             request = replace(request, wishes=wishes_of(source, now))
+    if assembly.settings.values["in_order"].origin != "default":
+        request = replace(request, in_order=assembly.settings.flag("in_order"))
     spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
     context = assembly.context(understanding, request.now, signals)
     return replace(

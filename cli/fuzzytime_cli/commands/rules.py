@@ -8,11 +8,12 @@ import typer
 
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.parameters import Command, Group
 
-app = typer.Typer(help="Check rule tables, and show what applies.", no_args_is_help=True)
+app = typer.Typer(cls=Group, help="Check rule tables, and show what applies.", no_args_is_help=True)
 
 
-@app.command(short_help="Check rule tables: every mistake at once, with its place.")
+@app.command(cls=Command, short_help="Check rule tables: every mistake at once, with its place.")
 def check(
     files: Annotated[
         list[Path] | None,
@@ -23,15 +24,14 @@ def check(
     import os
 
     from fuzzytime.rulebook import check as check_tables
-    from fuzzytime_cli.assembly import standing_rules
-    from fuzzytime_cli.faults import NoInputError, report
+    from fuzzytime_cli.assembly import require_file, standing_rules
+    from fuzzytime_cli.faults import report
     from fuzzytime_cli.render import plain
     from fuzzytime_cli.settings import load_settings
 
     chosen = tuple(files or (*standing_rules(os.environ), *load_settings({}, os.environ).paths("rules")))
     for path in chosen:
-        if not path.is_file():
-            raise NoInputError(f"{path}: there is no such rule table")
+        require_file(path, "rule table")
     mistakes = check_tables(chosen)
     if mistakes:
         report("\n".join(map(str, mistakes)))
@@ -41,7 +41,7 @@ def check(
     sys.stdout.write(f"the shipped tables{' and ' * bool(names)}{names} hold no mistake\n")
 
 
-@app.command(short_help="Show what applies to words about time.")
+@app.command(cls=Command, short_help="Show what applies to words about time.")
 @flattened
 def show(
     text: Annotated[str, typer.Argument(help='Words about time, such as "in about ten minutes".')],
@@ -55,9 +55,12 @@ def show(
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import is_fault, report_problem
     from fuzzytime_cli.explaining import rules_lines
+    from fuzzytime_cli.faults import UsageError
     from fuzzytime_cli.render import Screen
     from fuzzytime_cli.showing import shown_plan
 
+    if not text.strip():
+        raise UsageError("the words must not be empty")
     assembly = Assembly.of(moment, understanding, Solving())
     made = shown_plan(text, assembly, understanding)
     for problem in made.problems:

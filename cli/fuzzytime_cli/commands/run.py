@@ -5,17 +5,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
-from typer.core import TyperCommand
 
 from fuzzytime_cli.choices import RunFormat
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.options import Instructions, Moment, Solving, TaskFile, Understanding, flattened
+from fuzzytime_cli.parameters import Command
 
 if TYPE_CHECKING:
     import typer._click as click
 
 
-class CommandWithProgram(TyperCommand):
+class CommandWithProgram(Command):
     """A command whose option ``--exec`` takes everything that follows, as that of ``find`` does."""
 
     def parse_args(self, ctx: "click.Context", args: list[str]) -> list[str]:
@@ -75,7 +75,7 @@ def run(
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import request_from, request_of
     from fuzzytime_cli.faults import UsageError
-    from fuzzytime_cli.live.programs import Command
+    from fuzzytime_cli.live import programs
     from fuzzytime_cli.live.start import Settings
     from fuzzytime_cli.live.start import run as carried_out
 
@@ -86,7 +86,7 @@ def run(
         raise UsageError("--wait-for-done needs somebody to say so: a pipe, or --follow FILE")
     settings = Settings(
         speed=None if simulate else speed,
-        command=Command.of(program) if program else None,
+        command=programs.Command.of(program) if program else None,
         limit=_limit(limit),
         by_word=wait_for_done,
         stay=stay,

@@ -16,6 +16,7 @@ from fuzzytime_cli.formats.reasons import why_sentences
 from fuzzytime_cli.render import plain, width_of
 
 INDENT = "  "
+UNTIMED = "no words about time: any time from now on satisfies"
 
 
 def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = True) -> list[str]:
@@ -35,7 +36,7 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
     ]
     lines += _section("left", left_lines(reading) if reading is not None else [])
     behind = [line for part in interpreted.resolutions for line in resolution_lines(part)]
-    asked = asked or ["no words about time: any time from now on satisfies"]
+    asked = asked or [UNTIMED]
     lines += _section("time", _wrapped(asked, inner))
     lines += _section("rows and rules", _wrapped(behind, inner))
     lines += _section("duration", _wrapped([_duration_line(interpreted)], inner))
@@ -79,6 +80,8 @@ def rules_lines(plan: Plan, width: int, *, unicode: bool = True) -> list[str]:
     clock = Clock(plan.request.now, with_seconds=bool(plan.request.now.second))
     for _, occurrences in groupby(plan.skills, lambda interpreted: interpreted.instruction):
         first, *others = occurrences
+        if not first.requirements:
+            lines.append(UNTIMED)
         for requirement, resolution in zip(first.requirements, first.resolutions, strict=False):
             lines += _wrapped(requirement_lines(requirement, clock), width)
             lines += [INDENT + line for line in _wrapped(resolution_lines(resolution), width - len(INDENT))]

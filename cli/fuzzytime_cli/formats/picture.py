@@ -8,11 +8,15 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.render import plain, width_of
 
-WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 62, 38, 18, 34
+WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
+CHARACTER = 5.8
+"""How wide a small letter is, about, in the units of the picture."""
+
 STYLE = (
     ".label{font:13px system-ui,sans-serif;fill:#222}.small{font:11px system-ui,sans-serif;fill:#666}"
-    ".grid{stroke:#e4e4e4}.wish{fill:#1f5fa8;fill-opacity:.18;stroke:#1f5fa8;stroke-opacity:.5}"
+    ".grid{stroke:#e4e4e4}.wish{fill:#1f5fa8;fill-opacity:.22}"
     ".good{fill:#1f5fa8}.poor{fill:#c0392b}.fair{fill:#c98a1b}.busy{fill:#999;fill-opacity:.25}"
     ".waits{stroke:#1f5fa8;stroke-width:3;stroke-dasharray:2 3}"
     "@media(prefers-color-scheme:dark){.label{fill:#eee}.small{fill:#aaa}.grid{stroke:#444}}"
@@ -36,6 +40,7 @@ class _Picture:
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
         self.end = max(*ends, *wishes, 60.0) * 1.02
         self.bottom = TOP + LANE * len(self.skills)
+        self.busy = [busy for busy in plan.request.busy if busy.start < self.end and busy.end > 0]
 
     def across(self, time: float) -> float:
         """Give the horizontal place of a time."""
@@ -43,11 +48,41 @@ class _Picture:
 
     def document(self) -> str:
         """Give the whole picture."""
-        parts = [*self._axis(), *self._busy()]
+        parts = [*self._head(), *self._axis(), *self._busy()]
         for row, position in enumerate(self.plan.schedule.order):
             parts += self._lane(position, TOP + LANE * (row + 1) - 8)
         title = f"Plan from {self.plan.request.now:%Y-%m-%d %H:%M}"
-        return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts))
+        return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts) + self._legend())
+
+    def _head(self) -> list[str]:
+        now = self.plan.request.now
+        date = f"{now:%A} {now.day} {now:%B %Y}"
+        return [
+            element("text", words(date), class_="small", x=8, y=TOP - 9),
+            element("text", "satisfied", class_="small", x=WIDTH - 6, y=TOP - 9, text_anchor="end"),
+        ]
+
+    def _legend(self) -> str:
+        """Say what the shapes mean that the picture has."""
+        shapes = [("wish", "how well a start there would satisfy")]
+        planned = [
+            skill for skill, out in zip(self.skills, self.plan.schedule.rejected, strict=True) if not out
+        ]
+        if planned:
+            shapes.append(("good", "at work"))
+        if any(skill.done > skill.end for skill in planned):
+            shapes.append(("waits", "goes on by itself"))
+        if self.busy:
+            shapes.append(("busy", "time that is taken"))
+        parts, x, y = [], 8.0, self.bottom + 44
+        for kind, text in shapes:
+            if kind == "waits":
+                parts.append(element("line", class_=kind, x1=x, y1=y - 4, x2=x + 20, y2=y - 4))
+            else:
+                parts.append(element("rect", class_=kind, x=x, y=y - 9, width=20, height=9, rx=2))
+            parts.append(element("text", text, class_="small", x=x + 26, y=y))
+            x += 26 + CHARACTER * len(text) + 16
+        return element("g", "".join(parts), class_="legend")
 
     def _axis(self) -> list[str]:
         clock = Clock(self.plan.request.now, with_seconds=self.end < 300)
@@ -62,12 +97,16 @@ class _Picture:
 
     def _busy(self) -> list[str]:
         parts = []
-        for busy in self.plan.request.busy:
-            if busy.start < self.end and busy.end > 0:
-                x, end = self.across(busy.start), self.across(busy.end)
-                title = element("title", words(busy.what or "busy"))
-                width, height = max(1.0, end - x), self.bottom - TOP
-                parts.append(element("rect", title, class_="busy", x=x, y=TOP, width=width, height=height))
+        for busy in self.busy:
+            x, end = self.across(busy.start), self.across(busy.end)
+            what = plain(busy.what or "busy")
+            width, height = max(1.0, end - x), self.bottom - TOP
+            title = element("title", words(what))
+            parts.append(element("rect", title, class_="busy", x=x, y=TOP, width=width, height=height))
+            if CHARACTER * width_of(what) <= width:
+                middle = (x + end) / 2
+                name = element("text", words(what), class_="small", x=middle, y=TOP - 9, text_anchor="middle")
+                parts.append(name)
         return parts
 
     def _lane(self, position: int, base: float) -> list[str]:
@@ -78,8 +117,11 @@ class _Picture:
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
         said = element("title", words(getattr(interpreted.wish, "text", specific.name)))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
+        if self.plan.schedule.task.agents > 1 and not rejected:
+            figure = f"by {specific.agent}: {figure}"
         parts = [
             element("text", words(_shortened(specific.name, 30)) + said, class_="label", x=8, y=base - 5),
+            element("line", class_="grid", x1=LEFT, y1=base, x2=WIDTH - RIGHT, y2=base),
             self._wish(interpreted, base),
             element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
         ]

@@ -143,6 +143,8 @@ def _asked(why: Why, plan: Plan) -> str:
     if interpreted.requirements:
         words = ", ".join(plain(requirement.text) for requirement in interpreted.requirements)
         asked = f"It asked for “{words}”"
+    elif interpreted.in_order:
+        asked = "Nothing was said about its time but its place in the order"
     elif interpreted.instruction is not None:
         asked = "Nothing was said about its time"
     else:

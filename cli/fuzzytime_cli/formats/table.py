@@ -106,6 +106,8 @@ class PlanView:
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
             return ", ".join(requirement.text for requirement in interpreted.requirements)
+        if interpreted.in_order:
+            return "in order"
         return "any time" if interpreted.instruction is not None else "as given"
 
     def times(self, position: int) -> tuple[str, str]:
@@ -113,7 +115,11 @@ class PlanView:
         if self.schedule.rejected[position]:
             return "–", "–"
         specific = self.schedule.skills[position]
-        return self.clock.of(specific.start), self.clock.of(specific.end)
+        instruction = self.plan.skills[position].instruction
+        happens = (
+            instruction is not None and instruction.operation is not None and instruction.operation.stated
+        )
+        return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
 
     # -- the table ------------------------------------------------------------------------------------------
 
@@ -254,7 +260,7 @@ class PlanView:
         if len(shown) < len(notes):
             yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
         assumed = [
-            (position, format_duration(interpreted.skill.duration))
+            (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
             for position, interpreted in enumerate(self.plan.skills)
             if interpreted.duration.assumed
         ]

@@ -20,7 +20,7 @@ from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
 from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy
 
-KEYS = ("now", "zone", "agents", "horizon", "context", "busy", "instructions", "skills")
+KEYS = ("now", "zone", "agents", "horizon", "in_order", "context", "busy", "instructions", "skills")
 _WISH_KEYS = ("id", "hands_on", "elapsed", "duration", "priority", "agent", "after")
 _FIRST_KEY = re.compile(r"(?:[ \t]*(?:#[^\n]*)?\n|---[ \t]*\n)*(?:" + "|".join(KEYS) + r")[ \t]*:(?:\s|$)")
 
@@ -83,6 +83,7 @@ class _TaskFile:
         if "agents" in top:
             self.agents = max(1, reader.whole(top["agents"], "agents", 1, 100))
         horizon = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
+        in_order = "in_order" in top and reader.boolean(top["in_order"], "in_order")
         context = (
             read_context_node(reader, top["context"], "context", self.surroundings.signals)
             if "context" in top
@@ -105,7 +106,13 @@ class _TaskFile:
             )
         reader.finish()
         return Request(
-            now=self.now, wishes=wishes, agents=self.agents, context=context, busy=busy, horizon=horizon
+            now=self.now,
+            wishes=wishes,
+            agents=self.agents,
+            context=context,
+            busy=busy,
+            horizon=horizon,
+            in_order=in_order,
         )
 
     def _now(self, top: dict[str, Node]) -> datetime:
@@ -113,15 +120,15 @@ class _TaskFile:
         if "zone" in top and isinstance(top["zone"], Scalar):
             zone = self.reader.read(top["zone"], "zone", parse_zone) or zone
         said = top.get("now")
+        own = None
+        if isinstance(said, Scalar):
+            own = self.reader.read(said, "now", lambda text: parse_instant(text, zone))
+        elif said is not None:
+            self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
         if self.surroundings.now is not None:
             return self.surroundings.now
-        if said is None:
-            fallback = self.surroundings.fallback_now
-            return fallback.astimezone(zone) if zone is not None else fallback
-        if not isinstance(said, Scalar):
-            self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
-            return self.now
-        return self.reader.read(said, "now", lambda text: parse_instant(text, zone)) or self.now
+        fallback = self.surroundings.fallback_now
+        return own or (fallback.astimezone(zone) if zone is not None else fallback)
 
     # -- wishes ---------------------------------------------------------------------------------------------
 

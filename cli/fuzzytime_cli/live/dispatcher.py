@@ -114,6 +114,10 @@ class Dispatcher:
                 yield from self._instructed(wish, now)
             case Told(identifier=identifier):
                 waiting = self.outlook.find(identifier)
+                if waiting is None and identifier not in self.ledger.tasks and self.outlook.reasons:
+                    # What is asked for, and not planned yet, has no name yet.
+                    yield from self.outlook.replan(now, self.ledger)
+                    waiting = self.outlook.find(identifier)
                 yield from self.progress.take_word(arrival, waiting.name if waiting else None, now)
             case Outcome():
                 yield from self.progress.take_outcome(arrival, now)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TextIO
 
-from fuzzytime.context.files import LONGEST_LINE
+from fuzzytime.context.lines import LONGEST_LINE
 from fuzzytime_cli.live.inbox import Closed, Inbox, Line
 from fuzzytime_cli.live.messages import Listener
 

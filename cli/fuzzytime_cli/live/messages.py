@@ -101,7 +101,9 @@ class Listener:
         }
         found = [name for name in kinds if name in fields]
         if len(found) != 1:
-            raise FuzzytimeError(f"a line must hold one of {', '.join(kinds)}, got {', '.join(fields)}")
+            raise FuzzytimeError(
+                f"a line must hold one of {', '.join(kinds)}, got {', '.join(fields) or 'nothing'}"
+            )
         return kinds[found[0]](fields, now)
 
     def _time(self, fields: Mapping[str, Any], now: float) -> float:

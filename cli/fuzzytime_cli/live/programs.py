@@ -79,10 +79,9 @@ class Command:
         for argument in arguments:
             for match in _PLACEHOLDER.finditer(argument):
                 if match[1] is not None and match[1] not in PLACEHOLDERS:
-                    known = ", ".join(PLACEHOLDERS)
                     raise UsageError(
-                        f"--exec: a placeholder must be one of {known}, got {match[0]!r}"
-                        f"{suggestion(match[1], PLACEHOLDERS)} (write {{{{ for a brace)"
+                        f"--exec: unknown placeholder {match[0]!r}{suggestion(match[1], PLACEHOLDERS)};"
+                        " write {{ for a brace"
                     )
         if shutil.which(program) is None:
             raise NoInputError(f"--exec: there is no program {program!r}")

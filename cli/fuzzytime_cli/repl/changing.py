@@ -18,7 +18,7 @@ from fuzzytime_cli.repl.scene import (
     said,
     step,
 )
-from fuzzytime_cli.session import KeptBusy, KeptReading
+from fuzzytime_cli.session import KeptBusy, KeptReading, Started
 
 BRIEF = 60
 """Columns that the name of a step has."""
@@ -75,9 +75,17 @@ def done(scene: Scene, text: str) -> Reply:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
     position = position_of(scene, text)
-    number = number_of(scene.plan.skills[position].identifier)
-    reply = step(scene, f":done {number}", lambda state: state.without(number))
-    return replace(reply, lines=(Text(f"done: {plain(scene.plan.skills[position].skill.name)}"),))
+    skill = scene.plan.skills[position]
+    number = number_of(skill.identifier)
+    name = Text(f"done: {plain(skill.skill.name)}")
+    if any(number_of(other.identifier) == number for other in scene.plan.skills if other is not skill):
+        # The others that the instruction asks for stay, and may refer to this one.
+        agent = scene.plan.schedule.skills[position].agent
+        now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
+        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction)
+        scene.conversation.store.note_started(scene.conversation.name, begun)
+        return Reply((name,), changed=True)
+    return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
 
 
 def ctx(scene: Scene, text: str) -> Reply:
@@ -103,6 +111,14 @@ def agents(scene: Scene, text: str) -> Reply:
     if not text.strip().isdigit() or not 1 <= int(text) <= 100:
         raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()!r}")
     return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
+
+
+def in_order(scene: Scene, text: str) -> Reply:
+    """Say whether instructions are steps, each after the one before."""
+    chosen = text.strip().lower() or "on"
+    if chosen not in {"on", "off"}:
+        raise FuzzytimeError(f"in-order must be on or off, got {text.strip()!r}")
+    return step(scene, f":in-order {chosen}", lambda state: replace(state, in_order=chosen == "on"))
 
 
 def solver(scene: Scene, text: str) -> Reply:

@@ -57,6 +57,7 @@ COMMANDS: Mapping[str, Command] = {
     "ctx": Command("ctx [pan_temp=180]", "a reading now; alone: the readings", changing.ctx),
     "busy": Command("busy 12:00 13:00 lunch", "a time that is taken", changing.busy),
     "agents": Command("agents 2", "how many can work at once", changing.agents),
+    "in-order": Command("in-order on|off", "whether each is done after the one before", changing.in_order),
     "solver": Command("solver NAME", "the method that finds the schedule", changing.solver),
     "rate": Command("rate [N 1-5|too late]", "how a start was, for later plans; alone: your ratings", rate),
     "plot": Command(
@@ -72,7 +73,8 @@ COMMANDS: Mapping[str, Command] = {
 
 
 TRIED = tuple(
-    COMMANDS[name] for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "solver")
+    COMMANDS[name]
+    for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "in-order", "solver")
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 

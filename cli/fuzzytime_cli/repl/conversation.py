@@ -35,6 +35,7 @@ class Conversation:
     """One session in its store, with what understands and schedules it.
 
     ``interpreter`` is the population's; where ``personal`` is set, plans follow the person's ratings too.
+    ``in_order`` holds as long as the conversation says nothing else.
     """
 
     store: SessionStore
@@ -44,6 +45,7 @@ class Conversation:
     limits: Limits
     threshold: float
     personal: bool = True
+    in_order: bool = False
 
     # -- the state ------------------------------------------------------------------------------------------
 
@@ -90,6 +92,7 @@ class Conversation:
             now=now,
             wishes=tuple(wish_of(entry) for entry in _as_said(current.entries, now)),
             agents=current.agents,
+            in_order=self.in_order if current.in_order is None else current.in_order,
             context=context_of(current.readings, now),
             busy=tuple(
                 Busy(max(0.0, seconds_between(now, kept.start)), seconds_between(now, kept.end), kept.what)

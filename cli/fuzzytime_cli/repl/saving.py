@@ -29,18 +29,16 @@ def save(scene: Scene, text: str) -> Reply:
     from fuzzytime_cli.session import state_text
 
     path = Path(text.strip()).expanduser()
-    exports = {
-        f".{kind.value}": kind for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON}
-    }
-    kind = exports.get(path.suffix.lower())
-    if kind is None and path.suffix.lower() != ".json":
+    kind = PlanFormat.of_file(path)
+    if kind is None or kind is PlanFormat.TABLE:
+        exports = sorted(f".{kind}" for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON})
         raise FuzzytimeError(
             "a file must follow that ends in .json (the session) "
-            f"or {' '.join(sorted(exports))} (the plan), got {text.strip()!r}"
+            f"or {' '.join(exports)} (the plan), got {text.strip()!r}"
         )
+    session = kind is PlanFormat.JSON
     replace_file(
-        path,
-        written(scene.plan, kind) if kind is not None else state_text(_shared(scene.conversation)) + "\n",
+        path, state_text(_shared(scene.conversation)) + "\n" if session else written(scene.plan, kind)
     )
     return said(f"written: {path}")
 

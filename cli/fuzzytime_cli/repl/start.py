@@ -52,6 +52,7 @@ def converse(
         assembly.limits(),
         assembly.settings.number("threshold"),
         personal=assembly.settings.flag("personal"),
+        in_order=assembly.settings.flag("in_order"),
     )
     screen = Screen.of(sys.stdout, dict(os.environ))
     turns = Turns(conversation, screen.width, unicode=screen.unicode)

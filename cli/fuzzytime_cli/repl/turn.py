@@ -15,6 +15,7 @@ from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines
+from fuzzytime_cli.repl.speaking import reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
@@ -73,7 +74,7 @@ class Turns:
                 command, rest = command_of(words)
                 reply = command.run(self._scene(now), rest)
             else:
-                reply = self._instruction(words, now)
+                reply = reply_about(self._scene(now), words) or self._instruction(words, now)
             if reply.changed:
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
             if self.pending is not None:

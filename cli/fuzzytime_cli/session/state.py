@@ -66,13 +66,17 @@ class KeptRating:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State:
-    """Everything that was said in a conversation, as a value."""
+    """Everything that was said in a conversation, as a value.
+
+    ``in_order`` says whether each instruction is done after the one before; None leaves that to the settings.
+    """
 
     entries: tuple[Entry, ...] = ()
     next_number: int = 1
     readings: tuple[KeptReading, ...] = ()
     busy: tuple[KeptBusy, ...] = ()
     agents: int = 1
+    in_order: bool | None = None
     solver: str = ""
     finished: tuple[str, ...] = field(default=())
     ratings: tuple[KeptRating, ...] = ()

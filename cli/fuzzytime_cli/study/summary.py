@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from fuzzytime.study import Answers, Model, Participant
 from fuzzytime.study.analysis import Analysis
 from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.wording import between
 from fuzzytime.times import MINUTE, format_duration
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -22,18 +23,13 @@ def participants(answers: Answers) -> Iterator[str]:
     head = ("participant", "group", "origin", "state", "curves", "")
     yield from table(head, map(row, answers.participants))
     yield ""
-    groups = ", ".join(f"{len(answers.members(group))} {group}" for group in answers.design.groups)
-    yield plain(
-        f"{answers.design.name}: {len(answers.counted)} participants count ({groups}), "
-        f"{len(answers.set_aside)} set aside"
-    )
+    yield plain(f"{answers.design.name}: {answers.head_count} count, {len(answers.set_aside)} set aside")
 
 
 def analysis(found: Analysis) -> Iterator[str]:
     """Say what F1, F2 and F3 come to."""
     answers = found.answers
-    groups = ", ".join(f"{len(answers.members(group))} {group}" for group in answers.design.groups)
-    yield plain(f"{answers.design.name}: {len(answers.counted)} participants ({groups})")
+    yield plain(f"{answers.design.name}: {answers.head_count}")
     for entry in answers.set_aside:
         yield plain(f"  set aside: {entry.name} ({entry.reason})")
     yield ""
@@ -42,10 +38,7 @@ def analysis(found: Analysis) -> Iterator[str]:
     yield "F1  Which functions fit: prediction errors (SSE) of the medians"
     yield from table(
         ("function", *found.models),
-        (
-            (model.value, *("{:.3f} to {:.3f}".format(*of.errors[model]) for of in found.models.values()))
-            for model in Model
-        ),
+        ((model.value, *(between(*of.errors[model], 3) for of in found.models.values())) for model in Model),
     )
     yield from _groups(found)
     yield from _start_times(found)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.counted import so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Duration, Offset, Repeat, Said, TimeWord
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
@@ -48,6 +48,19 @@ def halfway() -> Said:
     return Said(TimeWord(HALFWAY, Constraint.FOR))
 
 
+@grammar.rule(
+    "said",
+    "when|once there is|are <duration> left|remaining",
+    "when|once there is|are <duration> to go",
+    "with <duration> left|remaining",
+    "with <duration> to go",
+    weight=0.3,
+)
+def left_of_it(duration: Duration) -> Said:
+    """(add the peas) when there are ten minutes left: of what goes on."""
+    return Said(Offset(replace(duration, hedges=()), -1), None, LEFT, duration.hedges)
+
+
 @grammar.rule("said", "<duration> after", weight=0.05)
 def after_it(duration: Duration) -> Said | None:
     """(call me) ten minutes after: counted from what was said before; but "the day after"."""
@@ -56,7 +69,7 @@ def after_it(duration: Duration) -> Said | None:
     return so_far_in(duration)
 
 
-@grammar.rule("said", "<duration> before", weight=0.05)
+@grammar.rule("said", "<duration> before|early", weight=0.05)
 def before_it(duration: Duration) -> Said | None:
     """(be there) ten minutes before: counted from what was said before; but "the night before"."""
     if any(unit not in SUB_DAY for _, unit in duration.terms):

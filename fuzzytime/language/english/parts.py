@@ -71,7 +71,7 @@ def deictic_part(first: object, second: object, third: Part | None = None) -> Wa
         return None
     if third is not None and isinstance(first, tuple):
         found = found.share(*first)
-    return Wall(Relative(which.offset), found)
+    return Wall(Relative(which.offset, onward=which is Which.NEXT), found)
 
 
 @grammar.rule("wall", "<share>? <day_part>", weight=0.1)

@@ -41,6 +41,9 @@ class Lent:
 
     def accept(self, piece: Piece, said: Said) -> bool:
         """Whether a number takes the unit said before: "turning it after 30", "stirring every 10"."""
+        if isinstance(said.time, TimeWord) and self.texts[piece.end - 1] == "through":
+            # "Roast the chicken for an hour", and in the next line "turn it halfway through"
+            return self.around.follower(piece) in {"", ".", ",", ";", "!", "and"} or piece.start == 0
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if said.constraint is Constraint.FOR and isinstance(said.time, Duration):
             return self.times(piece) or (lent and self.around.may_end(piece))

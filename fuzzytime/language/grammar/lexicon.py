@@ -70,6 +70,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     taken
         What keeps who speaks from all else: "I have an appointment", "I'm out".
+    happening
+        What has a time without a verb: "dinner at seven".
     persons, addressing
         Words for people, and verbs whose object is one: "it" stands for neither.
     rescheduling, events
@@ -90,6 +92,8 @@ class Lexicon:
         By words for what people do, the hours at which they do it.
     questions, foreign
         Words that begin a question, by how they do, and words that show that a text is not English.
+    conversation
+        What is said about what was asked for already, by what it does.
     function_words
         Words that may follow a bare number without making it a count.
     misspelt
@@ -125,6 +129,7 @@ class Lexicon:
     timing_alone: frozenset[str]
     citing: frozenset[str]
     taken: frozenset[str]
+    happening: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     moving: frozenset[str]
@@ -140,6 +145,7 @@ class Lexicon:
     counting: frozenset[str]
     amount_nouns: frozenset[str]
     questions: Mapping[str, frozenset[tuple[str, ...]]]
+    conversation: Mapping[str, frozenset[tuple[str, ...]]]
     foreign: frozenset[str]
     function_words: frozenset[str]
     misspelt: Mapping[str, str]

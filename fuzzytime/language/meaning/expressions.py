@@ -139,6 +139,9 @@ class Range:
 HALFWAY = "halfway"
 """The time word that counts from the start of what was said to last."""
 
+LEFT = "left"
+"""The preposition of times that count back from the end of what goes on: "with ten minutes left"."""
+
 
 @dataclass(frozen=True, slots=True)
 class TimeWord:

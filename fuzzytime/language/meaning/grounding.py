@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from datetime import date, datetime, timedelta
+from datetime import date, datetime, time, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Days, Fields, Today
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -20,13 +20,19 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
 from fuzzytime.language.meaning.range_instants import range_instants
-from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
+
+CLOSE = timedelta(hours=3)
+"""The same where another text said that clock time, as lines need not be in the order of the day."""
+
+EARLY = time(4)
+"""From here on, who speaks is up early, not late."""
 
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
@@ -50,6 +56,8 @@ class Grounding:
         Whether it was said for the same thing to be done.
     follows : bool
         Whether what is asked for comes after it.
+    carried : bool
+        Whether another text said it.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
     """
@@ -60,6 +68,7 @@ class Grounding:
     since: datetime | None = None
     listed: bool = False
     follows: bool = False
+    carried: bool = False
     ends: bool = False
 
     @property
@@ -97,7 +106,9 @@ class Grounding:
         if isinstance(said, SameTime):
             days = next(self.days(said.days))
             week = days.first + timedelta(days=(self.now.weekday() - days.first.weekday()) % 7)
-            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, self.now.time())
+            # "Call mum at six. Same time tomorrow, call dad": at six, too.
+            here = self.now if self.since is None else self.since
+            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, here.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
@@ -116,7 +127,7 @@ class Grounding:
         UngroundedError
             If there is none.
         """
-        today = self.today
+        today = self._day_said(calendar)
         if isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None:
             yield from self._nearest(calendar)
             return
@@ -126,6 +137,14 @@ class Grounding:
             raise UngroundedError("a date must exist")
         yield first
         yield from upcoming
+
+    def _day_said(self, calendar: Calendar) -> Today:
+        """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
+        onward = isinstance(calendar, Relative) and calendar.onward
+        onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
+        if onward and self.since is not None and self.since.date() > self.now.date():
+            return replace(self.today, day=self.since.date())
+        return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
         """Give the nearest day, past or future, on which a weekday fits its date."""
@@ -200,9 +219,10 @@ class Grounding:
         if self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
-            known = plausible if self.listed else moments
-            follows = [moment for moment in known if self.since < moment <= self.since + FOLLOWING]
-            if wall.days is not None:
+            known = plausible if self.listed or self.carried else moments
+            within = CLOSE if self.carried else FOLLOWING
+            follows = [moment for moment in known if self.since < moment <= self.since + within]
+            if wall.days is not None and not self.carried:
                 # "On friday mow at ten and rake at six": the six of that day that follows, however late.
                 follows += [moment for moment in plausible if self.since < moment]
             chosen = next(iter(follows), chosen)
@@ -215,6 +235,9 @@ class Grounding:
         On a day to come that is named they may be up earlier.
         """
         first, last = self.policy.plausible_from, self.policy.plausible_to
+        if EARLY <= self.now.time() < first <= last and moment.date() == self.now.date():
+            # Who speaks at five is up at half past.
+            first = self.now.time()
         if ahead and moment.date() > self.now.date():
             first = min(first, self.policy.ahead_from)
         if first > last:

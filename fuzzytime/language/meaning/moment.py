@@ -15,7 +15,8 @@ class Moment:
     """When an instruction was given: with a zone, without, or not known.
 
     ``since`` is the time in seconds that was said before in the same text, ``listed`` whether for the same
-    thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it.
+    thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it, ``carried``
+    whether another text said it, given at the same time: the line before.
     """
 
     now: datetime | None
@@ -23,6 +24,7 @@ class Moment:
     since: float | None = None
     listed: bool = False
     follows: bool = False
+    carried: bool = False
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -38,7 +40,14 @@ class Moment:
             return Grounding(self.now.astimezone(zone_of(zone)).replace(tzinfo=None), self.policy)
         here = self.now.replace(tzinfo=None)
         since = None if self.since is None else here + timedelta(seconds=self.since)
-        return Grounding(here, self.policy, since=since, listed=self.listed, follows=self.follows)
+        return Grounding(
+            here,
+            self.policy,
+            since=since,
+            listed=self.listed,
+            follows=self.follows,
+            carried=self.carried,
+        )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:
         """Give the seconds from now to a wall-clock time, in our zone or another.

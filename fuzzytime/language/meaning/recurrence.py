@@ -47,6 +47,16 @@ class EvenRecurrence:
     length: float = 0.0
 
     @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        return math.isinf(self.last)
+
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over."""
+        return False
+
+    @property
     def interval(self) -> float | None:
         """Seconds between occurrences."""
         return self.step
@@ -80,6 +90,16 @@ class CalendarRecurrence:
     skip: int = 1
     first: float = 0.0
     last: float = math.inf
+
+    @property
+    def endless(self) -> bool:
+        """Whether no end of the repetition is named."""
+        return math.isinf(self.last)
+
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over."""
+        return all(wall.part is not None and not wall.part.name for wall in self.walls)
 
     @property
     def interval(self) -> float | None:

@@ -62,9 +62,14 @@ class _Single(Calendar):
 
 @dataclass(frozen=True, slots=True)
 class Relative(_Single):
-    """A day by its distance from today: "tomorrow"."""
+    """A day by its distance from today: "tomorrow".
+
+    ``onward`` says that it counts from the day that was said before, where that is one to come: "the day
+    after".
+    """
 
     days: int
+    onward: bool = False
 
     @property
     def grain(self) -> Unit:

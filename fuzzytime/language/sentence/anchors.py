@@ -6,7 +6,7 @@ from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import (
     BEGINNING,
@@ -29,19 +29,30 @@ ORDERING = {
     "afterwards": Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
+    "meanwhile": Constraint.AT,
 }
 """The time words that are about the instruction before it."""
 
 BACK = frozenset({"it", "that", "this"})
 """Words for an event that is the instruction before."""
 
+BESIDE = frozenset({"during", "over", "with", "at"})
+"""Prepositions of what goes on: "during lunch"."""
+
+END = frozenset({"the end", "the very end"})
+"""Words for the end of what goes on."""
+
 INTO = "into"
 """The preposition of times that count from the start of the instruction before."""
+
+INSIDE = frozenset({LEFT, HALFWAY})
+"""The prepositions of times that are inside something else, and nothing without that."""
 
 COUNTED: dict[str | None, Constraint] = {
     "later": Constraint.AFTER,
     "earlier": Constraint.BEFORE,
     INTO: Constraint.AFTER,
+    LEFT: Constraint.AFTER,
 }
 """The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
 
@@ -62,16 +73,31 @@ class Anchors:
     lexicon: Lexicon
     awaits: bool = False
 
+    def about(self, clause: Clause) -> str | None:
+        """Give what an instruction before is about that a clause is about too; None where there is none."""
+        target = self.target_of(clause)
+        if target is None or target >= self.position:
+            return None
+        operation = self._operation(target)
+        return None if operation is None else operation.object
+
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
         here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
         last = self.position - 1
+        condition = clause.condition
+        if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
+            # "Text me when you are finished"
+            return last if last >= 0 and not condition.negated else None
         happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
         if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
+        if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
+            # "Add the hops 15 minutes before the end"
+            return self._going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
         if target is not None or not self.awaits:
             return target
@@ -101,7 +127,9 @@ class Anchors:
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
-        if target is not None and self._is_stated(target):
+        if (clause.object or "").lower() in END:
+            edge = Edge.END
+        elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
             edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
         anchor = Anchor(
@@ -124,9 +152,12 @@ class Anchors:
             anchor=anchor,
         )
 
-    def _is_stated(self, target: int) -> bool:
+    def _operation(self, target: int) -> Operation | None:
         place = target - self.first
-        operation = self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+        return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+
+    def _is_stated(self, target: int) -> bool:
+        operation = self._operation(target)
         return operation is not None and operation.stated
 
     def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
@@ -140,24 +171,23 @@ class Anchors:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
         part = time.part if isinstance(time, Wall) and time.days is None else None
-        if (
-            part is None
-            or not part.meal
-            or part.place
-            or constraint not in {Constraint.BEFORE, Constraint.AFTER}
-        ):
+        beside = requirement.text.split()[0].lower() in BESIDE
+        if part is None or not part.meal or part.place:
+            return None
+        if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
             return None
         words = content_words(part.name)
-        beside = [
+        own = [
             self.first + place
             for place, operation in enumerate(self.own)
             if operation is not None and words <= content_words(operation.object)
         ]
-        targets = [place for place in beside if place != self.position]
+        targets = [place for place in own if place != self.position]
         target = targets[-1] if targets else self.mentions.about(words, self.first)
         if target is None:
             return None
-        edge = Edge.START if constraint is Constraint.BEFORE else Edge.END
+        constraint = Constraint.AT if beside or constraint is None else constraint
+        edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         anchor = Anchor(text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0)
         return _only(requirement, anchor, constraint)
 
@@ -172,6 +202,9 @@ class Anchors:
             edge = Edge.END if constraint is Constraint.AFTER else Edge.START
             anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
+        if phrase.said.preposition == HALFWAY and self.position > 0:
+            anchor = Anchor(text=requirement.text, target=self._going_on(), share=0.5, exact=True)
+            return _only(requirement, anchor, Constraint.AFTER)
         side = (
             COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
         )
@@ -179,8 +212,14 @@ class Anchors:
             return None
         edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
         lag = requirement.t_spec or 0.0
-        anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge, lag=lag, exact=True)
+        target = self._going_on() if phrase.said.preposition == LEFT else self.position - 1
+        anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
         return _only(requirement, anchor, side)
+
+    def _going_on(self) -> int:
+        """Give the latest instruction that was said to go on for some time, or that right before."""
+        before = [place for place in self.mentions.lasting if place < self.first]
+        return self.position - 1 if self.position > self.first or not before else before[-1]
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

@@ -18,18 +18,23 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.grounding import FOLLOWING
-from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import ORDERING, Anchors, anchored_by_connective
+from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.contradictions import SAID_WHEN, contradictions
+from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.lengths import length_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
-from fuzzytime.language.sentence.references import Mentions, resolved_object
+from fuzzytime.language.sentence.references import (
+    PRONOUNS,
+    SEVERAL,
+    Mentions,
+    is_several,
+    resolved_object,
+)
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.waiting import INVERTING
@@ -43,12 +48,16 @@ def composed(
     first: int,
     *,
     awaits: bool = False,
+    since: float | None = None,
 ) -> Reading:
     """Put a reading together; ``first`` of the operations were given before the text.
 
-    Where it ``awaits`` them, those behind its own may be meant too.
+    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is the clock time in seconds
+    that the text before it said last.
     """
-    return _Composer(draft, lexicon, mentions, first, awaits=awaits).reading()
+    composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
+    composer.moment = replace(composer.moment, since=since, carried=since is not None)
+    return composer.reading()
 
 
 class _Composer:
@@ -84,11 +93,9 @@ class _Composer:
                 sketches[place] = replace(sketch, operation=None)
             elif sketch.operation is not None:
                 self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
-                named = replace(
-                    sketch.operation,
-                    object=resolved_object(sketch.operation, operations, self.mentions, self.first),
-                )
-                sketches[place] = replace(sketch, operation=named)
+                thing = resolved_object(sketch.operation, operations, self.mentions, self.first)
+                thing = self._of_front(sketch, operations, place) or thing
+                sketches[place] = replace(sketch, operation=replace(sketch.operation, object=thing))
             else:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
@@ -110,7 +117,23 @@ class _Composer:
             strict=strict,
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
+            step=self.draft.step,
         )
+
+    def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
+        """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
+        operation = sketch.operation
+        if operation is None or (operation.object or "").lower() not in PRONOUNS:
+            return None
+        anchors = Anchors(self.first + place, self.first, operations, self.mentions, self.lexicon)
+        for clause in sketch.clauses:
+            if clause.span[0] < operation.span[0]:
+                condition = clause.condition
+                said = condition is not None and condition.subject not in PRONOUNS
+                thing = anchors.about(clause)
+                if thing is not None and (said or is_several(thing) == (operation.object in SEVERAL)):
+                    return thing
+        return None
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
         """Point at what no operation and no time holds, where nothing else is said of it."""
@@ -148,6 +171,9 @@ class _Composer:
             )
             requirement = anchors.of_phrase(phrase, grounded.requirement)
             requirements.append(referred(requirement, reference))
+            if requirement.preposition in INSIDE and requirement.anchor is None:
+                alone = _follows_nothing(requirement.text, requirement.span)
+                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:
                 self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         for clause in sketch.clauses:
@@ -206,13 +232,9 @@ class _Composer:
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
-        for requirement in times.requirements:
-            if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
-                since, latest = requirement.earliest, requirement.latest
-                if latest is not None and (since is None or latest - since > FOLLOWING.total_seconds()):
-                    # "Charge overnight and be ready at seven"
-                    since = latest
-                self.moment = replace(self.moment, since=since)
+        since = last_said(times.requirements, None)
+        if since is not None:
+            self.moment = replace(self.moment, since=since, carried=False)
 
     def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
         """Give the words of all trees with places in the whole text, and the paper's reading of the first."""

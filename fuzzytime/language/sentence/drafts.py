@@ -10,11 +10,11 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Said
-from fuzzytime.language.sentence.announcements import announced
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
-from fuzzytime.language.sentence.segments import Segment, segments_of
+from fuzzytime.language.sentence.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments import segments_of
 from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
@@ -31,7 +31,10 @@ ROUNDS = 12
 
 @dataclass(frozen=True, slots=True)
 class Draft:
-    """A text with its times and its parts, before anything is grounded."""
+    """A text with its times and its parts, before anything is grounded.
+
+    ``step`` is its number in a numbered list.
+    """
 
     text: str
     now: datetime | None
@@ -39,6 +42,7 @@ class Draft:
     phrases: tuple[Phrase, ...]
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
+    step: int | None = None
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -64,15 +68,17 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources = []
+    sources, steps = [], []
     for text, now in texts:
-        scanned = Scanned.of(text, grammar, lexicon)
+        marks = list_marks(text, lexicon)
+        steps.append(marks[0].number if marks else None)
+        scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
         sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(s.scanned.text, s.now, s.scanned, s.phrases, tuple(own), s.remarks)
-        for s, own in zip(sources, parts, strict=True)
+        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step)
+        for (text, _), s, own, step in zip(texts, sources, parts, steps, strict=True)
     ]
 
 
@@ -101,17 +107,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round or one.segment.announces else _cut(one, part, lexicon)
+            cut = [] if last_round else addressed(one, part, lexicon) or list(pieces_of(one, part, lexicon))
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part
         waiting = following
     return [[own[start] for start in sorted(own)] for own in done]
-
-
-def _cut(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
-    """Give the segments that one becomes where its tree shows more than one instruction; none otherwise."""
-    return addressed(one, part, lexicon) or announced(one, lexicon) or list(pieces_of(one, part, lexicon))
 
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:

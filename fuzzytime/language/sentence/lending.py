@@ -27,7 +27,7 @@ def led(sketches: list[Sketch]) -> list[Sketch]:
     found: list[Sketch] = []
     for sketch in sketches:
         before, segment = found[-1] if found else None, sketch.part.segment
-        alone = before is not None and before.operation is None and bool(before.phrases)
+        alone = before is not None and before.operation is None and _is_time_alone(before)
         if before is not None and alone and segment.connective in {"then", "first"}:
             waited = [replace(phrase, said=_until_then(phrase.said)) for phrase in before.phrases]
             whole = (before.part.segment.span[0], segment.span[1])
@@ -41,6 +41,14 @@ def led(sketches: list[Sketch]) -> list[Sketch]:
         else:
             found.append(sketch)
     return found
+
+
+def _is_time_alone(sketch: Sketch) -> bool:
+    """Whether nothing but times is said: not "maths until ten"."""
+    part = sketch.part
+    names = (node for node in part.tree.nodes if node.tag.startswith("NN"))
+    spans = ((node.start + part.offset, node.end + part.offset) for node in names)
+    return bool(sketch.phrases) and all(any(overlap(s, p.span) for p in sketch.phrases) for s in spans)
 
 
 def _until_then(said: Said) -> Said:
@@ -115,7 +123,15 @@ def within(sketches: list[Sketch], text: str) -> list[Sketch]:
             length = _length(before)
             told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
         found.append(told)
-    return found
+    return [replace(sketch, phrases=tuple(map(_halfway, sketch.phrases))) for sketch in found]
+
+
+def _halfway(phrase: Phrase) -> Phrase:
+    """Let what is halfway through something else count from that."""
+    time = phrase.said.time
+    if not isinstance(time, TimeWord) or time.word != HALFWAY:
+        return phrase
+    return replace(phrase, said=Said(Offset(Duration(((0, Unit.SECOND),))), None, HALFWAY))
 
 
 def _length(sketch: Sketch) -> float:

@@ -8,6 +8,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
+from fuzzytime.language.sentence.statements import PHASES
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -263,6 +264,8 @@ class Reader(Places):
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        # "Load the truck, it leaves at three"
+        told = told or (subjects[:1] == ["it"] and self.tree.nodes[verb].lower in PHASES)
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:

@@ -13,6 +13,9 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clause import Clause
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
+ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
+"""Words for all that is meant, whatever that is."""
+
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 EMPTY = frozenset(
@@ -78,15 +81,23 @@ def _singular(word: str) -> str:
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
 
 
+def shares_thing(one: Operation, other: Operation) -> bool:
+    """Whether two operations name the same thing, as what they are about or as its place."""
+    named = (content_words(part.object) | content_words(part.place) for part in (one, other))
+    return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
+
+
 @dataclass(slots=True)
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
-    What was denied names nothing: nobody refers to "don't peel the apples".
+    What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
+    those that were said to go on for some time.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
+    lasting: list[int] = field(default_factory=list)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)
@@ -99,7 +110,7 @@ class Mentions:
         if operation is None:
             return
         if _may_be_it(operation, self.lexicon):
-            self._things[_is_several(operation.object or "")].append(position)
+            self._things[is_several(operation.object or "")].append(position)
         if operation.negated:
             return
         words = content_words(operation.object)
@@ -132,8 +143,8 @@ class Mentions:
         named, words = _names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
-        single += [self._by_verb.get(noun, []) for noun in (named if clause.is_event else words - named)]
-        if not named or named <= PRONOUNS:
+        single += [self._by_verb.get(noun, []) for noun in words]
+        if not named or named <= PRONOUNS | ALL:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
@@ -144,9 +155,9 @@ class Mentions:
 
 
 def _nouns(verb: str) -> tuple[str, ...]:
-    """Give the words that name what a verb says: the walk, the baking."""
+    """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
     bare = verb.removesuffix("e")
-    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing"
+    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:
@@ -190,7 +201,7 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             shared = len(named & known)
         return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
     same_verb = clause.verb == operation.lemma
-    if same_verb and (shared or not named or named <= PRONOUNS or not known):
+    if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
     if operation.stated and shared and clause.verb in BEGINNING | ENDING:
         # "Five minutes before the meeting starts", where the meeting is at three.
@@ -224,7 +235,7 @@ def resolved_object(
     for earlier in own:
         near.add(earlier)
     here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
-    fitting = (thing for thing in (here, there) if thing is not None and _is_several(thing) is several)
+    fitting = (thing for thing in (here, there) if thing is not None and is_several(thing) is several)
     return next(fitting, here or there or operation.object)
 
 
@@ -239,8 +250,8 @@ def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
     return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
 
 
-def _is_several(thing: str) -> bool:
-    """Whether a noun looks like a plural: by what stands before "of" or another preposition."""
+def is_several(thing: str) -> bool:
+    """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
     end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
     return "and" in words or _singular(words[end - 1]) != words[end - 1]

@@ -32,7 +32,7 @@ class Segment:
     """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
 
     ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
-    said before: "the cat at eight and the dog at nine"; ``announces`` that it names an event beside its time.
+    said before: "the cat at eight and the dog at nine".
     """
 
     span: Span
@@ -40,7 +40,6 @@ class Segment:
     connective_span: Span = (0, 0)
     addressee: str | None = None
     verbless: bool = False
-    announces: bool = False
 
     def shares(self, text: str) -> bool:
         """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
@@ -71,6 +70,7 @@ def segments_of(
     following = {phrase.first for phrase in phrases if _follows(phrase, words)}
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(_listed(phrases))
+    following |= set(_behind_happening(phrases, words, lexicon))
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -99,6 +99,22 @@ def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
         between = [other for other in phrases if before.end <= other.first < clock.first]
         if clock.first - before.end > 1 and not between:
             yield clock.first
+
+
+def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
+    first = next(iter(phrases), None)
+    if first is None or not first.first:
+        return
+    # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
+    named = all(word.text in ARTICLES | lexicon.taken for word in words[: first.first]) and first.first > 1
+    if not named and words[first.first - 1].text not in lexicon.happening:
+        return
+    behind = first.end + 1
+    if behind < len(words) and words[first.end].text in {",", "-", ":"}:
+        taken = lexicon.function_words | lexicon.places
+        if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
+            yield behind
 
 
 def _is_clock(phrase: Phrase) -> bool:

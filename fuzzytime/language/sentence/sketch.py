@@ -16,11 +16,11 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of
 from fuzzytime.language.sentence.amounts import parameters_of
-from fuzzytime.language.sentence.announcements import announcement
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
+from fuzzytime.language.sentence.happenings import happening_of
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -91,32 +91,23 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
-    if part.segment.announces and kept:
-        return Sketch(
-            part=part,
-            phrases=tuple(kept),
-            clauses=tuple(clauses),
-            references=(None,) * len(kept),
-            operation=announcement(part, kept, draft.text),
-        )
-    action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
+    named = Sketch(
+        part=part,
+        phrases=tuple(kept),
+        clauses=tuple(clauses),
+        references=(None,) * len(kept),
+        operation=_happening(draft, part, kept, lexicon),
+        remarks=tuple(excepted),
+    )
+    if named.operation is not None or part.segment.verbless:
+        return named
+    action = _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
-        references = (None,) * len(kept)
-        return Sketch(
-            part=part,
-            phrases=tuple(kept),
-            clauses=tuple(clauses),
-            references=references,
-            remarks=tuple(excepted),
-        )
+        return named
     others = elsewhere(part, kept, action, lexicon)
     kept = [phrase for phrase in kept if phrase not in others]
-    spans = (
-        *left_out,
-        *(phrase.span for phrase in kept),
-        *(clause.span for clause in clauses),
-        *draft.unfinished,
-    )
+    heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
+    spans = (*heard, *left_out, *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
@@ -151,6 +142,16 @@ def _not_planned(draft: Draft, span: Span) -> str:
 def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
     return Remark(RemarkKind.POLICY, phrase.span, message)
+
+
+def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
+    """Give what happens at a time, where no verb says what is to be done."""
+    spans = (*(phrase.span for phrase in phrases), *draft.unfinished)
+    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    found = None if part.segment.verbless else happening_of(part.tree, phrases, names, lexicon)
+    if found is None:
+        return None
+    return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 
 
 def _with_deadline(clause: Clause, phrases: Sequence[Phrase], main: int) -> Clause:

@@ -11,6 +11,7 @@ from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
+from fuzzytime.language.sentence.happenings import happens
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
 
@@ -139,6 +140,11 @@ class Waiting:
         yield Waiting(self.position, self.source, led, main)
 
     @property
+    def _phrases(self) -> list[Phrase]:
+        first, end = self.segment.span
+        return [phrase for phrase in self.source.phrases if first <= phrase.span[0] < end]
+
+    @property
     def behind_time(self) -> int:
         """Where the main words begin behind a time in front of them, from ``main``."""
         places = self.source.places(self.main, self.segment.span[1])
@@ -181,7 +187,7 @@ class Waiting:
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
-        if self.segment.announces:
+        if self.source.covered and happens(tree, self._phrases, lexicon):
             return False
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)

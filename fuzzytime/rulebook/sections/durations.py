@@ -1,5 +1,6 @@
 """Reading how long operations take: the section ``durations`` of a rule file."""
 
+from dataclasses import replace
 from types import MappingProxyType
 
 from fuzzytime.rulebook.durations import Begun, Durations, Key, OperationDuration
@@ -37,19 +38,20 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
 
 def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
     reader = scope.reader
-    found = scope.row(node, key, (*_TIMES, "objects"))
+    found = scope.row(node, key, (*_TIMES, "needed_for", "objects"))
     rows: dict[Key, OperationDuration] = {}
+    needed = reader.strings(found["needed_for"], f"{key}.needed_for") if "needed_for" in found else ()
     if "hands_on" in found or "elapsed" in found or "objects" not in found:
         own = _times(reader, node, key, found)
         if own is not None:
-            rows[verb, None] = own
+            rows[verb, None] = replace(own, needed_for=needed)
     if "objects" in found:
         path = f"{key}.objects"
         for thing, value in reader.mapping(found["objects"], path).items():
             times = scope.row(value, f"{path}.{thing}", _TIMES)
             row = _times(reader, value, f"{path}.{thing}", times)
             if row is not None:
-                rows[verb, thing.lower()] = row
+                rows[verb, thing.lower()] = replace(row, needed_for=needed)
     return rows
 
 

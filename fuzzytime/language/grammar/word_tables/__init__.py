@@ -103,6 +103,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         landmarks=frozenset(form[0] for form in speech.words("landmarks")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
+        happening=frozenset(form[0] for form in speech.words("happening")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -110,6 +111,10 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         questions={
             name: frozenset(speech.words("questions", name))
             for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
+        },
+        conversation={
+            name: frozenset(speech.words("conversation", name))
+            for name in ("dropping", "last", "next", "all", "when")
         },
         foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=function_words,
@@ -124,11 +129,11 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "happening", "conversation",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
-    "days", "deictics", "all_meals",
-    "parts", "day_halves", "day_parts", "shares", "edges", "abbreviated_edges", "seasons",
-    "holidays",
+    "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",
+    "abbreviated_edges", "seasons", "holidays",
     "meridiem", "zones", "usual_hours", "policy",
 )  # fmt: skip

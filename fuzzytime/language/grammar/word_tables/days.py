@@ -51,6 +51,11 @@ def read_days(tables: Tables) -> None:
                     tables.add(node, key, "weekdays", number, [(form[0] + "s",)])
     tables.plain("days", lambda n: [("day", Relative(reader.whole(n, "days", -9, 9)))], named=False)
     tables.plain(
+        "days_on",
+        lambda n: [("day", Relative(reader.whole(n, "days_on", 1, 9), onward=True))],
+        named=False,
+    )
+    tables.plain(
         "deictics",
         lambda n: [("deictic", Which(reader.choice(n, "deictics", tuple(Which)) or Which.THIS))],
         named=True,

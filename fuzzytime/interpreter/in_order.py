@@ -1,0 +1,217 @@
+"""Steps in the order said: a recipe, a script, a numbered list.
+
+A step follows the one before it once that is done, unless its words say another order ("meanwhile",
+"before that", "every ten minutes"). Where two steps have times of their own, these say their order. The order
+of a list is looser than one in words: it gives way where it would keep a step from its own time, and what
+follows a step that cannot be done goes on without it.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import Instruction, Reading, shares_thing
+from fuzzytime.requirement import Constraint, Edge, TimeRequirement
+from fuzzytime.skills import Precedence
+
+OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
+"""What says when a step is, and not only when it is at the latest or at the earliest."""
+
+NOW = "now"
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A step: its instruction, the position of its skill, and what is known of it."""
+
+    position: int
+    instruction: Instruction
+    interpreted: Interpreted
+
+    @property
+    def timed(self) -> bool:
+        """Whether it has a time of its own."""
+        return any(
+            part.constraint in OWN_TIME and not _is_anchored(part) for part in self.interpreted.requirements
+        )
+
+    @property
+    def ordered(self) -> bool:
+        """Whether its words leave it where it stands: not beside, before, or at a distance of another."""
+        return all(
+            not _is_anchored(part)
+            or (part.constraint is Constraint.AFTER and part.anchor is not None and _is_behind(part))
+            for part in self.interpreted.requirements
+        )
+
+    def precedence(self, following: "Step") -> Precedence:
+        """Let another follow: once this is done, or once hands are free where it goes on for others."""
+        skill = self.interpreted.skill
+        waits = skill.time_until_done - skill.duration if self._leaves(following) else 0.0
+        return Precedence(self.position, following.position, -waits)
+
+    def _leaves(self, following: "Step") -> bool:
+        needed = self.interpreted.duration.needed_for
+        operation, other = self.instruction.operation, following.instruction.operation
+        if not needed or operation is None or other is None:
+            return False
+        return other.lemma not in needed and not shares_thing(operation, other)
+
+
+@dataclass(slots=True)
+class Row:
+    """The steps of one list so far, and those of them that nothing follows yet."""
+
+    steps: list[Step] = field(default_factory=list)
+    last: list[Step] = field(default_factory=list)
+    precedences: list[Precedence] = field(default_factory=list)
+
+    def add(self, step: Step) -> None:
+        """Add a step, behind those that nothing follows."""
+        left: list[Step] = []
+        open_ends = {before.position for before in self.last}
+        for before in self.last:
+            if not step.ordered or (step.timed and before.timed):
+                left.append(before)
+            else:
+                self.precedences.append(before.precedence(step))
+        if step.ordered:
+            # What goes on meanwhile may be needed later than by the next: "preheat the oven".
+            self.precedences += [
+                before.precedence(step)
+                for before in self.steps
+                if before.position not in open_ends and before.interpreted.duration.needed_for
+            ]
+        self.steps.append(step)
+        self.last = [*left, step]
+
+
+@dataclass(slots=True)
+class Rows:
+    """The lists of a request: all of it where its order holds, else each numbered list."""
+
+    in_order: bool
+    row: Row = field(default_factory=Row)
+    number: int | None = None
+    precedences: list[Precedence] = field(default_factory=list)
+
+    def holds(self, reading: Reading) -> bool:
+        """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
+        step = reading.step
+        if step is not None and not self.in_order and self.number is not None and step <= self.number:
+            self._close()
+        self.number = step if step is not None else self.number
+        return self.in_order or step is not None
+
+    @property
+    def begun(self) -> bool:
+        """Whether there is a step to follow."""
+        return bool(self.row.steps)
+
+    def add(self, instruction: Instruction, skills: Sequence[Interpreted], places: range) -> None:
+        """Add what an instruction asks for; what happens by itself, or again and again, is no step."""
+        operation = instruction.operation
+        if len(places) == 1 and operation is not None and not operation.stated:
+            made = skills[places[0]]
+            if not _repeats(made):
+                self.row.add(Step(places[0], instruction, made))
+
+    def join(
+        self, reading: Reading, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted]
+    ) -> None:
+        """Let what one sentence joins by "and" follow, where it goes on with the same thing, or with none."""
+        for (first, before), (second, after) in pairwise(made):
+            between = reading.text[first.span[1] : second.span[0]].strip(" ,").lower()
+            if between == "and" and len(before) == len(after) == 1 and _goes_on_with(first, second):
+                one, other = (
+                    Step(before[0], first, skills[before[0]]),
+                    Step(after[0], second, skills[after[0]]),
+                )
+                if other.ordered and not other.timed:
+                    self.precedences.append(one.precedence(other))
+
+    def kept(self) -> tuple[Precedence, ...]:
+        """Give the order of all lists."""
+        self._close()
+        return tuple(self.precedences)
+
+    def _close(self) -> None:
+        self.precedences += self.row.precedences
+        self.row = Row()
+
+
+def free_of_circles(order: Iterable[Precedence], precedences: Iterable[Precedence]) -> tuple[Precedence, ...]:
+    """Give the order as far as it agrees with what words say, without what they say already."""
+    after: dict[int, set[int]] = {}
+    for entry in precedences:
+        after.setdefault(entry.first, set()).add(entry.second)
+    kept = []
+    for entry in order:
+        said = entry.second in after.get(entry.first, ())
+        if not said and not _reaches(after, entry.second, entry.first):
+            kept.append(entry)
+            after.setdefault(entry.first, set()).add(entry.second)
+    return tuple(kept)
+
+
+def _reaches(after: Mapping[int, set[int]], start: int, end: int) -> bool:
+    seen, open_ends = {start}, [start]
+    for place in open_ends:
+        if place == end:
+            return True
+        for following in after.get(place, set()) - seen:
+            seen.add(following)
+            open_ends.append(following)
+    return False
+
+
+def without_now(instruction: Instruction) -> Instruction:
+    """Give a step that begins with "now" without it: in a row it says no more than "then"."""
+    said = instruction.requirements
+    if (
+        said
+        and said[0].word == NOW
+        and said[0].span[0] == instruction.span[0]
+        and said[0].preposition is None
+    ):
+        return replace(instruction, requirements=said[1:])
+    return instruction
+
+
+def without(order: Iterable[Precedence], gone: int, *, also_before: bool) -> tuple[Precedence, ...]:
+    """Give the order without a step that is not done: what came after it comes after those before it.
+
+    Where ``also_before``, the step itself follows nothing any more.
+    """
+    entries = list(order)
+    before = [entry for entry in entries if entry.second == gone]
+    after = [entry for entry in entries if entry.first == gone]
+    kept = [entry for entry in entries if entry.first != gone and (not also_before or entry.second != gone)]
+    known = {(entry.first, entry.second) for entry in kept}
+    joined = [
+        Precedence(one.first, other.second, one.minimum_lag)
+        for one in before
+        for other in after
+        if (one.first, other.second) not in known
+    ]
+    return (*kept, *joined)
+
+
+def _goes_on_with(first: Instruction, second: Instruction) -> bool:
+    one, other = first.operation, second.operation
+    if one is None or other is None or one.stated or other.stated:
+        return False
+    return other.object is None or shares_thing(one, other)
+
+
+def _repeats(interpreted: Interpreted) -> bool:
+    return any(part.recurrence is not None for part in interpreted.requirements)
+
+
+def _is_anchored(part: TimeRequirement) -> bool:
+    return part.anchor is not None and part.anchor.target is not None
+
+
+def _is_behind(part: TimeRequirement) -> bool:
+    return part.anchor is not None and part.anchor.edge is Edge.END and not part.anchor.exact

@@ -1,0 +1,90 @@
+"""What is done again and again while something goes on: "print the bracket", "check it every 30 minutes"."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import Instruction, shares_thing
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+BACK = frozenset({"it", "them"})
+"""Words for what was said before."""
+
+TWICE = 2
+"""How many times an interval must fit into what goes on, for a repetition to be about that."""
+
+
+@dataclass(frozen=True, slots=True)
+class GoingOn:
+    """An instruction by its position among all, and how long it goes on, in seconds."""
+
+    target: int
+    length: float
+    name: str
+
+    def times(self, repeated: TimeRequirement, interval: float) -> list[TimeRequirement]:
+        """Give a repetition's times in it, each at its distance from the start."""
+        count = 1
+        found = []
+        while count * interval < self.length:
+            anchor = Anchor(
+                text=repeated.text, target=self.target, edge=Edge.START, lag=count * interval, exact=True
+            )
+            found.append(
+                replace(
+                    repeated,
+                    constraint=Constraint.AFTER,
+                    anchor=anchor,
+                    earliest=None,
+                    latest=None,
+                    number=None,
+                )
+            )
+            count += 1
+        return found
+
+
+def going_on(
+    instruction: Instruction, before: Sequence[range], skills: Sequence[Interpreted]
+) -> GoingOn | None:
+    """Give what goes on while an instruction is repeated; None where it is repeated without that.
+
+    It is what words name ("every ten minutes during the incubation"), or the latest that is about the same
+    thing and goes on long enough. ``before`` are the positions of the skills of all instructions so far.
+    """
+    repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
+    if repeated is None or repeated.recurrence is None or not repeated.recurrence.endless:
+        return None
+    interval = repeated.recurrence.interval
+    if interval is None or repeated.recurrence.windows(interval)[:1] != ((interval, interval),):
+        return None
+    named = _named(instruction)
+    order = range(len(before) - 1, -1, -1) if named is None else [named]
+    for target in order:
+        made = [skills[place] for place in before[target]] if 0 <= target < len(before) else []
+        if len(made) == 1 and _goes_on(made[0], interval):
+            one = made[0]
+            if named is not None or _is_about(instruction, one):
+                return GoingOn(target, one.skill.time_until_done, one.skill.name)
+    return None
+
+
+def _named(instruction: Instruction) -> int | None:
+    anchors = (p.anchor for p in instruction.requirements if p.constraint is Constraint.AT and p.anchor)
+    return next((anchor.target for anchor in anchors if anchor.target is not None), None)
+
+
+def _goes_on(one: Interpreted, interval: float) -> bool:
+    """Whether a skill lasts long enough, by itself or because somebody says so."""
+    itself = one.skill.time_until_done > one.skill.duration or not one.duration.assumed
+    return itself and one.skill.time_until_done >= TWICE * interval
+
+
+def _is_about(instruction: Instruction, one: Interpreted) -> bool:
+    operation = instruction.operation
+    other = None if one.instruction is None else one.instruction.operation
+    if operation is None or other is None:
+        return False
+    # "Check on it"
+    named = not BACK.isdisjoint((operation.place or "").lower().split())
+    return named or shares_thing(operation, other)

@@ -1,0 +1,61 @@
+"""What happens at a time, said without a verb: "dinner at seven", "team meeting from two to three"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.sentence.places import Places
+from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.requirement import Constraint
+
+DOING = ("dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
+"""What hangs on a verb, and on no noun."""
+
+NAMES = ("NN", "VBG", "CD")
+ONE = frozenset({"NN", "NNP"})
+
+
+def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+    """Whether a tree names what has a time, and nobody does anything.
+
+    Its root is a noun for that, or any noun for one thing beside two clock times: "physio from two to three".
+    """
+    root = tree.root
+    if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
+        return False
+    if root and tree.nodes[0].lower in lexicon.appointing:
+        # "Schedule lunch at noon" asks for it.
+        return False
+    if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
+        return True
+    return tree.nodes[root].tag in ONE and any(map(_is_range, phrases))
+
+
+def happening_of(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon) -> Operation | None:
+    """Give what happens, where a text names it beside its time; None where it does not.
+
+    Who speaks takes part in what keeps people from all else, and in what is said from when to when.
+    """
+    root = tree.root
+    if root is None or not phrases or not happens(tree, phrases, lexicon):
+        return None
+    node = tree.nodes[root]
+    spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
+    words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
+    named = names.said([place for place in words if names.has_content(place, words)])
+    return Operation(
+        verb=node.lower,
+        lemma="be",
+        span=(node.start, node.end),
+        object=named or node.text,
+        stated=True,
+        attended=spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening),
+    )
+
+
+def _is_range(phrase: Phrase) -> bool:
+    """Whether it is from one clock time to another."""
+    time = phrase.said.time
+    ends = (time.first, time.last) if isinstance(time, Range) else ()
+    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)

@@ -1,0 +1,72 @@
+"""What happens without a verb, what keeps who speaks, and clock times of the lines before."""
+
+import pytest
+
+from interpreter.telling import notes, starts, told
+
+pytestmark = pytest.mark.model
+
+
+@pytest.mark.parametrize(
+    ("line", "name", "length"),
+    [
+        ("dinner at seven pm", "dinner", 3600),
+        ("team meeting from two to three", "team meeting", 3600),
+        ("dentist at nine am", "dentist", 2700),
+        ("swimming lesson 5 to 5:30 pm", "swimming lesson", 1800),
+        ("lunch with Anna at noon", "lunch with Anna", 2700),
+    ],
+)
+def test_what_happens_needs_no_verb(line: str, name: str, length: float) -> None:
+    (one,) = told([line]).skills
+    assert (one.skill.name, one.skill.duration, one.skill.time_until_done) == (name, 0, length)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "cook dinner at seven pm",
+        "schedule lunch at noon",
+        "book a meeting at three pm",
+        "serve lunch at noon",
+    ],
+)
+def test_what_is_asked_for_is_no_happening(line: str) -> None:
+    (one,) = told([line]).skills
+    assert one.skill.duration > 0
+
+
+def test_what_keeps_the_speaker_on_each_day_is_busy_on_each_day() -> None:
+    made = told(["I have a standup every day from 9 to 9:15"])
+    spans = [(made.instant(taken.start), made.instant(taken.end)) for taken in made.request.busy]
+    assert [f"{start:%d %H:%M}-{end:%H:%M}" for start, end in spans] == ["04 09:00-09:15", "05 09:00-09:15"]
+
+
+def test_others_count_from_the_end_of_what_happens() -> None:
+    assert starts(told(["lunch at noon", "wash up after lunch"]))["s2"] == "12:45"
+
+
+def test_an_order_may_follow_what_happens() -> None:
+    made = told(["lunch at half past twelve, cook it beforehand"])
+    assert [one.skill.name for one in made.skills] == ["lunch", "cook lunch"]
+    assert starts(made)["s1.2"] < "12:00"
+
+
+def test_what_happens_may_overlap() -> None:
+    made = told(["doctor's appointment at 8:30 am", "dentist at 9 am", "the train leaves at 9:10 am"])
+    assert starts(made) == {"s1": "08:30", "s2": "09:00", "s3": "09:10"}
+
+
+def test_the_half_of_the_day_comes_from_the_line_before() -> None:
+    made = told(["dinner should be ready at half six", "bath the baby at seven", "read a story at eight"])
+    assert starts(made)["s2"] == "19:00"
+    assert starts(made)["s3"] == "20:00"
+    assert any("taken as 19:00" in note for note in notes(made))
+
+
+def test_a_line_far_from_the_one_before_stands_alone() -> None:
+    assert starts(told(["finish the report by 4 pm", "call Tom at nine"]))["s2"] == "09:00"
+
+
+def test_what_people_do_in_the_morning_stays_there() -> None:
+    assert starts(told(["go to bed at ten pm", "have breakfast at eight"]))["s2"] == "08:00"

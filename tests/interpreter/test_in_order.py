@@ -1,0 +1,98 @@
+"""Steps in the order said."""
+
+import pytest
+
+from fuzzytime.language import Language
+from interpreter.telling import notes, order, starts, told
+
+pytestmark = pytest.mark.model
+
+RECIPE = ["chop the onions", "fry them for five minutes", "add the rice", "serve it"]
+
+
+def test_steps_follow_one_another_where_asked() -> None:
+    assert starts(told(RECIPE, in_order=True)) == {"s1": "07:00", "s2": "07:03", "s3": "07:08", "s4": "07:08"}
+
+
+def test_plain_lines_are_free() -> None:
+    assert not told(RECIPE).interpretation.order
+
+
+def test_a_numbered_list_says_that_its_order_holds() -> None:
+    lines = [f"{number}. {line}" for number, line in enumerate(RECIPE, 1)]
+    assert order(told([*lines, "water the plants"]))[:4] == ["s1", "s2", "s3", "s4"]
+
+
+@pytest.mark.parametrize("mark", ["2.", "2)", "(2)", "Step 2:", "step two -", "- 2."])
+def test_marks_of_lists_are_no_part_of_what_is_to_be_done(mark: str) -> None:
+    reading = Language.shipped().read(f"{mark} slice the bread")
+    assert [one.operation.name for one in reading.instructions if one.operation] == ["slice the bread"]
+    assert (reading.step, reading.remarks) == (2, ())
+
+
+@pytest.mark.parametrize("text", ["Turn to page 3. Read it", "call at 6. Then rest", "slice it in 2) three"])
+def test_numbers_inside_a_text_are_no_marks(text: str) -> None:
+    assert Language.shipped().read(text).step is None
+
+
+def test_a_list_may_stand_in_one_line() -> None:
+    made = told(["1. chop the onions 2. fry them 3. serve them"])
+    assert [one.skill.name for one in made.skills] == [
+        "chop the onions",
+        "fry the onions",
+        "serve the onions",
+    ]
+    assert len(made.interpretation.order) == 2
+
+
+def test_a_list_that_counts_from_the_beginning_is_a_new_one() -> None:
+    made = told(["1. chop the onions", "2. fry them", "1. sweep the yard", "2. oil the gate"])
+    assert [(entry.first, entry.second) for entry in made.interpretation.order] == [(0, 1), (2, 3)]
+
+
+def test_a_step_with_a_time_keeps_it_and_the_next_follows() -> None:
+    made = told(["fetch the crate", "charge the robot at 9 am", "sweep the hall"], in_order=True)
+    assert starts(made)["s2"] == "09:00"
+    assert starts(made)["s3"] > "09:00"
+
+
+def test_times_that_are_said_say_their_order() -> None:
+    made = told(["call mum at 9 am", "write the letter", "call dad at 8 am"], in_order=True)
+    assert (starts(made)["s1"], starts(made)["s3"]) == ("09:00", "08:00")
+    assert any("order is not kept" in note for note in notes(made))
+
+
+def test_what_waits_for_nobody_does_not_hold_up_the_next_step() -> None:
+    made = told(["preheat the oven", "sweep the floor", "bake the bread"], in_order=True)
+    assert starts(made)["s2"] == "07:00"
+    assert starts(made)["s3"] >= "07:12"
+
+
+def test_words_for_another_order_count() -> None:
+    made = told(
+        ["boil the potatoes for 20 minutes", "meanwhile chop the parsley", "drain the potatoes"],
+        in_order=True,
+    )
+    assert starts(made)["s2"] < "07:20"
+    assert starts(made)["s3"] == "07:20"
+
+
+def test_now_says_no_more_than_then_in_a_list() -> None:
+    made = told(["1. boil the eggs for ten minutes", "2. now peel them"])
+    assert starts(made)["s2"] == "07:10"
+
+
+def test_what_follows_a_step_that_cannot_be_done_goes_on_without_it() -> None:
+    made = told(["chop the onions", "fry them when the pan is hot", "set the table"], in_order=True)
+    assert starts(made) == {"s1": "07:00", "s3": "07:03"}
+    assert "fry the onions is not planned: what was said after it goes on without it" in notes(made)
+
+
+def test_what_words_tie_to_a_step_that_cannot_be_done_falls_with_it() -> None:
+    made = told(["fry the fish when the pan is hot", "then serve it", "set the table"], in_order=True)
+    assert list(starts(made)) == ["s3"]
+
+
+def test_repetitions_hold_up_nothing() -> None:
+    made = told(["simmer the soup for an hour", "stir it every ten minutes", "serve the soup"], in_order=True)
+    assert "08:00" <= starts(made)["s3"] < "08:05"

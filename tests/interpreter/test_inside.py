@@ -1,0 +1,63 @@
+"""What is done again and again while something goes on, and what one sentence joins."""
+
+import pytest
+
+from interpreter.telling import SEVEN, notes, starts, told
+
+pytestmark = pytest.mark.model
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["simmer the soup for an hour", "stir it every 20 minutes"],
+        ["incubate the plate for an hour", "take a reading every 20 minutes during the incubation"],
+        ["print the bracket", "the print takes an hour", "check on it every 20 minutes"],
+    ],
+)
+def test_a_repetition_is_over_with_what_it_is_about(lines: list[str]) -> None:
+    made = told(lines)
+    assert sorted(starts(made).values()) == ["07:00", "07:20", "07:40"]
+    assert any("as long as this goes on" in note for note in notes(made))
+
+
+def test_a_repetition_of_its_own_goes_on() -> None:
+    made = told(["simmer the soup for an hour", "stretch every 20 minutes until noon"])
+    assert len(made.skills) > 10
+
+
+def test_after_a_repetition_inside_something_is_after_that() -> None:
+    made = told(["simmer the soup for an hour", "stir it every 20 minutes", "serve the soup afterwards"])
+    assert starts(made)["s3"] == "08:00"
+
+
+def test_what_no_occurrence_can_satisfy_is_one_loss() -> None:
+    made = told(["take a sample every 15 minutes during the flood"])
+    assert len(made.skills) == 1
+
+
+@pytest.mark.parametrize(
+    "line", ["reboot the servers at 9 am and wait ten minutes", "glue the lid and sand it"]
+)
+def test_what_one_sentence_goes_on_with_follows(line: str) -> None:
+    made = told([line])
+    assert starts(made)["s1"] < starts(made)["s1.2"]
+    assert made.interpretation.order
+
+
+def test_things_that_have_nothing_in_common_stay_free() -> None:
+    assert not told(["buy the milk and call Anna"]).interpretation.order
+
+
+def test_in_the_meantime_is_beside_the_line_before() -> None:
+    made = told(["bake the bread for an hour at 9 am", "sort the racks in the meantime"])
+    assert "09:00" <= starts(made)["s2"] < "10:00"
+
+
+def test_them_is_what_the_clause_in_front_is_about() -> None:
+    made = told(["bake the rolls", "wash the trays", "once the rolls have baked, sell them"])
+    assert made.skills[2].skill.name == "sell the rolls"
+
+
+def test_who_speaks_early_is_up() -> None:
+    assert starts(told(["milk the cows at half past five"], now=SEVEN.replace(hour=5)))["s1"] == "05:30"

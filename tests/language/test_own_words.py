@@ -1,0 +1,41 @@
+"""Words of time that rule tables bring."""
+
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.interpreter import Interpreter
+from fuzzytime.language import Language, find_times, with_words
+from fuzzytime.requirement import Constraint
+
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the wall's own time
+
+
+@pytest.mark.parametrize(
+    ("text", "word", "name"),
+    [
+        ("Feed the ducks in a blink", "in a blink", "feed the ducks"),
+        ("In a blink, feed the ducks", "in a blink", "feed the ducks"),
+        ("Skim the pool anon and call mum", "anon", "skim the pool"),
+    ],
+)
+def test_a_word_of_ones_own_is_a_time(text: str, word: str, name: str) -> None:
+    language = with_words(Language.shipped(), ["anon", "in a blink"])
+    instruction = language.read(text, now=NOW).instructions[0]
+    assert instruction.operation is not None
+    assert instruction.operation.name == name
+    (requirement,) = instruction.requirements
+    assert (requirement.word, requirement.constraint) == (word, Constraint.VAGUE)
+
+
+def test_words_that_are_known_stay_as_they_are() -> None:
+    language = Language.shipped()
+    assert with_words(language, ["soon", "asap", "whenever you can"]) is language
+
+
+def test_every_word_of_the_shipped_tables_is_one_that_the_language_understands() -> None:
+    interpreter = Interpreter.shipped()
+    lengths = {"until further notice"}  # says for how long, not when
+    for word in interpreter.rulebook.tables.words.keys() - lengths:
+        (requirement,) = find_times(word, NOW, interpreter.language.lexicon).requirements
+        assert requirement.word is not None, word
