@@ -29,6 +29,9 @@ def is_doubtful(tree: Tree) -> bool:
     root = tree.root
     if root is None or not tree.nodes[root].is_verb:
         return True
+    if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
+        # "Do the ironing"
+        return True
     return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
 
 
@@ -146,6 +149,9 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
     """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
     for below in tree.children(place, *COMPLEMENTS):
         node = tree.nodes[below]
+        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
+            # "Do the ironing" has it for a thing.
+            continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
         if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:

@@ -281,6 +281,9 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         node = tree.nodes[above]
         # "Leave the dough covered and shape it": a bare verb is no second participle.
         apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
+        # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
+        acts = any(tree.nodes[p].lower in THEM for p in tree.children(place, "dobj"))
+        apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
         if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False
