@@ -40,10 +40,16 @@ def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
 
 
-@grammar.rule("repeat", "at|@|on|in <wall> ,|on? <repeat>", weight=0.2)
+@grammar.rule("repeat", "at|@ <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule("repeat", "on|in <wall> ,|on? <repeat>", weight=0.2)
+def in_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
+    """In the morning every day; but "in two working days" is none."""
+    return None if wall.bare else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "<repeat> ,|and|or at|@? <wall>", "at|@? <wall> ,|and|or <repeat>", weight=0.3)

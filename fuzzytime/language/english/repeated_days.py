@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Repeat, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Edge, Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Unit
@@ -50,8 +50,8 @@ def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     "repeat",
     "on? weekdays|workdays",
     "every|each weekday|workday",
-    "every|each working|work|business day",
-    "on? business|working|work days",
+    "every|each working|work|business|school day",
+    "on? business|working|work|school days",
 )
 def weekdays() -> Repeat:
     """On weekdays."""
@@ -130,6 +130,17 @@ def weekly_part(numbers: tuple[int, ...], part: Part) -> Repeat:
 def every_date(days: Calendar) -> Repeat | None:
     """Every june third, every easter."""
     return Repeat(walls=(Wall(days),)) if not days.fixed else None
+
+
+@grammar.rule(
+    "repeat", "at|by? the <edge> of? every|each <unit>", "at|by? <edge> every|each <unit>", weight=0.5
+)
+def edge_of_every(edge: Edge, unit: UnitWord) -> Repeat | None:
+    """At the end of every month: on its last day."""
+    whole = Cycle(unit.unit, unit.count)
+    if whole.grain is Unit.DAY or unit.unit not in {Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR}:
+        return None
+    return Repeat(walls=(Wall(Nth(1 if edge is Edge.START else -1, Cycle(Unit.DAY), whole)),))
 
 
 @grammar.rule("repeat", "every|each <month>")

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
-from fuzzytime.language.meaning.expressions import Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
 from fuzzytime.requirement import Constraint
 
 COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
@@ -37,6 +37,8 @@ class Borders:
             or self._is_excepted(piece)
             or self._holds_particle(piece)
             or self._names_event(piece)
+            or self._is_object(piece)
+            or self._counts_from_that(piece)
         )
 
     def runs_on(self, piece: Piece) -> bool:
@@ -101,6 +103,22 @@ class Borders:
             # "Bring the car round at six"
             return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
+
+    def _counts_from_that(self, piece: Piece) -> bool:
+        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
+        if piece.value.preposition != "in":
+            return False
+        distances = (["before", "that"], ["after", "that"])
+        if any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2)):
+            return True
+        # "Check in 24 hours before the flight"
+        time = piece.value.time
+        distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
+        return distance and self.around.follower(piece) in {"before", "after"}
+
+    def _is_object(self, piece: Piece) -> bool:
+        """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
+        return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
 
     def _names_event(self, piece: Piece) -> bool:
         """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""

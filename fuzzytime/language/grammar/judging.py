@@ -87,8 +87,6 @@ class Judge:
         ):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
-        if said.preposition == "in" and self._counts_from_that(piece):
-            return False
         if (
             said.preposition == "in"
             and isinstance(time, Duration)
@@ -104,11 +102,6 @@ class Judge:
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
         return self._accepts_other(piece, said)
-
-    def _counts_from_that(self, piece: Piece) -> bool:
-        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
-        distances = (["before", "that"], ["after", "that"])
-        return any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2))
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
@@ -245,7 +238,7 @@ class Judge:
         if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
             # A quarter of what, is not said: hardly of a year.
             return False
-        if last.bare_end and self.measures.divided(piece):
+        if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):
             return False
         alone = duration.indefinite and said.preposition is None
         if alone and self.measures.is_number(piece.start - 1) and not self._is_before_marker(piece.end):
@@ -260,6 +253,10 @@ class Judge:
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_counting(self, piece: Piece) -> bool:
+        """Whether a number without a unit counts units behind it: "in two business days"."""
+        return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
 
     def _accepts_length(self, piece: Piece) -> bool:
         """Whether a length of time without a preposition says how long something takes."""

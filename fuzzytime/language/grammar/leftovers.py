@@ -51,6 +51,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     continue
                 if (
                     around.is_name(piece)
+                    or around.is_object(start)
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
                     or _is_share(piece, scanned)
@@ -82,6 +83,10 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a unit that is a thing, or a manner: "mark the day", "sort the bills by month"."""
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
         # "Push the meeting back by half an hour": how much later, and no time.
+        return True
+    numbered = piece.end < len(around.words) and around.words[piece.end].is_digits
+    if piece.category == "unit" and numbered and around.words[piece.start].capital:
+        # "Year 4"
         return True
     named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""

@@ -25,6 +25,9 @@ PLURALS = frozenset(
     {"people", "men", "women", "children", "feet", "fish", "sheep", "dozen", "hundred", "percent"}
 )
 """Words that may be counted and do not look it."""
+SPENDING = frozenset({"spend", "all", "throughout"})
+"""Words behind which a part of the day is when: "spend the afternoon cleaning"."""
+
 SINGLE = frozenset({"one", "1", "a", "an"})
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
@@ -91,6 +94,15 @@ class Surroundings:
         """Whether the word at a place begins a time."""
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
         return any(piece.category in TIMELY for piece in found)
+
+    def is_object(self, place: int) -> bool:
+        """Whether a part of the day is what something is done to: "film the sunrise"."""
+        before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
+        acted = before[:1].isalpha() and before not in self.lexicon.function_words | SPENDING
+        part = (piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
+        # "Pack the bags the evening before the trip"
+        led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
+        return acted and not led and not self.timely(place - 2) and any(part)
 
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""

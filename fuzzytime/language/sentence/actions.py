@@ -29,6 +29,9 @@ def is_doubtful(tree: Tree) -> bool:
     root = tree.root
     if root is None or not tree.nodes[root].is_verb:
         return True
+    if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
+        # "Do the ironing"
+        return True
     return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
 
 
@@ -56,6 +59,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             reference = Reference.FINISH
         elif (
             lemma in lexicon.wanting
+            or _is_going_to(tree, root)
             or (lemma == "let" and _lets(tree, root))
             or (lemma == "have" and _has_to(tree, below))
         ):
@@ -145,6 +149,9 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
     """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
     for below in tree.children(place, *COMPLEMENTS):
         node = tree.nodes[below]
+        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
+            # "Do the ironing" has it for a thing.
+            continue
         if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
             return below
         if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
@@ -162,6 +169,11 @@ def _lets(tree: Tree, place: int) -> bool:
     """Whether it is "let us" or "lets", not "let me know"."""
     following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _is_going_to(tree: Tree, place: int) -> bool:
+    """Whether it is "it's going to rain", not "go to see her"."""
+    return tree.nodes[place].lower in {"going", "gonna"} and bool(tree.children(place, "aux"))
 
 
 def _has_to(tree: Tree, below: int) -> bool:

@@ -12,7 +12,8 @@ class Clause:
     """A clause: what begins it (its kind and as said), its stretch, that of what it says, a distance before.
 
     ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
-    says must hold; ``time`` when it says that is ("before the guests arrive at seven").
+    says must hold; ``time`` when it says that is ("before the guests arrive at seven"). ``excepted`` marks
+    when not to do something: "but not during her nap".
     """
 
     kind: str
@@ -25,6 +26,7 @@ class Clause:
     distance: Duration | None = None
     is_event: bool = False
     time: Phrase | None = None
+    excepted: bool = False
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""

@@ -18,6 +18,9 @@ NAMING = frozenset({"after", "before", "until", "into", "within"})
 REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
 
+CONJUNCTIONS = frozenset({"while", "whilst", "as"})
+"""Markers behind which something goes on: "during the film" names it."""
+
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
 
@@ -85,7 +88,7 @@ class Contents:
 
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        together = clause.marker in {"at the same time as", "during"}
+        together = clause.kind == "while" and clause.marker not in CONJUNCTIONS
         if not (together or clause.kind in NAMING) or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)

@@ -26,6 +26,9 @@ WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
 
+EXCEPTING = (["not"], ["except"], ["excluding"])
+"""Words before a marker whose clause says when not to do something."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -136,11 +139,23 @@ class _Clauses:
         if named is not None and time is None and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
-        found = self.contents.told(clause, nodes)
+        found = self._denied(self.contents.told(clause, nodes), place)
         eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
+
+    def _denied(self, clause: Clause | None, place: int) -> Clause | None:
+        """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""
+        before = [word.text for word in self.words[max(0, place - 2) : place]]
+        if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
+            return clause
+        if clause.condition is None or clause.kind not in {"when", "if", "while"}:
+            return replace(clause, excepted=True)
+        condition = replace(clause.condition, negated=not clause.condition.negated)
+        return replace(
+            clause, kind="when", condition=condition, span=(self.words[place - 1].start, clause.span[1])
+        )
 
     def _is_counted(self, place: int) -> bool:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""

@@ -18,7 +18,6 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
@@ -203,7 +202,7 @@ class _Composer:
         said = self.draft.text[slice(*segment.span)].strip()
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
-        self.remarks += map(self._of_something_else, sketch.others)
+        self.remarks += sketch.remarks
         return Instruction(
             span=segment.span,
             operation=operation,
@@ -214,10 +213,6 @@ class _Composer:
             length_of=told,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
-
-    def _of_something_else(self, phrase: Phrase) -> Remark:
-        message = f"{self.draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
-        return Remark(RemarkKind.POLICY, phrase.span, message)
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""

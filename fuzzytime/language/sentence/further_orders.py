@@ -222,17 +222,28 @@ def _follows_order(tree: Tree, root: int) -> int | None:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
-    orders = [p for p in before if tree.nodes[p].tag == "VB" or (p == 0 and _is_verb(tree, p))]
+    # "Using a fork, mash them" says how.
+    verbs = [p for p in before if p == 0 and _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
+    orders = [*(p for p in before if tree.nodes[p].tag == "VB"), *verbs]
+    # "Get dressed, we start in ten minutes"
+    orders += [p for p in before if _is_passive(tree, p)]
     if joint == ",":
         # "Deglaze with wine, reduce it": a verb that the model does not know.
         orders += [p for p in tree.children(root, "advmod", "nsubj") if _is_unknown(tree, p, start)]
     if subjects and not brought:
-        orders = [p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0]
+        bare = (p for p in orders if tree.nodes[p].tag == "VB" and _first_of(tree, p) == 0)
+        orders = [*bare, *(p for p in orders if _is_passive(tree, p))]
     ordered = any(
         not tree.children(p, *SUBJECTS, "aux", "mark") and all(a > p for a in tree.children(p, "advmod"))
         for p in orders
     )
     return start if ordered else None
+
+
+def _is_passive(tree: Tree, place: int) -> bool:
+    """Whether a participle stands behind a "get" that begins an order: "get dressed"."""
+    helping = tree.children(place, "auxpass")
+    return tree.nodes[place].tag == "VBN" and 0 in helping and tree.nodes[0].lemma == "get"
 
 
 def _is_verb(tree: Tree, place: int) -> bool:
@@ -270,6 +281,9 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         node = tree.nodes[above]
         # "Leave the dough covered and shape it": a bare verb is no second participle.
         apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
+        # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
+        acts = any(tree.nodes[p].lower in THEM for p in tree.children(place, "dobj"))
+        apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
         if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True
     return False

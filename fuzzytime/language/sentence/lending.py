@@ -9,10 +9,14 @@ from fuzzytime.language.sentence.anchors import INTO
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import Constraint, Reference, Unit
 
 GIVEN = frozenset({"me", "us", "him", "her", "them"})
 """Who is given what is named behind."""
+
+REPEATING = frozenset({"repeat", "redo"})
+REPEATED = frozenset({"it", "this", "that"})
+"""Verbs that ask for what was done before, and how that is named."""
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
@@ -76,6 +80,10 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         if rest and set(rest.lower().split()) <= AGAIN:
             # "Ring the bell at six, then again at seven"
             return before
+    said_again = sketch.operation
+    if said_again is not None and said_again.lemma in REPEATING and sketch.phrases:
+        # "Baste the roast, and repeat this every ten minutes"
+        return before if (said_again.object or "it").lower() in REPEATED else None
     if sketch.operation is not None:
         return None
     then = part.segment.connective == "then"
@@ -167,7 +175,13 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if operation.object is None and operation.lemma not in lexicon.intransitive:
             operation = replace(operation, object=second.operation.object)
         first = replace(first, operation=operation)
-        if not first.phrases and all(phrase.said.constraint in STARTS for phrase in second.phrases):
+        goes_on = Reference.THROUGHOUT in second.references
+        # "Cover and leave it overnight"
+        if (
+            not first.phrases
+            and not goes_on
+            and all(phrase.said.constraint in STARTS for phrase in second.phrases)
+        ):
             first = replace(first, phrases=second.phrases, references=second.references)
             second = replace(second, phrases=(), references=())
         found[place - 1 : place + 1] = [first, second]

@@ -25,6 +25,8 @@ STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 DUE = frozenset({"due", "over", "back"})
 """What is said of things that have a time: "the delivery is due at two"."""
 
+IT = "it"
+
 FIRST_PERSON = frozenset({"i", "we"})
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
@@ -153,11 +155,12 @@ class Reader(Places):
             about = clause.about(self.tree)
             return [place for place in self.words([clause.noun], verb) if place in about]
         level = self.level(verb)
-        direct = [p for p in (*self.tree.children(verb, *OBJECTS), *self._asked(verb)) if p not in level]
-        words = self.words([p for p in direct if p > verb and not self.timed(p)], verb)
+        found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
+        direct = [p for p in found if p > verb and p not in level and not self._is_aim(p)]
+        words = self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
         if not words:
             # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
-            named = self.words([p for p in direct if p > verb], verb)
+            named = self.words(direct, verb)
             words = named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
         if not words:
             # "Do ten minutes of yoga"
@@ -181,11 +184,21 @@ class Reader(Places):
         if not words:
             # "Clear it away": a pronoun behind the verb was taken for who does it.
             words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
+        words = words or self.numbers_from(verb + 1)
         if not words and particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             words = self.words(self.tree.children(particle, *SUBJECTS), verb)
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
-        return self._called_by_time(kept)
+        return self._called_by_time(self.with_numbers(kept))
+
+    def _is_aim(self, place: int) -> bool:
+        """Whether a sentence says what for: "so it's done by seven"."""
+        first = self.tree.reach(place)[0]
+        return self.tree.nodes[place].relation == "ccomp" and self.tree.nodes[first - 1].lower == "so"
+
+    def _is_joined(self, place: int) -> bool:
+        """Whether a tree joined a word about time to the thing before it: "send me the file asap"."""
+        return any(not self.timed(p) for p in self.tree.children(place, "compound") if p == place - 1)
 
     def _is_named(self, place: int) -> bool:
         """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""
@@ -242,6 +255,11 @@ class Reader(Places):
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
+        named = subjects or [self.tree.nodes[p].lower for p in governing]
+        if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
+            # "It's going to rain at four"
+            return True
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
@@ -256,7 +274,7 @@ class Reader(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
-        # "Dinner is at half past seven"
+        # "The delivery arrives between ten and eleven"
         rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
         # "I'll be late"

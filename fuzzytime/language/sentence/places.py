@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fuzzytime.language.sentence.wording import Wording
 
 SIDES = frozenset({"left", "right"})
-BEHIND = frozenset({"for", "about", "with", "from", "between"})
+BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
 """Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
 
 BECOMING = frozenset({"dry", "clean", "flat", "smooth", "thin", "open", "shut", "loose", "tight", "crisp"})
@@ -30,8 +30,19 @@ class Places(Wording):
         kept += self.level(verb)
         # "Turn left": a participle too.
         kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
+        manners = [p for p in self.tree.children(verb, "advcl", "conj", "xcomp") if self._is_manner(p)]
+        kept += [p for p in manners if p > verb]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
-        return [p for p in words if self.has_content(p, words)]
+        led = [word for p in manners if p < verb for word in sorted(self.tree.below(p))]
+        words = self.with_numbers([p for p in words if self.has_content(p, words)])
+        return [*words, *(p for p in led if self.tree.nodes[p].relation != "punct")]
+
+    def _is_manner(self, place: int) -> bool:
+        """Whether a participle says how something is done: "using a fork", "topped with parsley"."""
+        node = self.tree.nodes[place]
+        alone = not self.tree.children(place, "nsubj", "nsubjpass", "mark", "aux", "auxpass")
+        apart = place == 0 or self.tree.nodes[place - 1].text == ","
+        return node.tag in {"VBG", "VBN"} and apart and alone and not self.timed(place)
 
     def _is_place(self, place: int) -> bool:
         node = self.tree.nodes[place]

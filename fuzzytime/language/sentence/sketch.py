@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.judging import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Span, overlap
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     Edge,
     Offset,
@@ -47,7 +47,7 @@ class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
-    ``others`` are times of something else: "the film that starts at eight".
+    ``remarks`` name the times that are none of what is to be done.
     """
 
     part: Part
@@ -56,7 +56,7 @@ class Sketch:
     references: tuple[Reference | None, ...]
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
-    others: tuple[Phrase, ...] = ()
+    remarks: tuple[Remark, ...] = ()
 
     @property
     def heard(self) -> list[Span]:
@@ -80,27 +80,34 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
-    kept = [phrase for phrase in phrases if not any(overlap(phrase.span, c.span) for c in clauses)]
+    left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
+    excepted = [Remark(RemarkKind.NOT_UNDERSTOOD, span, _not_planned(draft, span)) for span in left_out]
+    kept = [
+        phrase
+        for phrase in phrases
+        if not any(overlap(phrase.span, span) for span in (*(c.span for c in clauses), *left_out))
+    ]
+    clauses = [clause for clause in clauses if not clause.excepted]
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
-    happening = _happening(draft, part, kept, lexicon)
-    if happening is not None:
-        references = (None,) * len(kept)
-        return Sketch(
-            part=part,
-            phrases=tuple(kept),
-            clauses=tuple(clauses),
-            references=references,
-            operation=happening,
-        )
-    action = None if part.segment.verbless else _untimed(part, action_of(part.tree, lexicon), kept)
+    named = Sketch(
+        part=part,
+        phrases=tuple(kept),
+        clauses=tuple(clauses),
+        references=(None,) * len(kept),
+        operation=_happening(draft, part, kept, lexicon),
+        remarks=tuple(excepted),
+    )
+    if named.operation is not None or part.segment.verbless:
+        return named
+    action = _untimed(part, action_of(part.tree, lexicon), kept)
     if action is None:
-        references = (None,) * len(kept)
-        return Sketch(part=part, phrases=tuple(kept), clauses=tuple(clauses), references=references)
+        return named
     others = elsewhere(part, kept, action, lexicon)
     kept = [phrase for phrase in kept if phrase not in others]
-    spans = (*(phrase.span for phrase in kept), *(clause.span for clause in clauses), *draft.unfinished)
+    heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
+    spans = (*heard, *left_out, *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     a, b = operation.span
@@ -115,8 +122,26 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
-        others=tuple(others),
+        remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
     )
+
+
+def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:
+    """Give the stretch that says when not to do something, with the time behind it."""
+    first, end = clause.span
+    for phrase in phrases:
+        if phrase.span[0] >= end and not draft.text[end : phrase.span[0]].strip():
+            end = phrase.span[1]
+    return first, end
+
+
+def _not_planned(draft: Draft, span: Span) -> str:
+    return f"{draft.text[slice(*span)]!r} is not used: when not to do something is not planned"
+
+
+def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
+    message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
+    return Remark(RemarkKind.POLICY, phrase.span, message)
 
 
 def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:

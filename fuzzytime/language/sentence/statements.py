@@ -19,6 +19,8 @@ PHASES = frozenset(
 )
 """What things with a time of their own do."""
 
+DETERMINERS = frozenset({"DT", "PRP$"})
+
 COUNTABLE = frozenset({"NN", "NNP"})
 
 
@@ -31,7 +33,10 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     if root is None or tree.nodes[root].tag not in {"NNS", "VBZ"} or root + 1 not in timed:
         return tree
     subject = _subject(tree, root)
-    if subject is None or tree.children(root, *SUBJECTS):
+    first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
+    # "Print the boarding passes today"
+    ordered = root > 1 and first.may_act and first.lower == first.lemma.lower() and second in DETERMINERS
+    if subject is None or ordered or tree.children(root, *SUBJECTS):
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
     nodes = list(tree.nodes)

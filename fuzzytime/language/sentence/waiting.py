@@ -177,6 +177,9 @@ class Waiting:
         if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
             # "Pat it dry"
             return True
+        if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
+            # "Print the boarding passes tonight"
+            return True
         # "Fetch crate 4, bring it here": the first order is taken for who does the second.
         subjects = tree.children(tree.root, *SUBJECTS)
         taken = any(first in tree.below(place) for place in subjects)
@@ -189,6 +192,8 @@ class Waiting:
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
         words, covered = self.source.scanned.words, self.source.covered
+        if _is_numbered(tree, lexicon):
+            return True
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
         if self._overlooks_order(tree) or (tree.root is not None and tree.nodes[tree.root].start in timed):
@@ -198,6 +203,13 @@ class Waiting:
         if not before or longest_match(words, before[0], lexicon.clauses) is not None:
             return False
         return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
+
+
+def _is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
+    root = tree.root or 0
+    named = root > 0 and tree.nodes[root].lower in lexicon.machines
+    return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
 
 
 def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.tree import Tree
 
+LISTED = frozenset({",", "and", "&", "or"})
+"""What joins the numbers of a list."""
+
 LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
 """How strong a fire or a machine is on."""
 
@@ -52,6 +55,46 @@ class Wording:
                     break
                 found.append(place)
         return sorted(set(found))
+
+    def with_numbers(self, words: Sequence[int]) -> list[int]:
+        """Give words with the numbers that things are called by: "valve 1", "rooms 3, 4 and 5"."""
+        found = set(words)
+        found.update(p + 1 for p in words if self._is_called_by(p + 1))
+        for place in sorted(found):
+            end: int | None = place
+            while end is not None and self._counts(end):
+                found.update(range(place, end + 1))
+                end = self._next_number(end)
+        return sorted(found)
+
+    def numbers_from(self, place: int) -> list[int]:
+        """Give the numbers in a row from a place on: "dial 555 1234"."""
+        end = place
+        while self._is_called_by(end):
+            end += 1
+        return list(range(place, end))
+
+    def _is_called_by(self, place: int) -> bool:
+        """Whether a number behind a name counts nothing: "flight 815"; but "the dog 3 times"."""
+        machine = place > 0 and self.tree.nodes[place - 1].lower in self.lexicon.machines
+        alone = self._counts(place + 1) or not self._is_noun(place + 1)
+        return self._counts(place) and (machine or alone)
+
+    def _is_noun(self, place: int) -> bool:
+        return place < len(self.tree.nodes) and self.tree.nodes[place].tag.startswith("NN")
+
+    def _counts(self, place: int) -> bool:
+        inside = place < len(self.tree.nodes)
+        return inside and self.tree.nodes[place].tag == "CD" and not self.timed(place)
+
+    def _next_number(self, place: int) -> int | None:
+        """Give the number behind another and a joint, if it counts nothing itself."""
+        nodes, behind = self.tree.nodes, place + 1
+        while behind < len(nodes) and nodes[behind].lower in LISTED:
+            behind += 1
+        if not place + 1 < behind < len(nodes) or not self._counts(behind):
+            return None
+        return None if self._is_noun(behind + 1) else behind
 
     def _describes(self, place: int) -> bool:
         """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
