@@ -104,6 +104,16 @@ def test_an_instruction_is_said_anew() -> None:
     assert talk.entries == ["Stir the soup in ten minutes"]
 
 
+def test_what_is_said_anew_while_it_is_running_is_planned_again() -> None:
+    talk = Talk()
+    talk.say("Paint the wall now")
+    talk.wait(seconds=2)
+    answer = talk.say(":edit 1 Paint the wall in two hours")
+    assert "no longer running: paint the wall" in answer
+    assert "s2" in answer
+    assert talk.entries == ["Paint the wall in two hours"]
+
+
 def test_what_is_done_no_longer_holds_its_agent() -> None:
     talk = Talk()
     talk.say("Paint the wall now")

@@ -37,9 +37,16 @@ def edit(scene: Scene, text: str) -> Reply:
     if not rest.strip():
         return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
     words = rest.strip()
-    return step(
-        scene, f":edit {number}", lambda state: state.with_changed(number, text=words, given=scene.now)
-    )
+    running = {one.identifier: one for one in scene.conversation.running(scene.now)}
+    begun = [one for one in running.values() if number_of(one.identifier) == number]
+    left = (skill.identifier for skill in scene.plan.skills if skill.identifier not in running)
+    if not begun or any(number_of(identifier) == number for identifier in left):
+        return step(
+            scene, f":edit {number}", lambda state: state.with_changed(number, text=words, given=scene.now)
+        )
+    # What has started does not move: said anew it is another, and may start at another time.
+    reply = step(scene, f":edit {number}", lambda state: state.with_another(number, words, scene.now))
+    return replace(reply, lines=(Text(f"no longer running: {plain(begun[0].name)}"), *reply.lines))
 
 
 def duration(scene: Scene, text: str) -> Reply:

@@ -106,6 +106,13 @@ class State:
         entries = (replace(entry, **changes) if entry.number == number else entry for entry in self.entries)
         return replace(self, entries=tuple(entries))
 
+    def with_another(self, number: int, text: str, given: datetime) -> "State":
+        """Give the state with a new instruction in the place of one."""
+        another = Entry(number=self.next_number, text=text, given=given)
+        old = self.entry(number)
+        entries = (another if entry is old else entry for entry in self.entries)
+        return replace(self, entries=tuple(entries), next_number=self.next_number + 1)
+
     def without(self, number: int) -> "State":
         """Give the state without one instruction."""
         dropped = self.entry(number)
