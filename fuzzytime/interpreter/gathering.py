@@ -34,6 +34,9 @@ class Gathering:
         for instruction in reading.instructions:
             if instruction.length_of is not None:
                 places.append((instruction, self._lengthened(instruction)))
+            elif (place := self._timed_by(instruction)) is not None:
+                self.skills[place] = self.maker.timed(self.skills[place], instruction, wish.given)
+                places.append((instruction, range(place, place + 1)))
             else:
                 step = without_now(instruction) if listed and self.rows.begun else instruction
                 places.append((step, self._made(wish, reading, step)))
@@ -42,6 +45,8 @@ class Gathering:
             self.links.instructions.append(places[-1][1])
         if not listed:
             self.rows.join(reading, places, self.skills)
+            for instruction, made in places:
+                self.rows.await_arrival(instruction, made, self.skills)
 
     def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
@@ -52,6 +57,12 @@ class Gathering:
         first = len(self.skills)
         self.skills += made
         return range(first, len(self.skills))
+
+    def _timed_by(self, instruction: Instruction) -> int | None:
+        """Give the skill of which an instruction tells when it must be done: "it must be done by six"."""
+        told = instruction.time_of
+        meant = range(0) if told is None or told.target is None else self.links.skills_of(told.target)
+        return meant[0] if len(meant) == 1 and isinstance(self.skills[meant[0]].wish, SpokenWish) else None
 
     def _lengthened(self, instruction: Instruction) -> range:
         """Let skills go on for as long as an instruction tells ("it takes an hour"), and give their places.

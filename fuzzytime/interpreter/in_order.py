@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Reading, shares_thing
+from fuzzytime.language import Instruction, Reading, shares_thing, waits_for
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -130,6 +130,22 @@ class Rows:
                 )
                 if other.ordered and not other.timed:
                     self.precedences.append(one.precedence(other))
+
+    def await_arrival(
+        self, instruction: Instruction, made: Sequence[int], skills: Sequence[Interpreted]
+    ) -> None:
+        """Let what can be done only with what comes wait for that, unless it has a time of its own."""
+        if len(made) != 1 or instruction.operation is None:
+            return
+        step = Step(made[0], instruction, skills[made[0]])
+        if step.timed or any(part.anchor is not None for part in step.interpreted.requirements):
+            return
+        for place in range(made[0] - 1, -1, -1):
+            before = skills[place].instruction
+            happening = None if before is None else before.operation
+            if happening is not None and waits_for(instruction.operation, happening):
+                self.precedences.append(Precedence(place, made[0]))
+                return
 
     def kept(self) -> tuple[Precedence, ...]:
         """Give the order of all lists."""

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, replace
+from datetime import datetime
 
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
@@ -227,6 +228,18 @@ class Maker:
             duration = replace(duration, hands_on=min(duration.hands_on, table.hands_on))
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
+
+    def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
+        """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""
+        wish, reading, instruction = made.wish, made.reading, made.instruction
+        if not isinstance(wish, SpokenWish) or reading is None or instruction is None:
+            return made
+        since = seconds_between(wish.given, given)
+        finish = Reference.FINISH
+        more = (replace(p.shifted(since), reference=finish, reference_said=True) for p in told.requirements)
+        again = self._one(wish, reading, instruction, (*made.requirements, *more))
+        skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
+        return replace(again, skill=skill, duration=made.duration)
 
     def _given_duration(self, wish: Wish, operation: Operation | None) -> OperationDuration:
         """Take what the wish gives; of hands-on and elapsed time, the one not given follows the table."""

@@ -11,9 +11,13 @@ from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.loosening import loosened
 from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
+from fuzzytime.satisfaction import Rectangle
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
 from fuzzytime.skills import Busy, FuzzyTask
 from fuzzytime.times import instant_after, seconds_between
+
+SURE = 0.999
+"""The satisfaction from which on a start is as said."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,10 +95,26 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    interpretation = interpreter.interpret(request)
+    interpretation = _fixed(interpreter.interpret(request))
     busy = (*request.busy, *_attended(interpretation, request))
     interpretation, held = without_started(interpretation, request.started)
     return replace(request, busy=(*_parted(busy, interpretation), *held)), interpretation
+
+
+def _fixed(interpretation: Interpretation) -> Interpretation:
+    """Keep what happens where it was said to: it gives way to nobody's work."""
+    return replace(interpretation, skills=tuple(map(_where_it_happens, interpretation.skills)))
+
+
+def _where_it_happens(one: Interpreted) -> Interpreted:
+    time = one.skill.preferred
+    if time is None or one.skill.duration or not _is_stated(one):
+        return one
+    if not all(part.anchor is None for part in one.requirements):
+        return one
+    if time < 0 or float(one.skill.satisfaction(time)) < SURE:
+        return one
+    return replace(one, skill=replace(one.skill, satisfaction=Rectangle(time, time)))
 
 
 def _parted(busy: Iterable[Busy], interpretation: Interpretation) -> Iterator[Busy]:

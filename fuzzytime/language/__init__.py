@@ -19,7 +19,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import content_words, shares_thing
+from fuzzytime.language.sentence.references import content_words, shares_thing, waits_for
 
 __all__ = [
     "About",
@@ -46,5 +46,6 @@ __all__ = [
     "installed_model",
     "model_files",
     "shares_thing",
+    "waits_for",
     "with_words",
 ]

@@ -56,14 +56,25 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     """
     said = text.strip(ENDS)
     words = words_of(said)
-    if not words or len(said) > len(text.strip()):
+    opening = 0
+    while (form := _opening(words, opening, lexicon)) and opening + len(form) < len(words):
+        opening += len(form)
+    if not words:
         return None
+    said = said[words[opening].start :]
+    words = words_of(said)
     return (
         _question(said, words, lexicon)
         or _dropped(said, words, now, lexicon)
         or _corrected(said, words, now, lexicon)
         or _moved(said, words, now, lexicon)
     )
+
+
+def _opening(words: Sequence[Word], place: int, lexicon: Lexicon) -> tuple[str, ...]:
+    """Give what opens a request, as it does a wish: "could you please"."""
+    forms = {*lexicon.courtesies, *((word,) for word in lexicon.addresses)} - lexicon.corrections
+    return longest_match(words, place, forms) or ()
 
 
 def _question(said: str, words: Sequence[Word], lexicon: Lexicon) -> About | None:
@@ -87,7 +98,7 @@ def _dropped(said: str, words: Sequence[Word], now: datetime, lexicon: Lexicon) 
         return None
     if not rest or tuple(word.text for word in words_of(rest)) in lexicon.conversation["last"]:
         return About(kind=AboutKind.DROP)
-    names = content_words(rest)
+    names = content_words(rest) - {form[0] for form in lexicon.courtesies}
     return About(kind=AboutKind.DROP, names=names) if names else None
 
 
@@ -101,7 +112,13 @@ def _corrected(said: str, words: Sequence[Word], now: datetime, lexicon: Lexicon
     if place == 0 or place == len(words) or (place == 1 and words[0].text == "wait"):
         # "Wait ten minutes" is an order
         return None
-    time = _time(said[words[place].start :], now, lexicon)
+    rest = said[words[place].start :]
+    thing, is_said, new = rest.rpartition(" is ")
+    if is_said:
+        # "Actually, the dentist is at half past four"
+        time, names = _time(new, now, lexicon), content_words(thing)
+        return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
+    time = _time(rest, now, lexicon)
     return About(kind=AboutKind.MOVE, time=time) if time else None
 
 

@@ -85,6 +85,9 @@ class Instruction:
     length_of
         The instruction whose duration is told, as in "it takes an hour": then nothing is to be done. Without
         a target none so far is meant.
+    time_of
+        The instruction whose time is told, as in "it should be done by eight": then nothing more is to be
+        done.
     """
 
     span: Span
@@ -94,6 +97,7 @@ class Instruction:
     repeats: Recurrence | None = None
     fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
     length_of: Anchor | None = None
+    time_of: Anchor | None = None
 
 
 class RemarkKind(StrEnum):

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -13,6 +14,9 @@ from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.problem import Job, Lag, Problem
 from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing import pooled
+
+ROUNDING = 1e-9
+"""Relative precision at which a lag is kept."""
 
 
 def lanes_of_agents(problem: Problem) -> dict[int, int]:
@@ -53,29 +57,34 @@ def settled(problem: Problem, hints: Floats, agents: Ints, radius: float) -> Dra
     while True:
         rows = sequences(problem, hints, agents)
         bound = [lag for lag in problem.lags if not math.isnan(hints[lag.first] + hints[lag.second])]
-        if all(_kept_by_order(problem, lag, agents, hints) for lag in bound):
-            starts = _by_agent(problem, rows, hints, radius)
-        else:
+        starts = _by_agent(problem, rows, bound, hints, radius)
+        if starts is not None and not all(_is_kept(lag, starts) for lag in bound):
             starts = _together(problem, rows, bound, hints, radius)
         if starts is not None:
             return draft_of(problem, starts, agents)
         _give_up_one(problem, rows, hints)
 
 
-def _kept_by_order(problem: Problem, lag: Lag, agents: Ints, hints: Floats) -> bool:
-    """Tell whether the order on one agent already keeps a lag."""
-    same = agents[lag.first] == agents[lag.second] and hints[lag.first] <= hints[lag.second]
-    return bool(same and lag.low <= problem.jobs[lag.first].duration and lag.high == math.inf)
+def _is_kept(lag: Lag, starts: Floats) -> bool:
+    gap = float(starts[lag.second] - starts[lag.first])
+    slack = ROUNDING * max(1.0, abs(float(starts[lag.second])))
+    return lag.low - slack <= gap <= lag.high + slack
 
 
-def _by_agent(problem: Problem, rows: dict[int, list[int]], hints: Floats, radius: float) -> Floats | None:
-    """Time each agent's jobs on their own."""
+def _by_agent(
+    problem: Problem, rows: dict[int, list[int]], bound: Sequence[Lag], hints: Floats, radius: float
+) -> Floats | None:
+    """Time each agent's jobs on their own; of lags only those from one job to the next are heeded."""
     starts = np.full(len(problem.jobs), np.nan)
+    least = {(lag.first, lag.second): lag.low for lag in bound}
     lanes = lanes_of_agents(problem)
     for agent, row in rows.items():
         if not row:
             continue
         jobs = [problem.jobs[index] for index in row]
+        for index, pair in enumerate(pairwise(row)):
+            if least.get(pair, 0.0) > jobs[index].duration:
+                jobs[index] = replace(jobs[index], duration=least[pair])
         windows = [job.windows[lanes[agent]] for job in jobs]
         found = None
         if all(job.function.log_concave for job in jobs):

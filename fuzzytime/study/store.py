@@ -48,9 +48,11 @@ class AnswerStore:
         store = cls._of(database)
         if store.design.yaml != design.yaml:
             store.close()
-            raise FuzzytimeError(
-                f"a study keeps its design: {path} was begun with another version of {store.design.name!r}"
+            begun = store.design.name
+            other = (
+                f"another version of {begun!r}" if begun == design.name else f"{begun!r}, got {design.name!r}"
             )
+            raise FuzzytimeError(f"a study keeps its design: {path} was begun with {other}")
         return store
 
     @classmethod
@@ -227,7 +229,7 @@ class AnswerStore:
             known = ", ".join(self.design.groups)
             raise FuzzytimeError(f"a group must be one of {known}, got {person.group!r}")
         if connection.execute("SELECT 1 FROM participants WHERE name = ?", (person.name,)).fetchone():
-            raise FuzzytimeError(f"participants must differ, got {person.name!r} twice")
+            raise FuzzytimeError(f"participants must differ, and {person.name!r} is there already")
         connection.execute(
             "INSERT INTO participants "
             "(name, actor, instructions, origin, control, finished, excluded, joined) "

@@ -27,6 +27,46 @@ def test_a_length_told_afterwards_counts_too() -> None:
     assert starts(made)["s3"] == "18:00"
 
 
+@pytest.mark.parametrize(
+    "line",
+    [
+        "it should be done by noon",
+        "the report must be finished by noon",
+        "that has to be done by noon",
+    ],
+)
+def test_when_something_must_be_done_is_told_of_it(line: str) -> None:
+    made = told(["write the report for two hours", line, "write the letter at 8 am"])
+    (report, _) = made.skills
+    assert [part.text for part in report.requirements] == ["by noon"]
+    assert report.skill.duration == 7200
+
+
+def test_what_nothing_before_is_about_is_asked_for_itself() -> None:
+    made = told(["call mum at 8 am", "the soup must be ready by noon"])
+    assert len(made.skills) == 2
+
+
+def test_what_comes_is_waited_for() -> None:
+    made = told(["the truck arrives at 10 am", "unload it within 45 minutes", "sign for the truck"])
+    assert "10:00" <= starts(made)["s2"] <= "10:45"
+    assert starts(made)["s3"] >= "10:00"
+
+
+def test_before_they_come_is_before_the_latest_who_do() -> None:
+    made = told(
+        ["the guests come at 6 pm", "wipe the table", "open the wine half an hour before they arrive"]
+    )
+    assert starts(made)["s3"] == "17:30"
+
+
+@pytest.mark.parametrize(
+    "line", ["add the peas an hour before it's done", "add the peas an hour before the end"]
+)
+def test_before_it_is_done_counts_back_from_the_end(line: str) -> None:
+    assert starts(told(["simmer the broth for three hours", line]))["s2"] == "09:00"
+
+
 def test_inside_of_nothing_is_told() -> None:
     assert any("none was given so far" in note for note in notes(told(["turn it halfway through"])))
 

@@ -57,6 +57,13 @@ def test_what_happens_may_overlap() -> None:
     assert starts(made) == {"s1": "08:30", "s2": "09:00", "s3": "09:10"}
 
 
+def test_what_happens_gives_way_to_no_work() -> None:
+    made = told(
+        ["the train leaves at 9 am", "I have a call from 10 to 11", "ring the bell at 9 am and at 10 am"]
+    )
+    assert (starts(made)["s1"], starts(made)["s2"]) == ("09:00", "10:00")
+
+
 def test_the_half_of_the_day_comes_from_the_line_before() -> None:
     made = told(["dinner should be ready at half six", "bath the baby at seven", "read a story at eight"])
     assert starts(made)["s2"] == "19:00"

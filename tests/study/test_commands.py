@@ -127,7 +127,20 @@ def test_answers_go_out_and_come_back(
     assert run("export", simulated, "--csv", "--json").code == Exit.USAGE
     twice = run("import", tmp_path / "answers.csv", "--db", tmp_path / "csv.sqlite")
     assert twice.code == Exit.BAD_DATA
-    assert "must differ, got 's1-001' twice" in twice.err
+    assert "must differ, and 's1-001' is there already" in twice.err
+
+
+def test_a_study_that_is_there_goes_on_with_its_own_design(
+    fine: Run, run: Run, small: Path, tmp_path: Path
+) -> None:
+    path = tmp_path / "answers.sqlite"
+    fine("simulate", "--participants", 2, "--db", path, "--design", small)
+    fine("simulate", "--participants", 2, "--seed", 2, "--db", path)
+    assert len(fine("list", path, "--json").out.splitlines()) == 4
+    other = tmp_path / "other.yaml"
+    other.write_text(small.read_text(encoding="utf-8") + "# changed\n", encoding="utf-8")
+    refused = run("simulate", "--participants", 2, "--seed", 3, "--db", path, "--design", other)
+    assert "was begun with another version of 'sucker2024'" in refused.err
 
 
 def test_answers_come_from_a_pipe(fine: Run, run: Run, simulated: Path, small: Path, tmp_path: Path) -> None:

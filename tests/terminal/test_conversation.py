@@ -61,34 +61,12 @@ def test_what_waits_for_a_started_skill_waits_until_it_is_done() -> None:
     assert talk.start("s2") >= NINE + timedelta(minutes=5)
 
 
-def test_steps_are_undone_and_done_again() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    talk.say("Set the table soon")
-    assert "undone" in talk.say(":undo")
-    assert talk.entries == ["Stir the soup soon"]
-    assert "done again" in talk.say(":redo")
-    assert len(talk.entries) == 2
-    talk.say(":drop 1")
-    assert talk.entries == ["Set the table soon"]
-    assert "nothing to redo" in talk.say(":redo")
-
-
 def test_moves_are_said() -> None:
     talk = Talk()
     talk.say("Stir the soup in exactly ten minutes")
     talk.say(":duration 1 10min")
     answer = talk.say("Set the table in exactly ten minutes")
     assert "moved: s1" in answer
-
-
-def test_what_if_changes_nothing() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    answer = talk.say(":what-if set the table now")
-    assert "set the table" in answer
-    assert "nothing is changed" in answer
-    assert talk.entries == ["Stir the soup soon"]
 
 
 def test_a_reading_moves_what_waits_for_it() -> None:
@@ -98,14 +76,6 @@ def test_a_reading_moves_what_waits_for_it() -> None:
     assert "found a place: s1" in answer
     assert talk.start("s1") - talk.now < timedelta(minutes=1)
     assert "pan_temp" in talk.say(":ctx")
-
-
-def test_why_explains_from_the_words_to_the_start() -> None:
-    talk = Talk()
-    talk.say("Place the pan on the stove in about four minutes")
-    answer = " ".join(talk.say(":why 1").split())
-    assert "place ← minutes (oblique temporal) ← four (number), about (hedge), in (preposition)" in answer
-    assert "rules/lookup.yaml" in answer
 
 
 def test_an_ambiguous_time_is_asked_about_once_and_a_number_answers() -> None:
@@ -127,33 +97,6 @@ def test_a_question_that_is_not_answered_leaves_the_choice_and_loses_no_line() -
     assert "cannot" not in talk.say(":list")
 
 
-@pytest.mark.parametrize(
-    ("line", "rule"),
-    [
-        (":nonsense", "there is no command 'nonsense'"),
-        (":why", "a skill of the plan must follow"),
-        (":why 9", "a skill of the plan must follow"),
-        (":drop nine", "a number from the list must follow"),
-        (":drop 9", "a number must be one of the list"),
-        (":duration 1", "a number and a duration"),
-        (":duration 1 soon", "a duration must be a number and a unit"),
-        (":ctx pan_tmp=3", "did you mean 'pan_temp'?"),
-        (":agents many", "agents must be a number"),
-        (":solver magic", "a solver must be one of"),
-        (":busy 12:00", "two times must follow"),
-        (":load no_such_file", "there is no such file"),
-        (":save", "a file must follow"),
-        (":save no/such/folder/x.ics", "No such file"),
-        (":priority 1 much", "a priority must be a number"),
-    ],
-)
-def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    assert rule in talk.say(line)
-    assert talk.entries == ["Stir the soup soon"]
-
-
 def test_a_skill_without_readings_is_drawn_without_an_empty_axis() -> None:
     talk = Talk()
     talk.say("Flip the pancakes when the pan is hot")
@@ -162,72 +105,6 @@ def test_a_skill_without_readings_is_drawn_without_an_empty_axis() -> None:
     assert "no start satisfies: not enough readings of pan_temp" in drawn
     talk.say(":ctx pan_temp=150")
     assert "pan_temp in" in talk.say(":plot 1")
-
-
-def test_of_a_file_only_the_lines_that_are_understood_are_kept(tmp_path: Path) -> None:
-    talk = Talk()
-    file = tmp_path / "day.txt"
-    file.write_text("Stir the soup in ten minutes\nthe end of the world\ncall mum at 25:61 pm\n", "utf-8")
-    answer = talk.say(f":load {file}")
-    assert "2 of 3 lines are not understood, and not kept" in answer
-    assert talk.entries == ["Stir the soup in ten minutes"]
-    file.write_text("the end of the world\n", "utf-8")
-    assert "1 of 1 lines" in talk.say(f":load {file}")
-    assert len(talk.entries) == 1
-
-
-def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
-    talk = Talk()
-    talk.say("Stir the soup in exactly an hour")
-    talk.say(":busy 12:00 13:00 lunch")
-    talk.say(f":save {tmp_path / 'dinner.json'}")
-    talk.say(f":save {tmp_path / 'dinner.ics'}")
-    other = Talk()
-    other.say(f":load {tmp_path / 'dinner.json'}")
-    assert other.entries == ["Stir the soup in exactly an hour"]
-    assert other.turns.conversation.state.busy[0].what == "lunch"
-    third = Talk()
-    assert "1 busy times read" in third.say(f":load {tmp_path / 'dinner.ics'}")
-
-
-def test_the_beginning_of_a_command_will_do() -> None:
-    assert ":list" in Talk().say(":he")
-
-
-def test_an_instruction_is_said_anew() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon")
-    talk.say(":edit 1")
-    assert talk.edit == ":edit 1 Stir the soup soon"
-    talk.say(":edit 1 Stir the soup in ten minutes")
-    assert talk.entries == ["Stir the soup in ten minutes"]
-
-
-def test_what_is_done_no_longer_holds_its_agent() -> None:
-    talk = Talk()
-    talk.say("Paint the wall now")
-    talk.wait(seconds=2)
-    talk.say("Set the table now")
-    before = talk.start("s2")
-    talk.now += timedelta(seconds=30)
-    assert "done: paint the wall" in talk.say(":done 1")
-    assert talk.start("s2") < before
-
-
-def test_what_is_done_before_its_time_leaves_the_rest_of_its_instruction() -> None:
-    talk = Talk()
-    talk.say("Boil the eggs in about five minutes, then call mum")
-    before = talk.start("s1.2")
-    assert "done: boil the eggs" in talk.say(":done 1")
-    assert NINE <= talk.start("s1.2") < before
-    assert "boil the eggs" not in talk.say(":list").split("\n\n")[0]
-
-
-def test_of_a_repetition_one_occurrence_is_done() -> None:
-    talk = Talk()
-    talk.say("Water the plants every two hours until 6 pm")
-    talk.say(":done s1")
-    assert talk.start("s1.2") > NINE
 
 
 def test_another_terminal_is_noticed(tmp_path: Path) -> None:
@@ -247,19 +124,6 @@ def test_typed_control_characters_reach_no_answer_raw() -> None:
         + talk.say(":\x1b[2J")
     )
     assert not set(answer) & {"\x1b", "\x07"}
-
-
-@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])
-def test_help_comes_however_it_is_asked_for(line: str) -> None:
-    answer = Talk().say(line)
-    assert ":what-if" in answer
-    assert max(map(len, answer.split("\n"))) <= 80
-
-
-def test_exit_leaves_and_is_no_task() -> None:
-    talk = Talk()
-    assert talk.turns.take("exit", NINE).over
-    assert talk.entries == []
 
 
 def test_a_skill_has_one_name_in_a_plan_a_run_and_a_conversation(tmp_path: Path) -> None:
@@ -305,13 +169,6 @@ def test_notes_end_with_the_start_and_who_takes_the_time_is_named() -> None:
     assert "its best time is taken by set the table (" in answer
 
 
-@pytest.mark.parametrize("name", ["", "dinner", "dinner.pdf", "dinner.txt"])
-def test_a_plan_is_saved_only_as_what_can_be_told(name: str, tmp_path: Path) -> None:
-    talk = Talk()
-    assert "must follow that ends in .json (the session) or .csv" in talk.say(f":save {tmp_path / name}")
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_the_schedule_follows_the_width_of_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     written = io.StringIO()
     screen = Screen(written, 80, colour=False, unicode=True, interactive=True)
@@ -333,32 +190,6 @@ def test_what_is_said_anew_may_refer_to_what_was_said_since() -> None:
     answer = talk.say(":edit 1 Make the gravy ten minutes before you serve the roast")
     assert "^" not in answer
     assert timedelta(minutes=5) < talk.start("s2") - talk.start("s1") < timedelta(minutes=15)
-
-
-def test_a_command_can_be_tried_and_changes_nothing() -> None:
-    talk = Talk()
-    talk.say("Flip the pancakes when the pan is hot")
-    talk.say("Boil the eggs in ten minutes")
-    answer = talk.say(":what-if :ctx pan_temp=200")
-    assert "found a place: s1 flip the pancakes" in answer
-    assert "nothing is changed" in answer
-    assert "there is no" not in talk.say(":what-if :drop 2")
-    assert talk.entries == ["Flip the pancakes when the pan is hot", "Boil the eggs in ten minutes"]
-    assert talk.say(":ctx").startswith("no readings yet")
-
-
-@pytest.mark.parametrize(
-    ("words", "answer"),
-    [
-        (":what-if :undo", "what can be tried"),
-        (":what-if :ctx", "would change nothing"),
-        (":what-if :drop 7", "7"),
-    ],
-)
-def test_what_cannot_be_tried_is_said(words: str, answer: str) -> None:
-    talk = Talk()
-    talk.say("Boil the eggs in ten minutes")
-    assert answer in talk.say(words)
 
 
 def test_a_reference_is_resolved_when_what_it_refers_to_is_said() -> None:
@@ -406,13 +237,6 @@ def test_a_terminal_s_lines_are_broken_between_words_and_a_pipe_s_are_whole(
     widths = [len(line) for line in stream.getvalue().splitlines()]
     assert max(widths) <= most
     assert (len("moved: s1 put the roast in the oven from 17:14:06 to 17:01:06") in widths) == (most > 40)
-
-
-def test_a_long_instruction_is_undone_in_a_line() -> None:
-    talk = Talk()
-    talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
-    assert max(map(len, talk.say(":undo").splitlines())) <= 80
-    assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80
 
 
 @pytest.mark.parametrize(("stream", "taken"), [(Tty, 2), (io.StringIO, 1)])

@@ -8,7 +8,7 @@ import typer
 
 from fuzzytime_cli.choices import ProfileChoice
 from fuzzytime_cli.faults import NoInputError, as_config, report
-from fuzzytime_cli.study.shared import DesignFile, NewDatabase, now, read_design
+from fuzzytime_cli.study.shared import DESIGN, DesignFile, NewDatabase, design_of, now
 
 if TYPE_CHECKING:
     from fuzzytime.study.server import StudyServer
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 def serve(
     design: Annotated[
-        Path | None, typer.Argument(help="The study's design (YAML); the paper's if none is given.")
+        Path | None,
+        typer.Argument(help=DESIGN),
     ] = None,
     *,
     database: NewDatabase,
@@ -38,7 +39,7 @@ def serve(
     from fuzzytime.study import AnswerStore
     from fuzzytime.study.service import StudyService
 
-    with AnswerStore.create(database, read_design(design)) as store:
+    with AnswerStore.create(database, design_of(database, design)) as store:
         service = StudyService(store, now, lambda: secrets.token_urlsafe(12))
         token = store.token(secrets.token_urlsafe(16))
         with _listening((host, port), service, token, tuple(name or ())) as server:
@@ -109,7 +110,7 @@ def simulate(
 
     if truth is not None and not truth.is_file():
         raise NoInputError(f"{truth}: there is no such truth")
-    chosen = read_design(design)
+    chosen = design_of(database, design)
     groups = list(chosen.groups)
     widths = {groups[0]: group_effect**-0.5, groups[-1]: group_effect**0.5} if len(groups) > 1 else None
     with as_config():

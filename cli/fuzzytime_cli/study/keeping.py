@@ -2,16 +2,13 @@
 
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from fuzzytime_cli.faults import NoInputError, UsageError, report
 from fuzzytime_cli.options import OutputFile
-from fuzzytime_cli.study.shared import Database, DesignFile, NewDatabase, now, opened, read_design
-
-if TYPE_CHECKING:
-    from fuzzytime.study import Design
+from fuzzytime_cli.study.shared import Database, DesignFile, NewDatabase, design_of, now, opened
 
 MAX_BYTES = 1 << 30
 """Bytes of answers that are read: a thousand participants take about 750 MB as CSV."""
@@ -82,18 +79,10 @@ def import_(
         answers = read_json(source.text, source.name)
     else:
         rows = io.StringIO(source.text, newline="")
-        answers = read_csv(rows, _import_design(database, design), source.name)
+        answers = read_csv(rows, design_of(database, design), source.name)
     with AnswerStore.create(database, answers.design) as store:
         count = store.add(answers.participants, now())
     report(f"{count} participants added to {database}")
-
-
-def _import_design(database: Path, design: Path | None) -> "Design":
-    """Take the design that the study has, if it is there, else the one that is given."""
-    if design is None and database.is_file() and database.stat().st_size:
-        with opened(database) as store:
-            return store.design
-    return read_design(design)
 
 
 def ratings(

@@ -17,13 +17,18 @@ Database = Annotated[
 NewDatabase = Annotated[
     Path, typer.Option("--db", help="The study's file; it is begun where it is not there.")
 ]
+DESIGN = "The study's design (YAML); if not given, that of a study that is there, or the paper's."
 DesignFile = Annotated[
-    Path | None, typer.Option("--design", help="The study's design (YAML); the paper's if none is given.")
+    Path | None,
+    typer.Option(
+        "--design",
+        help=DESIGN,
+    ),
 ]
 
 
-def read_design(path: Path | None) -> "Design":
-    """Read a design file, or the shipped one.
+def design_of(database: Path, path: Path | None) -> "Design":
+    """Give the design of a file; where none is named that of the study that is there, or the shipped one.
 
     Raises
     ------
@@ -34,6 +39,9 @@ def read_design(path: Path | None) -> "Design":
     """
     from fuzzytime.study import Design
 
+    if path is None and database.is_file() and database.stat().st_size:
+        with opened(database) as store:
+            return store.design
     if path is None:
         return Design.shipped()
     if not path.is_file():

@@ -9,12 +9,14 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import (
+    ARRIVING,
     BEGINNING,
     ENDING,
     PRONOUNS,
     Mentions,
     best_of,
     content_words,
+    waits_for,
 )
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
@@ -42,6 +44,11 @@ BESIDE = frozenset({"during", "over", "with", "at"})
 END = frozenset({"the end", "the very end"})
 """Words for the end of what goes on."""
 
+COMING_BACK = frozenset({"they", "he", "she", "it"})
+NEAR = 50
+"""How many instructions back somebody's coming is looked for."""
+
+WITHIN = "within"
 INTO = "into"
 """The preposition of times that count from the start of the instruction before."""
 
@@ -91,6 +98,9 @@ class Anchors:
         if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
             # "Text me when you are finished"
             return last if last >= 0 and not condition.negated else None
+        if self._is_done_soon(clause):
+            # "Add the carrots an hour before it's done"
+            return self._going_on()
         happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
         if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
@@ -99,9 +109,34 @@ class Anchors:
             # "Add the hops 15 minutes before the end"
             return self._going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
+        if target is None and condition is not None and condition.subject in COMING_BACK:
+            target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
         return best_of(clause, self._coming(clause), self.lexicon)
+
+    def _is_done_soon(self, clause: Clause) -> bool:
+        """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""
+        condition = clause.condition
+        if (
+            clause.kind not in FIRST
+            or clause.distance is None
+            or condition is None
+            or not self.mentions.lasting
+        ):
+            return False
+        return condition.subject in BACK and condition.word in self.lexicon.results
+
+    def _arrival(self, clause: Clause) -> int | None:
+        """Give the latest that comes, of whoever "they" are: "before they arrive"."""
+        if clause.verb not in ARRIVING:
+            return None
+        said = [*self.mentions.operations[: self.first], *self.own[: self.position - self.first]]
+        for place in range(len(said) - 1, max(-1, len(said) - NEAR), -1):
+            operation = said[place]
+            if operation is not None and operation.stated and operation.lemma in ARRIVING:
+                return place
+        return None
 
     def _given(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
         for place in self.mentions.named_by(clause, range(self.first), backwards=True):
@@ -127,7 +162,7 @@ class Anchors:
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
-        if (clause.object or "").lower() in END:
+        if (clause.object or "").lower() in END or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
@@ -152,6 +187,11 @@ class Anchors:
             anchor=anchor,
         )
 
+    def is_asked(self, target: int) -> bool:
+        """Whether an instruction asks for something to be done."""
+        operation = self._operation(target)
+        return operation is not None and not operation.stated
+
     def _operation(self, target: int) -> Operation | None:
         place = target - self.first
         return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
@@ -162,7 +202,20 @@ class Anchors:
 
     def of_phrase(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
         """Give a requirement of the grammar as a reference, where it is one."""
-        return self._meal(phrase, requirement) or self._later(phrase, requirement) or requirement
+        found = self._meal(phrase, requirement) or self._later(phrase, requirement)
+        return found or self._upon_arrival(requirement) or requirement
+
+    def _upon_arrival(self, requirement: TimeRequirement) -> TimeRequirement | None:
+        """Count "within an hour" from when that comes which it is about: "the truck comes at ten, …"."""
+        operation = self._operation(self.position)
+        if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
+            return None
+        for place in range(self.position - 1, max(-1, self.position - NEAR), -1):
+            happening = self._operation(place)
+            if happening is not None and waits_for(operation, happening):
+                anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
+                return _only(requirement, anchor, Constraint.BETWEEN)
+        return None
 
     def _meal(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
         """Read "before dinner", "an hour before dinner" as a reference where another makes that dinner."""

@@ -26,7 +26,7 @@ from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.lengths import length_of, unknown_length
+from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
 from fuzzytime.language.sentence.references import (
     PRONOUNS,
@@ -199,7 +199,8 @@ class _Composer:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [turned(requirement, duration) for requirement in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
-        told = length_of(operation, requirements, self.draft.text[slice(*segment.span)].strip(), anchors)
+        said = self.draft.text[slice(*segment.span)].strip()
+        told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks
         return Instruction(
@@ -210,6 +211,7 @@ class _Composer:
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
+            time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
 
     def _moment(self, sketch: Sketch) -> Moment:

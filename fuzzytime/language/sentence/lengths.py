@@ -1,11 +1,15 @@
-"""Lengths told afterwards, of what is done by another instruction: "bake the bread. It takes an hour"."""
+"""Lengths and times that are told of another instruction: "it takes an hour", "it must be done by six"."""
 
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.operations import GOING, TAKING
+from fuzzytime.language.sentence.references import ALL, PRONOUNS
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
+
+DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
+"""How a time binds when something must be done."""
 
 
 def length_of(
@@ -23,6 +27,26 @@ def length_of(
     if anchor is None or (operation.lemma in GOING and anchor.target is None):
         return None
     return anchor
+
+
+def time_of(
+    operation: Operation | None, requirements: Sequence[TimeRequirement], text: str, anchors: Anchors
+) -> Anchor | None:
+    """Give the instruction of which another says when it must be done, and nothing else; None without one."""
+    if operation is None or operation.negated or not requirements or anchors.position == 0:
+        return None
+    if any(part.constraint not in DONE or part.anchor is not None for part in requirements):
+        return None
+    said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
+    if anchors.lexicon.results.isdisjoint(said):
+        return None
+    if text.split(maxsplit=1)[0].lower() in PRONOUNS | ALL:
+        target: int | None = anchors.position - 1
+    else:
+        target = anchors.lasting(operation.object, text).target if operation.object else None
+    if target is None or target >= anchors.position or not anchors.is_asked(target):
+        return None
+    return Anchor(text=text, object=operation.object, target=target)
 
 
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:

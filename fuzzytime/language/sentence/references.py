@@ -54,6 +54,9 @@ EMPTY = frozenset(
 )
 """Words that name nothing."""
 
+ARRIVING = frozenset({"arrive", "come", "land", "dock"})
+"""What is said of who or what is not there before."""
+
 BEGINNING = frozenset({"start", "begin", "open", "arrive", "come", "land"})
 ENDING = frozenset({"end", "finish", "close"})
 """What things with a time of their own do: of these verbs a clause is about their start, or their end."""
@@ -85,6 +88,12 @@ def shares_thing(one: Operation, other: Operation) -> bool:
     """Whether two operations name the same thing, as what they are about or as its place."""
     named = (content_words(part.object) | content_words(part.place) for part in (one, other))
     return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
+
+
+def waits_for(operation: Operation, happening: Operation) -> bool:
+    """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
+    comes = happening.stated and happening.lemma in ARRIVING
+    return comes and not operation.stated and shares_thing(happening, operation)
 
 
 @dataclass(slots=True)
