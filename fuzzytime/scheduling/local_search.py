@@ -3,7 +3,7 @@
 Each agent's order has the tables of `fuzzytime.scheduling.orders`, so that one job is tried at every place of
 every agent at once, with the best slots for all others. Jobs that start next to each other are improved
 together, a stretch of them after the other, while the rest stands still. Lags cut a job's curve by where the
-other job is at the time.
+other job is; where both move, at a moment drawn between them, which neither crosses.
 
 Where no single job is better elsewhere, kicks go on: several jobs, neighbours or any, are taken out at once,
 put back one by one, and that is kept unless it loses (ruin and recreate: Schrimpf, Schneider,
@@ -11,9 +11,9 @@ Stamm-Wilbrandt and Dueck, J. Comput. Phys. 159 (2000) 139-171).
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import ClassVar, NamedTuple
 
 import numpy as np
 
@@ -79,6 +79,22 @@ class LocalSearch:
         return draft if draft.cost < begin.cost else begin
 
 
+class _SlotLag(NamedTuple):
+    """slot(second) − slot(first) lies in [low, high]."""
+
+    first: int
+    second: int
+    low: float
+    high: float
+
+
+class _Split(NamedTuple):
+    """Where the first of two jobs with a lag may start: from the first slot to the last."""
+
+    early: float
+    late: float
+
+
 class Rough:
     """A plan in slots: for every job an agent and a start, or the time where it would like to start.
 
@@ -100,13 +116,15 @@ class Rough:
         for job, start in enumerate(warm.starts.tolist()):
             if self.placed[job]:
                 self.slots[job] = round(start / grid.step) - grid.origin
-        self._before: dict[int, list[tuple[int, float, float]]] = {}
-        self._after: dict[int, list[tuple[int, float, float]]] = {}
+        self._lags: list[_SlotLag] = []
         for lag in problem.lags:
             low = math.floor(lag.low / grid.step + ROUNDING)
             high = math.ceil(lag.high / grid.step - ROUNDING) if lag.high < math.inf else math.inf
-            self._before.setdefault(lag.second, []).append((lag.first, low, high))
-            self._after.setdefault(lag.first, []).append((lag.second, low, high))
+            self._lags.append(_SlotLag(lag.first, lag.second, low, high))
+        self._lags_of: dict[int, list[int]] = {}
+        for index, bound in enumerate(self._lags):
+            self._lags_of.setdefault(bound.first, []).append(index)
+            self._lags_of.setdefault(bound.second, []).append(index)
 
     def improve(self, watch: Stopwatch, generator: np.random.Generator, sweeps: float) -> None:
         """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
@@ -121,7 +139,7 @@ class Rough:
                 if watch.is_over():
                     break
             # A second look sees more only where jobs stood still, or waited for some not placed before.
-            if count <= STRETCH and not self._before:
+            if count <= STRETCH and not self._lags:
                 break
 
     def kick(self, kicks: int, watch: Stopwatch, generator: np.random.Generator) -> None:
@@ -131,7 +149,7 @@ class Rough:
         for done in range(0, kicks, together):
             ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
             first = int(generator.integers(max(count - STRETCH, 0) + 1))
-            stretch = _Stretch(self, ranking[first : first + STRETCH])
+            stretch = _Stretch(self, ranking[first : first + STRETCH], generator)
             for _ in range(min(kicks - done, together)):
                 if watch.is_over():
                     break
@@ -142,7 +160,7 @@ class Rough:
         self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator, sweeps: float
     ) -> bool:
         """Take out and put back each of some jobs until nothing more is gained; tell whether anything was."""
-        stretch = _Stretch(self, members)
+        stretch = _Stretch(self, members, generator)
         better, done = True, 0
         while better and done < sweeps and not watch.is_over():
             better, done = False, done + 1
@@ -151,24 +169,55 @@ class Rough:
         stretch.settle()
         return stretch.gain < stretch.begun - IMPROVEMENT
 
-    def span(self, job: int) -> tuple[float, float]:
+    def splits(self, members: Sequence[int], generator: np.random.Generator) -> dict[int, _Split]:
+        """Draw for each lag between jobs that both move from where on and up to where the first may start.
+
+        Whatever the second does within what these leave it, the lag is kept.
+        """
+        moving, drawn = set(members), {}
+        for index, (first, second, least, most) in enumerate(self._lags):
+            if first in moving and second in moving and self.placed[first]:
+                early, late = -math.inf, float(self.slots[first])
+                if self.placed[second]:
+                    room = max(self.slots[second] - int(least) - self.slots[first], 0)
+                    late += float(generator.integers(room + 1))
+                if most < math.inf:
+                    early = self.slots[first]
+                    if self.placed[second]:
+                        room = max(self.slots[first] - self.slots[second] + int(most), 0)
+                        early -= float(generator.integers(room + 1))
+                drawn[index] = _Split(early, late)
+        return drawn
+
+    def span(self, job: int, splits: Mapping[int, _Split]) -> tuple[float, float]:
         """Give the first and last slot at which a job keeps its lags to jobs that are placed."""
         low, high = -math.inf, math.inf
-        for first, least, most in self._before.get(job, ()):
-            if not self.placed[first]:
-                return math.inf, -math.inf
-            low, high = max(low, self.slots[first] + least), min(high, self.slots[first] + most)
-        for second, least, most in self._after.get(job, ()):
-            if self.placed[second]:
-                low, high = max(low, self.slots[second] - most), min(high, self.slots[second] - least)
+        for index in self._lags_of.get(job, ()):
+            first, second, least, most = self._lags[index]
+            if index in splits:
+                early, late = splits[index]
+            elif not self.placed[first if job == second else second]:
+                if job == second:
+                    return math.inf, -math.inf
+                continue
+            elif job == second:
+                early = late = self.slots[first]
+            else:
+                early, late = self.slots[second] - most, self.slots[second] - least
+            if job == first:
+                low, high = max(low, early), min(high, late)
+            else:
+                low = max(low, late + least)
+                high = min(high, early + most) if most < math.inf else high
         return low, high
 
 
 class _Stretch:
     """Some jobs of a rough plan that move while the others stand still."""
 
-    def __init__(self, plan: Rough, members: Sequence[int]) -> None:
+    def __init__(self, plan: Rough, members: Sequence[int], generator: np.random.Generator) -> None:
         self.plan = plan
+        self.splits = plan.splits(members, generator)
         self.members = members
         grid, moving = plan.grid, set(members)
         durations = grid.durations.tolist()
@@ -200,7 +249,7 @@ class _Stretch:
 
     def _cut(self, curve: Curve, job: int, end: int) -> Curve:
         """Give a curve on the stretch's slots, where the job ends in time and keeps its lags."""
-        low, high = self.plan.span(job)
+        low, high = self.plan.span(job, self.splits)
         first = int(max(curve.first, self.origin, low)) if low < math.inf else curve.stop
         last = min(curve.stop - 1, self.origin + end - self.durations[job], high)
         stop = int(last) + 1 if last > -math.inf else first

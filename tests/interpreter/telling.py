@@ -5,6 +5,7 @@ from datetime import datetime, timedelta
 from functools import cache
 
 from fuzzytime.interpreter import Interpreter, Plan, Request, SpokenWish, plan
+from fuzzytime.scheduling import Limits
 
 SEVEN = datetime(2026, 3, 4, 7)  # noqa: DTZ001 - the tests' moment is of no zone
 
@@ -15,10 +16,12 @@ def interpreter() -> Interpreter:
     return Interpreter.shipped()
 
 
-def told(lines: Sequence[str], *, now: datetime = SEVEN, in_order: bool = False) -> Plan:
+def told(
+    lines: Sequence[str], *, now: datetime = SEVEN, in_order: bool = False, limits: Limits | None = None
+) -> Plan:
     """Plan lines, each a wish."""
     wishes = tuple(SpokenWish(text=line, given=now) for line in lines)
-    return plan(Request(now=now, wishes=wishes, in_order=in_order), interpreter())
+    return plan(Request(now=now, wishes=wishes, in_order=in_order), interpreter(), limits=limits or Limits())
 
 
 def starts(made: Plan) -> dict[str, str]:

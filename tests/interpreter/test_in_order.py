@@ -1,8 +1,11 @@
 """Steps in the order said."""
 
+from itertools import count
+
 import pytest
 
 from fuzzytime.language import Language
+from fuzzytime.scheduling import Limits
 from interpreter.telling import notes, order, starts, told
 
 pytestmark = pytest.mark.model
@@ -96,3 +99,13 @@ def test_what_words_tie_to_a_step_that_cannot_be_done_falls_with_it() -> None:
 def test_repetitions_hold_up_nothing() -> None:
     made = told(["simmer the soup for an hour", "stir it every ten minutes", "serve the soup"], in_order=True)
     assert "08:00" <= starts(made)["s3"] < "08:05"
+
+
+def test_a_recipe_is_searched_until_nothing_is_better_and_no_longer() -> None:
+    lines = ["preheat the oven", "mix flour, eggs and sugar for five minutes", "meanwhile, grease the tin"]
+    lines += ["bake the cake for 40 minutes", "watch it for 20 minutes"]
+    asked = count()
+    limits = Limits(seconds=1e6, clock=lambda: float(next(asked)) * 1e3)
+    made = told(lines, in_order=True, limits=limits)
+    assert made.schedule.satisfaction == pytest.approx(1.0)
+    assert next(asked) < 500
