@@ -204,6 +204,10 @@ class Maker:
             return table
         unattended = table.known and table.elapsed > table.hands_on
         hands_on = min(table.hands_on, length) if unattended else length
+        if operation is not None and operation.object is not None:
+            # "Leave the dough for an hour"; but who leaves for an hour is away.
+            alone = self.rulebook.left_alone(operation.phrase, table, length)
+            hands_on = hands_on if alone is None else min(hands_on, alone)
         return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
 
     def _happening(self, operation: Operation) -> OperationDuration | None:
@@ -251,8 +255,9 @@ class Maker:
         return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="given", assumed=False)
 
     def _table_duration(self, operation: Operation | None) -> OperationDuration:
-        lemma, thing = (operation.lemma, operation.object) if operation is not None else (None, None)
-        return self.rulebook.duration_of(lemma, thing)
+        if operation is None:
+            return self.rulebook.duration_of(None)
+        return self.rulebook.duration_of(operation.phrase, operation.object)
 
 
 def _from_to(instruction: Instruction) -> Instruction:

@@ -50,6 +50,11 @@ class Operation:
     attended: bool = False
 
     @property
+    def phrase(self) -> str:
+        """The verb's lemma with its particle: "turn on"."""
+        return " ".join(word.lower() for word in (self.lemma, self.particle) if word)
+
+    @property
     def name(self) -> str:
         """The operation in words, without its time: "place the pan on the stove", "wake me up"."""
         inner = (self.particle, self.object)

@@ -38,10 +38,14 @@ Key = tuple[str, str | None]
 
 @dataclass(frozen=True, slots=True)
 class Begun:
-    """What is only begun by hand, and goes on by itself: seconds at most, and times those at least."""
+    """What is only begun by hand, and goes on by itself: seconds at most, and times those at least.
+
+    ``verbs`` put or leave a thing somewhere, so that for how long is said of the thing.
+    """
 
     hands_on: float
     times: float
+    verbs: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +67,16 @@ class Durations:
             return False
         return length >= self.begun.times * row.hands_on
 
+    def left_alone(self, lemma: str, row: OperationDuration, length: float) -> float | None:
+        """Give the hands-on seconds where a verb leaves a thing to itself for some time; else None.
+
+        "Put the dish in the oven for an hour" needs hands only to put it there.
+        """
+        if self.begun is None or self.begun.verbs.isdisjoint(_verbs(lemma)):
+            return None
+        hands_on = min(row.hands_on, self.begun.hands_on)
+        return hands_on if length >= self.begun.times * hands_on else None
+
     def of(self, lemma: str | None, thing: str | None) -> OperationDuration:
         """Give the row for a verb and its object: the object's own, the verb's, the default.
 
@@ -74,10 +88,7 @@ class Durations:
         FuzzytimeError
             If no table gives a default.
         """
-        verbs = dict.fromkeys(
-            (lemma.lower().replace("_", " "), re.split(r"[ _]", lemma.lower())[0]) if lemma else ()
-        )
-        for verb in verbs:
+        for verb in _verbs(lemma):
             for word in (*_words(thing), None):
                 row = self.rows.get((verb, word))
                 if row is not None:
@@ -85,6 +96,12 @@ class Durations:
         if self.default is None:
             raise FuzzytimeError("durations must have a default")
         return self.default
+
+
+def _verbs(lemma: str | None) -> tuple[str, ...]:
+    """Give a verb as it is looked up: a phrasal verb whole ("turn on"), then its first word."""
+    whole = (lemma or "").lower().replace("_", " ")
+    return tuple(dict.fromkeys((whole, whole.partition(" ")[0]))) if whole else ()
 
 
 def _words(thing: str | None) -> tuple[str, ...]:

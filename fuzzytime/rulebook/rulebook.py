@@ -166,6 +166,10 @@ class Rulebook:
         """Tell whether what takes a duration of the table is only begun by hand, where it takes a length."""
         return self.tables.durations.is_begun(duration, length)
 
+    def left_alone(self, lemma: str, duration: OperationDuration, length: float) -> float | None:
+        """Give the hands-on seconds of what is put somewhere for a length; None where it is attended."""
+        return self.tables.durations.left_alone(lemma, duration, length)
+
     def duration_of(self, lemma: str | None, thing: str | None = None) -> OperationDuration:
         """Give how long an operation takes where nobody said it, by its verb's lemma and its object."""
         return self.tables.durations.of(lemma, thing)

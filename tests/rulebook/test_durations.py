@@ -63,6 +63,18 @@ def test_what_is_begun_by_a_touch_and_told_to_take_long_goes_on_by_itself(
     assert RULEBOOK.is_begun(row, minutes * MINUTE) is begun
 
 
+@pytest.mark.parametrize(
+    ("verb", "minutes", "hands_on"),
+    [("put", 60, 1.0), ("turn on", 60, 0.25), ("put", 2, None), ("turn", 60, None), ("stir", 60, None)],
+)
+def test_what_is_put_somewhere_for_a_time_is_left_alone(
+    verb: str, minutes: int, hands_on: float | None
+) -> None:
+    row = RULEBOOK.duration_of(verb, "the lamp")
+    left = RULEBOOK.left_alone(verb, row, minutes * MINUTE)
+    assert left == (None if hands_on is None else hands_on * MINUTE)
+
+
 def test_all_rows_are_plausible() -> None:
     rows = RULEBOOK.tables.durations.rows
     assert len(rows) > 400

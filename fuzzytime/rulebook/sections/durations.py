@@ -27,10 +27,12 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
     begun = None
     if "begun" in found:
         path = f"{key}.begun"
-        bounds = scope.row(found["begun"], path, ("hands_on", "times"))
+        bounds = scope.row(found["begun"], path, ("hands_on", "times", "verbs"))
         if {*bounds} >= {"hands_on", "times"}:
             hands_on = reader.duration(bounds["hands_on"], f"{path}.hands_on", 0.0, DAY)
-            begun = Begun(hands_on, reader.number(bounds["times"], f"{path}.times", 1.0, 1000.0))
+            length = reader.number(bounds["times"], f"{path}.times", 1.0, 1000.0)
+            verbs = reader.strings(bounds["verbs"], f"{path}.verbs") if "verbs" in bounds else ()
+            begun = Begun(hands_on, length, frozenset(map(str.lower, verbs)))
         else:
             reader.missing(found["begun"], path, ("hands_on", "times"))
     return Durations(MappingProxyType(rows), default, begun)
