@@ -41,12 +41,12 @@ class Gathering:
                 step = without_now(instruction) if listed and self.rows.begun else instruction
                 places.append((step, self._made(wish, reading, step)))
                 if listed:
-                    self.rows.add(step, self.skills, places[-1][1])
+                    self.rows.add(self.skills, places[-1][1])
             self.links.instructions.append(places[-1][1])
         if not listed:
             self.rows.join(reading, places, self.skills)
-            for instruction, made in places:
-                self.rows.await_arrival(instruction, made, self.skills)
+            for _, made in places:
+                self.rows.await_arrival(made, self.skills)
 
     def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""

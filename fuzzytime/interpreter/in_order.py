@@ -23,10 +23,9 @@ NOW = "now"
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A step: its instruction, the position of its skill, and what is known of it."""
+    """A step: the position of its skill, and what is known of it."""
 
     position: int
-    instruction: Instruction
     interpreted: Interpreted
 
     @property
@@ -53,7 +52,7 @@ class Step:
 
     def _leaves(self, following: "Step") -> bool:
         needed = self.interpreted.duration.needed_for
-        operation, other = self.instruction.operation, following.instruction.operation
+        operation, other = self.interpreted.operation, following.interpreted.operation
         if not needed or operation is None or other is None:
             return False
         return other.lemma not in needed and not shares_thing(operation, other)
@@ -61,9 +60,9 @@ class Step:
 
 @dataclass(slots=True)
 class Row:
-    """The steps of one list so far, and those of them that nothing follows yet."""
+    """The steps of one list that nothing follows yet, and those that may be needed later than by the next."""
 
-    steps: list[Step] = field(default_factory=list)
+    needed: list[Step] = field(default_factory=list)
     last: list[Step] = field(default_factory=list)
     precedences: list[Precedence] = field(default_factory=list)
 
@@ -79,11 +78,10 @@ class Row:
         if step.ordered:
             # What goes on meanwhile may be needed later than by the next: "preheat the oven".
             self.precedences += [
-                before.precedence(step)
-                for before in self.steps
-                if before.position not in open_ends and before.interpreted.duration.needed_for
+                before.precedence(step) for before in self.needed if before.position not in open_ends
             ]
-        self.steps.append(step)
+        if step.interpreted.duration.needed_for:
+            self.needed.append(step)
         self.last = [*left, step]
 
 
@@ -107,15 +105,14 @@ class Rows:
     @property
     def begun(self) -> bool:
         """Whether there is a step to follow."""
-        return bool(self.row.steps)
+        return bool(self.row.last)
 
-    def add(self, instruction: Instruction, skills: Sequence[Interpreted], places: range) -> None:
+    def add(self, skills: Sequence[Interpreted], places: range) -> None:
         """Add what an instruction asks for; what happens by itself, or again and again, is no step."""
-        operation = instruction.operation
-        if len(places) == 1 and operation is not None and not operation.stated:
+        if len(places) == 1:
             made = skills[places[0]]
-            if not _repeats(made):
-                self.row.add(Step(places[0], instruction, made))
+            if made.operation is not None and not made.operation.stated and not _repeats(made):
+                self.row.add(Step(places[0], made))
 
     def join(
         self, reading: Reading, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted]
@@ -124,26 +121,21 @@ class Rows:
         for (first, before), (second, after) in pairwise(made):
             between = reading.text[first.span[1] : second.span[0]].strip(" ,").lower()
             if between == "and" and len(before) == len(after) == 1 and _goes_on_with(first, second):
-                one, other = (
-                    Step(before[0], first, skills[before[0]]),
-                    Step(after[0], second, skills[after[0]]),
-                )
+                one, other = (Step(place, skills[place]) for place in (before[0], after[0]))
                 if other.ordered and not other.timed:
                     self.precedences.append(one.precedence(other))
 
-    def await_arrival(
-        self, instruction: Instruction, made: Sequence[int], skills: Sequence[Interpreted]
-    ) -> None:
+    def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""
-        if len(made) != 1 or instruction.operation is None:
+        if len(made) != 1:
             return
-        step = Step(made[0], instruction, skills[made[0]])
+        step = Step(made[0], skills[made[0]])
+        operation = step.interpreted.operation
         if step.timed or any(part.anchor is not None for part in step.interpreted.requirements):
             return
         for place in range(made[0] - 1, -1, -1):
-            before = skills[place].instruction
-            happening = None if before is None else before.operation
-            if happening is not None and waits_for(instruction.operation, happening):
+            happening = skills[place].operation
+            if operation is not None and happening is not None and waits_for(operation, happening):
                 self.precedences.append(Precedence(place, made[0]))
                 return
 

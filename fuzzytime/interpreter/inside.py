@@ -81,8 +81,7 @@ def _goes_on(one: Interpreted, interval: float) -> bool:
 
 
 def _is_about(instruction: Instruction, one: Interpreted) -> bool:
-    operation = instruction.operation
-    other = None if one.instruction is None else one.instruction.operation
+    operation, other = instruction.operation, one.operation
     if operation is None or other is None:
         return False
     # "Check on it"

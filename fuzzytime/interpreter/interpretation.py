@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from fuzzytime.interpreter.request import Wish
-from fuzzytime.language import Instruction, Reading
+from fuzzytime.language import Instruction, Operation, Reading
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution
 from fuzzytime.skills import FuzzySkill, Precedence
@@ -74,6 +74,11 @@ class Interpreted:
     reason: str = ""
     follows: tuple[str, ...] = ()
     in_order: bool = False
+
+    @property
+    def operation(self) -> Operation | None:
+        """What is done, where words said it."""
+        return None if self.instruction is None else self.instruction.operation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -69,15 +69,14 @@ class Maker:
             return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
-        stated = instruction.operation is not None and instruction.operation.stated
+        operation = instruction.operation
+        # "I have a class every day from nine to ten"
+        whole = operation is not None and operation.stated and repeated.recurrence.spans
         made = []
         for start, end in windows:
-            occurring = instruction
-            if stated and repeated.recurrence.spans:
-                # "I have a class every day from nine to ten"
-                occurring = replace(instruction, duration=end - start)
-            last = start if stated and repeated.recurrence.spans else end
-            made.append(self._one(wish, reading, occurring, (_occurrence(repeated, start, last), *once)))
+            occurring = replace(instruction, duration=end - start) if whole else instruction
+            time = _occurrence(repeated, start, start if whole else end)
+            made.append(self._one(wish, reading, occurring, (time, *once)))
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
 
@@ -206,7 +205,7 @@ class Maker:
         hands_on = min(table.hands_on, length) if unattended else length
         if operation is not None and operation.object is not None:
             # "Leave the dough for an hour"; but who leaves for an hour is away.
-            alone = self.rulebook.left_alone(operation.phrase, table, length)
+            alone = self.rulebook.left_alone(table, length, operation.phrase)
             hands_on = hands_on if alone is None else min(hands_on, alone)
         return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
 
@@ -228,8 +227,9 @@ class Maker:
             return made
         table = self._table_duration(made.instruction.operation)
         duration = self._said(made.instruction, length)
-        if self.rulebook.is_begun(table, length):
-            duration = replace(duration, hands_on=min(duration.hands_on, table.hands_on))
+        alone = self.rulebook.left_alone(table, length)
+        if alone is not None:
+            duration = replace(duration, hands_on=min(duration.hands_on, alone))
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
 
@@ -269,9 +269,9 @@ def _from_to(instruction: Instruction) -> Instruction:
     if operation is None or instruction.duration is not None:
         return instruction
     for place, part in enumerate(requirements):
-        ends = part.preposition == "between" and part.earliest is not None and part.latest is not None
-        whole = part.text.lower().startswith("from ") and part.reference is Reference.START
-        if ends and part.earliest is not None and part.latest is not None and (operation.stated or whole):
+        if part.preposition != "between" or part.earliest is None or part.latest is None:
+            continue
+        if operation.stated or (part.text.lower().startswith("from ") and part.reference is Reference.START):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)

@@ -131,8 +131,7 @@ def _parted(busy: Iterable[Busy], interpretation: Interpretation) -> Iterator[Bu
 
 
 def _is_stated(interpreted: Interpreted) -> bool:
-    operation = None if interpreted.instruction is None else interpreted.instruction.operation
-    return operation is not None and operation.stated
+    return interpreted.operation is not None and interpreted.operation.stated
 
 
 def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy]:
@@ -141,8 +140,7 @@ def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy
     Of several agents the first speaks, unless the wish says which.
     """
     for interpreted in interpretation.skills:
-        operation = None if interpreted.instruction is None else interpreted.instruction.operation
-        start = interpreted.skill.preferred
+        operation, start = interpreted.operation, interpreted.skill.preferred
         if operation is not None and operation.attended and start is not None:
             end = start + interpreted.skill.time_until_done
             speaker = interpreted.wish.agent or (1 if request.agents > 1 else None)
@@ -162,9 +160,12 @@ def scheduled(
     """Schedule what is understood of a request; parameters and errors are those of `plan` and `solve`."""
     hints = () if previous is None else _starts_of(previous, interpretation, request.now)
     interpretation = loosened(interpretation)
+    limits = limits or Limits()
+    over = limits.clock() + limits.seconds
     while True:
         task = task_of(interpretation, request)
-        schedule = solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+        left = replace(limits, seconds=max(0.0, over - limits.clock()))
+        schedule = solve(task, solver=solver, threshold=threshold, limits=left, hints=hints)
         looser = loosened(interpretation, schedule.rejected)
         if looser is interpretation:
             break

@@ -121,7 +121,8 @@ class Language:
                 if instruction.duration is not None:
                     told = instruction.length_of
                     meant = len(mentions.operations) if told is None else told.target
-                    mentions.lasting += [] if meant is None else [meant]
+                    if meant is not None:
+                        mentions.lasting.append(meant)
                 mentions.add(instruction.operation)
             readings.append(reading)
         first = len(given)

@@ -61,21 +61,20 @@ class Durations:
         rows = MappingProxyType({**self.rows, **by.rows})
         return Durations(rows, by.default or self.default, by.begun or self.begun)
 
-    def is_begun(self, row: OperationDuration, length: float) -> bool:
-        """Whether what a row is of is only begun by hand, where it is told to take so many seconds."""
-        if self.begun is None or not row.known or row.hands_on > self.begun.hands_on:
-            return False
-        return length >= self.begun.times * row.hands_on
+    def left_alone(self, row: OperationDuration, length: float, verb: str | None = None) -> float | None:
+        """Give the hands-on seconds of what goes on by itself for so many seconds; None where it does not.
 
-    def left_alone(self, lemma: str, row: OperationDuration, length: float) -> float | None:
-        """Give the hands-on seconds where a verb leaves a thing to itself for some time; else None.
-
-        "Put the dish in the oven for an hour" needs hands only to put it there.
+        "Put the dish in the oven for an hour" needs hands only to put it there: with its ``verb``, a thing is
+        left somewhere for a length. Without, the length was told apart: "the loaves need 40 minutes".
         """
-        if self.begun is None or self.begun.verbs.isdisjoint(_verbs(lemma)):
+        if self.begun is None:
             return None
         hands_on = min(row.hands_on, self.begun.hands_on)
-        return hands_on if length >= self.begun.times * hands_on else None
+        if verb is None:
+            alone = row.known and hands_on == row.hands_on
+        else:
+            alone = not self.begun.verbs.isdisjoint(_verbs(verb))
+        return hands_on if alone and length >= self.begun.times * hands_on else None
 
     def of(self, lemma: str | None, thing: str | None) -> OperationDuration:
         """Give the row for a verb and its object: the object's own, the verb's, the default.

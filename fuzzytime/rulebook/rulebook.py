@@ -162,13 +162,9 @@ class Rulebook:
             notes=("no time was said: any time from now on satisfies",),
         )
 
-    def is_begun(self, duration: OperationDuration, length: float) -> bool:
-        """Tell whether what takes a duration of the table is only begun by hand, where it takes a length."""
-        return self.tables.durations.is_begun(duration, length)
-
-    def left_alone(self, lemma: str, duration: OperationDuration, length: float) -> float | None:
-        """Give the hands-on seconds of what is put somewhere for a length; None where it is attended."""
-        return self.tables.durations.left_alone(lemma, duration, length)
+    def left_alone(self, duration: OperationDuration, length: float, verb: str | None = None) -> float | None:
+        """Give the hands-on seconds of what goes on by itself for a length, by the table of durations."""
+        return self.tables.durations.left_alone(duration, length, verb)
 
     def duration_of(self, lemma: str | None, thing: str | None = None) -> OperationDuration:
         """Give how long an operation takes where nobody said it, by its verb's lemma and its object."""

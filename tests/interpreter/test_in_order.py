@@ -1,11 +1,13 @@
 """Steps in the order said."""
 
-from itertools import count
+from collections.abc import Sequence
+from itertools import count, pairwise
 
 import pytest
 
 from fuzzytime.language import Language
-from fuzzytime.scheduling import Limits
+from fuzzytime.scheduling import Limits, Schedule, Solver, solve
+from fuzzytime.skills import FuzzyTask
 from interpreter.telling import notes, order, starts, told
 
 pytestmark = pytest.mark.model
@@ -109,3 +111,21 @@ def test_a_recipe_is_searched_until_nothing_is_better_and_no_longer() -> None:
     made = told(lines, in_order=True, limits=limits)
     assert made.schedule.satisfaction == pytest.approx(1.0)
     assert next(asked) < 500
+
+
+def test_what_is_planned_again_without_a_step_shares_the_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    given: list[float] = []
+
+    def noted(
+        task: FuzzyTask, *, solver: Solver | None, threshold: float, limits: Limits, hints: Sequence[float]
+    ) -> Schedule:
+        given.append(limits.seconds)
+        return solve(task, solver=solver, threshold=threshold, limits=limits, hints=hints)
+
+    monkeypatch.setattr("fuzzytime.interpreter.planner.solve", noted)
+    asked = count()
+    limits = Limits(seconds=1e6, clock=lambda: float(next(asked)))
+    lines = ["charge the robot for 40 minutes at half past seven pm", "bring the crate to the truck"]
+    told([*lines, "send a report at 6 pm"], in_order=True, limits=limits)
+    assert len(given) > 1
+    assert all(later < earlier for earlier, later in pairwise([limits.seconds, *given]))

@@ -115,10 +115,8 @@ class PlanView:
         if self.schedule.rejected[position]:
             return "–", "–"
         specific = self.schedule.skills[position]
-        instruction = self.plan.skills[position].instruction
-        happens = (
-            instruction is not None and instruction.operation is not None and instruction.operation.stated
-        )
+        operation = self.plan.skills[position].operation
+        happens = operation is not None and operation.stated
         return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
 
     # -- the table ------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.sentence.statements import DETERMINERS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 
@@ -18,8 +19,6 @@ NAMES = ("NN", "CD")
 
 NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
 """Names of nothing that is used: "it's time to eat"."""
-
-DETERMINERS = frozenset({"DT", "PRP$"})
 
 
 def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon: Lexicon) -> Iterator[Remark]:

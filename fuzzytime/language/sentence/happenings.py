@@ -32,14 +32,13 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     return tree.nodes[root].tag in ONE and any(map(_is_range, phrases))
 
 
-def happening_of(tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon) -> Operation | None:
-    """Give what happens, where a text names it beside its time; None where it does not.
+def happening_at(
+    root: int, tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
+) -> Operation:
+    """Give what happens, which a tree's root names beside its time.
 
     Who speaks takes part in what keeps people from all else, and in what is said from when to when.
     """
-    root = tree.root
-    if root is None or not phrases or not happens(tree, phrases, lexicon):
-        return None
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
     words = [place for place in sorted(tree.below(root)) if not names.timed(place)]

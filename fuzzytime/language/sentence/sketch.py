@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
-from fuzzytime.language.sentence.happenings import happening_of
+from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -146,11 +146,12 @@ def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
 
 def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
     """Give what happens at a time, where no verb says what is to be done."""
+    root = part.tree.root
+    if part.segment.verbless or root is None or not phrases or not happens(part.tree, phrases, lexicon):
+        return None
     spans = (*(phrase.span for phrase in phrases), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
-    found = None if part.segment.verbless else happening_of(part.tree, phrases, names, lexicon)
-    if found is None:
-        return None
+    found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 
 
