@@ -12,7 +12,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines
+from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, moved_words
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
@@ -105,10 +105,12 @@ class PlanView:
         """Give the words about time of a skill."""
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
-            return ", ".join(requirement.text for requirement in interpreted.requirements)
-        if interpreted.in_order:
-            return "in order"
-        return "any time" if interpreted.instruction is not None else "as given"
+            words = ", ".join(requirement.text for requirement in interpreted.requirements)
+        elif interpreted.in_order:
+            words = "in order"
+        else:
+            words = "any time" if interpreted.instruction is not None else "as given"
+        return ", ".join(filter(None, (moved_words(interpreted.wish.moved), words)))
 
     def times(self, position: int) -> tuple[str, str]:
         """Give when a skill starts and ends, by the clock; one that is rejected does neither."""

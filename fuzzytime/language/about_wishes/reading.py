@@ -1,0 +1,45 @@
+"""Which kind of thing a line of a conversation says about the wishes before it."""
+
+from datetime import datetime
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.changes import change
+from fuzzytime.language.about_wishes.questions import question
+from fuzzytime.language.about_wishes.reports import report
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+
+ENDS = ".?! "
+
+
+def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
+    """Read what is said about wishes that were said before; None where it may be a wish itself.
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> about_wishes("no, make it six", datetime(2026, 3, 4, 9), shipped_lexicon()).time
+    'at six'
+    """
+    whole = Said(text.strip(ENDS), now, lexicon)
+    if not whole.words:
+        return None
+    if not whole.without("answering")[0].names:
+        return About(kind=AboutKind.ANSWER, certain=True)
+    said = _without_courtesies(whole)
+    return question(said) or change(said) or report(said)
+
+
+def _without_courtesies(said: Said) -> Said:
+    """Leave out what opens a request, as it does a wish, and thanks: "could you please … thanks"."""
+    lexicon = said.lexicon
+    opening = {*lexicon.courtesies, *((word,) for word in lexicon.addresses)} - lexicon.corrections
+    place = 0
+    while form := longest_match(said.words, place, opening):
+        if place + len(form) >= len(said.words):
+            break
+        place += len(form)
+    said = said.behind(place)
+    for form in sorted(lexicon.courtesies, key=len, reverse=True):
+        if len(form) < len(said.words) and said.forms[-len(form) :] == form:
+            return said.until(len(said.words) - len(form))
+    return said
