@@ -48,6 +48,9 @@ def test_new_times_are_heard(line: str, time: str) -> None:
         "45 minutes later stir the soup",
         "serve the rice after the soup is done",
         "finish the soup by six",
+        "put the potatoes on in five minutes",
+        "put the meat back for ten minutes",
+        "put the rice on. Five minutes later, start the fish",
         "swap the tyres",
         "clear the table",
         "tell me a joke",
@@ -215,6 +218,14 @@ def test_what_was_done_is_no_wish() -> None:
     assert "nothing that is planned" in talk.say("I watered the plants")
     assert "nothing that is planned is about rice" in talk.say("the rice is done")
     assert talk.entries == ["call mum at 5 pm"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("line", ["check that the soup is ready", "ask at eleven whether the cabin is ready"])
+def test_who_asks_for_a_report_makes_none(line: str) -> None:
+    talk = Talk()
+    talk.say(line)
+    assert talk.entries == [line]
 
 
 @pytest.mark.model

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import longest_match
 
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
+FOR = "for"
 BETWEEN = frozenset({"and", "with", "for"})
 """Words between the two that are swapped."""
 
@@ -125,7 +126,7 @@ def _by(said: Said) -> tuple[float, Said] | None:
     found = rest.length() if directions else None
     if found is None:
         return None
-    return -found[0] if "earlier" in directions else found[0], found[1]
+    return -found.seconds if "earlier" in directions else found.seconds, found.rest
 
 
 def _delayed(said: Said) -> About | None:
@@ -136,23 +137,25 @@ def _delayed(said: Said) -> About | None:
         return None
     if delaying is not None and not rest.words:
         return About(kind=AboutKind.DELAY, certain=True)
-    if not rest.words or any(f" {joint}" in f" {rest.text.lower()}" for joint in TO):
+    if not rest.words or not rest.is_one or any(f" {joint}" in f" {rest.text.lower()}" for joint in TO):
         return None
     thing, directions = rest.without(*DIRECTIONS)
     found = thing.length()
-    by, thing = found if found is not None else (None, thing)
-    if not directions and delaying is None and (by is None or said.forms[0] not in said.lexicon.moving):
+    if found is None:
+        if thing.has_time or (delaying is None and not directions):
+            return None
+    elif delaying is None and (
+        found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
+    ):
+        # "Put the meat back for ten minutes"
         return None
-    if by is None and (thing.has_time or (delaying is None and not directions)):
-        return None
-    if by is not None and "earlier" in directions:
-        by = -by
-    named, referred = thing.without(*REFERRED)
-    if not named.names and not referred and (delaying is None or thing.words):
+    named, referred = (thing if found is None else found.rest).without(*REFERRED)
+    if not named.names and not referred and (delaying is None or named.words):
         return None
     everything = "everything" in referred and not named.names
+    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
     # Who pushes a table back says no length of time.
-    certain = by is not None or everything or delaying is not None
+    certain = everything or delaying is not None or (found is not None and found.joint == "by")
     names = frozenset() if everything else named.names
     return About(kind=AboutKind.DELAY, names=names, everything=everything, by=by, certain=certain)
 

@@ -3,7 +3,7 @@
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.instruction import Operation, Reading
-from fuzzytime.language.sentence.references import PRONOUNS
+from fuzzytime.language.sentence.references import EMPTY, PRONOUNS
 
 SPEAKERS = frozenset({"i", "we"})
 PAST = frozenset({"VBN", "VBD"})
@@ -18,23 +18,21 @@ def report(said: Said) -> About | None:
 
 def _late(said: Said) -> About | None:
     found = said.length()
-    by, rest = found if found is not None else (None, said)
-    left, tables = rest.without("late", "speaker")
+    left, tables = (said if found is None else found.rest).without("late", "speaker")
     if "late" in tables and "speaker" in tables and not left.names:
-        return About(kind=AboutKind.LATE, by=by, certain=True)
+        return About(kind=AboutKind.LATE, by=None if found is None else found.seconds, certain=True)
     return None
 
 
 def _more(said: Said) -> About | None:
     """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
     without, tables = said.without("more")
-    found = without.length() if "more" in tables else None
+    found = without.length() if "more" in tables and said.is_one else None
     if found is None:
         return None
-    by, rest = found
-    named, parts = rest.without("needing", "last")
+    named, parts = found.rest.without("needing", "last")
     certain = not named.names or "needing" in parts
-    return About(kind=AboutKind.MORE, names=named.names, by=by, certain=certain)
+    return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
 
 
 def _finished(said: Said) -> About | None:
@@ -60,10 +58,14 @@ def _finished(said: Said) -> About | None:
             thing = said.until(place)
             owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
             names = frozenset() if owner.is_in("last") else owner.names
-            if any(len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses):
+            if owner.has_time or any(
+                len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses
+            ):
                 # "Serve the rice after the soup is done"
                 return None
-            return About(kind=AboutKind.DONE, names=names, certain=True)
+            # "Check that the soup is ready" is no report.
+            named = len(owner.words) == 1 or owner.forms[0] in EMPTY
+            return About(kind=AboutKind.DONE, names=names, certain=named)
     return None
 
 

@@ -27,6 +27,18 @@ LONGEST = 24
 """Words of a line in which a length is looked for."""
 
 
+FOR = "for "
+
+
+@dataclass(frozen=True)
+class Length:
+    """A length of time in seconds, the word in front of it ("by", "for") if any, and the rest of the line."""
+
+    seconds: float
+    joint: str
+    rest: "Said"
+
+
 @dataclass(frozen=True)
 class Said:
     """A line without what opens and ends it.
@@ -61,6 +73,11 @@ class Said:
     def table(self, name: str) -> frozenset[Form]:
         """Give a table of what is said in a conversation."""
         return self.lexicon.conversation[name]
+
+    @cached_property
+    def is_one(self) -> bool:
+        """Whether it is one clause, as far as its marks tell."""
+        return not {",", ".", ";"} & set(self.forms)
 
     def is_in(self, name: str) -> bool:
         """Whether it is, whole, an entry of a table; nothing at all is one where "" is."""
@@ -102,22 +119,28 @@ class Said:
     @cached_property
     def has_time(self) -> bool:
         """Whether there is any time in it."""
-        return bool(find_times(self.text, self.now, self.lexicon).requirements)
+        return bool(self._times)
 
-    def length(self) -> tuple[float, "Said"] | None:
-        """Give the first length of time in it, in seconds, and what it is without it; None for none."""
+    def length(self) -> "Length | None":
+        """Give the first length of time in it; None for none, and where it is part of another time."""
+        if any(part.constraint is not Constraint.FOR for part in self._times):
+            return None
         for place, word in enumerate(self.words[:LONGEST]):
-            head = "for "
             tail = self.text[word.start :]
-            for part in find_times(head + tail, self.now, self.lexicon).requirements[:1]:
+            for part in find_times(FOR + tail, self.now, self.lexicon).requirements[:1]:
                 whole = part.constraint is Constraint.FOR and part.span[0] == 0
-                if whole and part.number is not None and part.unit is not None and part.recurrence is None:
+                if whole and part.number is not None and part.unit is not None:
                     before = self.until(place)
-                    bare = before.forms[:-1] if before.forms[-1:] in {("by",), ("for",), ("about",)} else None
-                    front = before.until(len(before.words) - 1).text if bare is not None else before.text
-                    rest = f"{front} {tail[part.span[1] - len(head) :].strip()}".strip()
-                    return part.number * UNIT_SECONDS[part.unit], Said(rest, self.now, self.lexicon)
+                    joint = before.forms[-1] if before.forms[-1:] in {("by",), ("for",), ("about",)} else ""
+                    front = before.until(len(before.words) - 1) if joint else before
+                    rest = f"{front.text} {tail[part.span[1] - len(FOR) :].strip()}".strip()
+                    seconds = part.number * UNIT_SECONDS[part.unit]
+                    return Length(seconds, joint, Said(rest, self.now, self.lexicon))
         return None
+
+    @cached_property
+    def _times(self) -> tuple[TimeRequirement, ...]:
+        return find_times(self.text, self.now, self.lexicon).requirements
 
     def as_time(self) -> str:
         """Give it as a new time, as that would be said with what is to be done; empty where it is none."""
