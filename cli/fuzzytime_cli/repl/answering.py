@@ -8,7 +8,7 @@ from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.naming import entry_of
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, said
+from fuzzytime_cli.repl.scene import Reply, Scene, is_waiting, number_of, said
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
@@ -28,7 +28,7 @@ def coming(scene: Scene) -> Reply:
     planned = sorted(
         (start, position)
         for position, start in enumerate(schedule.start_times)
-        if not schedule.rejected[position]
+        if not schedule.rejected[position] and is_waiting(scene, scene.plan.skills[position])
     )
     lines += [_start(scene, position) for _, position in planned[:1]]
     meant = [one.identifier for one in running[-1:]] or [
@@ -86,12 +86,11 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
-    """Give the places of the skills that all of some words name; without words of what was spoken of."""
+    """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
+    skills = [(place, one) for place, one in enumerate(scene.plan.skills) if is_waiting(scene, one)]
     if names:
-        skills = enumerate(scene.plan.skills)
         return [position for position, one in skills if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)
-    skills = enumerate(scene.plan.skills)
     return [
         position
         for position, one in skills

@@ -10,6 +10,7 @@ from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 
 ENDS = ".?! "
+MARKS = frozenset({",", ".", "!", "?", "-"})
 
 
 def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
@@ -23,9 +24,9 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     whole = Said(text.strip(ENDS), now, lexicon)
     if not whole.words:
         return None
-    if not whole.without("answering")[0].names:
-        return About(kind=AboutKind.ANSWER, certain=True)
     said = _without_courtesies(whole)
+    if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
+        return About(kind=AboutKind.ANSWER, certain=True)
     return question(said) or change(said) or report(said)
 
 

@@ -64,7 +64,7 @@ def _finished(said: Said) -> About | None:
                 # "Serve the rice after the soup is done"
                 return None
             # "Check that the soup is ready" is no report.
-            named = len(owner.words) == 1 or owner.forms[0] in EMPTY
+            named = len(owner.words) < 2 or owner.forms[0] in EMPTY
             return About(kind=AboutKind.DONE, names=names, certain=named)
     return None
 
