@@ -170,6 +170,15 @@ def test_what_follows_another_moves_along() -> None:
 
 
 @pytest.mark.model
+def test_what_follows_what_is_running_is_pushed_back_too() -> None:
+    talk = Talk()
+    talk.say("Set the table now, then light the candles")
+    talk.wait(seconds=1)
+    talk.say("push everything back by ten minutes")
+    assert talk.start("s1.2") == talk.now.replace(minute=15, second=0)
+
+
+@pytest.mark.model
 def test_two_swap_their_times() -> None:
     talk = Talk()
     talk.say("call mum at 5 pm")
@@ -237,6 +246,17 @@ def test_one_comes_first_or_after_another() -> None:
     assert talk.start("s1") > talk.start("s2")
     talk.say("do the car first")
     assert talk.start("s1") == talk.now
+
+
+@pytest.mark.model
+def test_why_is_answered_in_sentences() -> None:
+    talk = Talk()
+    talk.say("Fry the fish at 5 pm")
+    talk.say("Call mum at 5 pm")
+    answer = talk.say("why is the fish so late?")
+    assert "It asked for “at 5 pm”" in answer
+    assert ":why s1 shows" in answer
+    assert "nothing that is planned" in talk.say("why is the dog so late?")
 
 
 @pytest.mark.model

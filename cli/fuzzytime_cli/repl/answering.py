@@ -6,9 +6,9 @@ from rich.text import Text
 
 from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
-from fuzzytime_cli.render import plain
+from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import entry_of
-from fuzzytime_cli.repl.scene import Reply, Scene, is_waiting, number_of, said
+from fuzzytime_cli.repl.scene import Reply, Scene, is_waiting, number_of, position_of, said
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
@@ -73,6 +73,23 @@ def lasting(scene: Scene, about: About) -> Reply:
     if not lines:
         return _nothing(about.names)
     return replace(Reply(tuple(lines)), focus=_focus(scene, positions))
+
+
+def why(scene: Scene, about: About) -> Reply:
+    """Say why that starts when it does which some words name, and nothing more."""
+    from fuzzytime_cli.formats.reasons import why_sentences
+
+    positions = _positions(scene, about.names)
+    if not positions:
+        entry = entry_of(scene, about.names)
+        if entry is not None:
+            position_of(scene, str(entry.number))  # what is running, or over, says so
+        return _nothing(about.names)
+    name = scene.plan.skills[positions[0]].identifier
+    sentences = [*why_sentences(scene.plan, positions[0]), f":why {name} shows words, rules and curve."]
+    heading = f"{plain(name)} {plain(scene.plan.skills[positions[0]].skill.name)}"
+    lines = [line for sentence in sentences for line in wrapped(f"  {sentence}", scene.width, 6)]
+    return Reply((Text(heading, style="bold"), *lines), focus=_focus(scene, positions))
 
 
 def _nothing(names: frozenset[str]) -> Reply:

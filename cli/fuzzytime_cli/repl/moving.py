@@ -77,14 +77,16 @@ def _skills(scene: Scene, number: int) -> list[Interpreted]:
 
 
 def _follows(scene: Scene, number: int) -> bool:
-    """Whether an instruction has no time of its own but that of another, and so moves along with it."""
+    """Whether an instruction has no time of its own but follows another that waits: it moves along."""
+    waiting = [one.identifier for one in _skills(scene, number)]
+    bound = {entry.second for entry in scene.plan.schedule.task.precedences}
 
-    def own(one: Interpreted) -> bool:
-        return any(part.anchor is None or part.anchor.target is None for part in one.requirements)
+    def follows(position: int, one: Interpreted) -> bool:
+        own = any(part.anchor is None or part.anchor.target is None for part in one.requirements)
+        return position in bound and not own
 
-    return all(
-        (one.requirements or one.follows or one.in_order) and not own(one) for one in _skills(scene, number)
-    )
+    mine = [(place, one) for place, one in enumerate(scene.plan.skills) if one.identifier in waiting]
+    return all(follows(place, one) for place, one in mine)
 
 
 def _moved(scene: Scene, entry: Entry, by: float) -> Entry:

@@ -40,6 +40,8 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
             return answering.when(scene, about)
         case AboutKind.LASTING:
             return answering.lasting(scene, about)
+        case AboutKind.WHY:
+            return answering.why(scene, about)
         case AboutKind.SUPPOSE:
             return _supposed(scene, about.text)
         case _:
@@ -71,7 +73,7 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     dropped = _text_of(scene, number) if about.kind is AboutKind.DROP else ""
     reply = command.run(scene, rest)
     focus = int(number) if number.isdigit() and about.kind is not AboutKind.DROP else None
-    if about.kind is AboutKind.WHY or not (reply.changed or scene.tried is not None):
+    if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
     if about.kind in {AboutKind.UNDO, AboutKind.REDO}:
         return reply
@@ -103,8 +105,6 @@ def _command(scene: Scene, about: About) -> str | None:
     if entry is None:
         return unknown(about.names) if about.certain else None
     match about.kind:
-        case AboutKind.WHY:
-            return f":why {called(scene, entry.number)}"
         case AboutKind.DROP:
             return f":drop {entry.number}"
         case AboutKind.DELAY:
