@@ -79,7 +79,11 @@ def _skills(scene: Scene, number: int) -> list[Interpreted]:
 def _follows(scene: Scene, number: int) -> bool:
     """Whether an instruction has no time of its own but follows another that waits: it moves along."""
     waiting = [one.identifier for one in _skills(scene, number)]
-    bound = {entry.second for entry in scene.plan.schedule.task.precedences}
+    bound = {
+        entry.second
+        for entry in scene.plan.schedule.task.precedences
+        if is_waiting(scene, scene.plan.skills[entry.first])
+    }
 
     def follows(position: int, one: Interpreted) -> bool:
         own = any(part.anchor is None or part.anchor.target is None for part in one.requirements)
