@@ -31,9 +31,8 @@ def coming(scene: Scene) -> Reply:
         if not schedule.rejected[position] and is_waiting(scene, scene.plan.skills[position])
     )
     lines += [_start(scene, position) for _, position in planned[:1]]
-    meant = [one.identifier for one in running[-1:]] or [
-        scene.plan.skills[position].identifier for _, position in planned[:1]
-    ]
+    meant = [scene.plan.skills[position].identifier for _, position in planned[:1]]
+    meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said("nothing is planned")
 
 

@@ -101,15 +101,15 @@ def _moved(scene: Scene, entry: Entry, by: float) -> Entry:
     FuzzytimeError
         If it would have to start before now.
     """
-    schedule = scene.plan.schedule
+    schedule, waiting = scene.plan.schedule, _skills(scene, entry.number)
     starts = [
         scene.plan.instant(schedule.start_times[position])
         for position, one in enumerate(scene.plan.skills)
-        if one.wish.identifier == f"s{entry.number}" and not schedule.rejected[position]
+        if one in waiting and not schedule.rejected[position]
     ]
     to = instant_after(starts[0], by) if len(starts) == 1 else None
     if to is not None and to < scene.now:
-        name = plain(_skills(scene, entry.number)[0].skill.name)
+        name = plain(waiting[0].skill.name)
         raise FuzzytimeError(f"{name} would have to start at {to:%H:%M}, which is over")
     return replace(entry, moved_by=entry.moved_by + by, moved_to=to)
 
