@@ -54,7 +54,6 @@ def test_new_times_are_heard(line: str, time: str) -> None:
         "swap the tyres",
         "clear the table",
         "tell me a joke",
-        "do the dishes at six",
     ],
 )
 def test_wishes_are_left_alone(line: str) -> None:
@@ -257,6 +256,20 @@ def test_why_is_answered_in_sentences() -> None:
     assert "It asked for “at 5 pm”" in answer
     assert ":why s1 shows" in answer
     assert "nothing that is planned" in talk.say("why is the dog so late?")
+
+
+@pytest.mark.model
+def test_doing_something_then_gives_it_another_time() -> None:
+    talk = Talk()
+    talk.say("Call mum at 5 pm")
+    talk.say("let's do the call at 6 pm instead")
+    assert talk.entries == ["Call mum at 6 pm"]
+    talk.say("could we do it half an hour earlier?")
+    assert talk.start("s1") == talk.now.replace(hour=17, minute=30)
+    talk.say("do the dishes at noon")
+    talk.say("do the dishes at 8 pm")
+    assert talk.entries[1:] == ["do the dishes at noon", "do the dishes at 8 pm"]
+    assert "one at a time" in talk.say("move everything to tomorrow")
 
 
 @pytest.mark.model

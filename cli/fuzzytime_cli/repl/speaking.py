@@ -97,6 +97,10 @@ def _command(scene: Scene, about: About) -> str | None:
             return _late(scene, about)
         case AboutKind.SWAP:
             return _swap(scene, about)
+    if about.everything and about.kind is AboutKind.MOVE:
+        raise FuzzytimeError(
+            "one at a time, such as: move the call to six; or: push everything back by an hour"
+        )
     if about.everything:
         return ":drop all" if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
     if about.both:
@@ -104,6 +108,8 @@ def _command(scene: Scene, about: About) -> str | None:
     entry = entry_of(scene, about.names)
     if entry is None:
         return unknown(about.names) if about.certain else None
+    if about.text and about.text in content_words(entry.text):
+        return None
     match about.kind:
         case AboutKind.DROP:
             return f":drop {entry.number}"

@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.lexicon import longest_match
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
 FOR = "for"
+DOING = "do"
 BETWEEN = frozenset({"and", "with", "for"})
 """Words between the two that are swapped."""
 
@@ -83,12 +84,19 @@ def _dropped(said: Said) -> About | None:
 
 def _ordered(said: Said) -> About | None:
     """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
-    if said.forms[:1] != ("do",) or len(said.words) < 3:
+    if said.forms[:1] != (DOING,) or len(said.words) < 3:
         return None
     for place in range(2, len(said.words)):
         thing, rest = said.until(place).behind(1), said.behind(place)
         if rest.is_in("first"):
             return About(kind=AboutKind.MOVE, names=_named(thing), time="right now")
+        new = rest.without("instead")[0]
+        if (by := _by(new)) is not None and not by[1].words:
+            return About(kind=AboutKind.DELAY, names=_named(thing), by=by[0])
+        if (time := new.as_time()) and (thing.names or _is_last(thing)):
+            # Who has dishes to do, and says so again, may mean others.
+            again = "" if new.words != rest.words else DOING
+            return About(kind=AboutKind.MOVE, names=_named(thing), time=time, text=again)
         beside = rest.beside()
         if beside is not None and beside[1].names:
             return About(kind=AboutKind.MOVE, names=_named(thing), time=beside[0], others=beside[1].names)
@@ -174,6 +182,8 @@ def _moved(said: Said) -> About | None:
     if not thing.words:
         return None
     names = _named(thing)
+    if thing.is_in("everything"):
+        return About(kind=AboutKind.MOVE, everything=True, certain=True)
     if not names and not _is_last(thing):
         return None
     if time := new.as_time():

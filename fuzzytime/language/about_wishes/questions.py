@@ -73,6 +73,8 @@ def _pieces(said: Said) -> list[tuple[str, ...]]:
 
 def _lasting(said: Said) -> About | None:
     rest = said.after("lasting")
+    if rest is not None and not rest.words:
+        return About(kind=AboutKind.NEXT, certain=True)
     if rest is None or not rest.words or rest.forms[0] not in _helping(said):
         return None
     return About(kind=AboutKind.LASTING, names=_names(rest), certain=True)

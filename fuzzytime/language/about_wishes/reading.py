@@ -27,7 +27,15 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
-    return question(said) or change(said) or report(said)
+    return question(said) or change(_without_request(said)) or report(said)
+
+
+def _without_request(said: Said) -> Said:
+    """Leave out what makes a question or a suggestion of an order: "could we", "let's"."""
+    questions = said.lexicon.questions
+    opening = questions["requesting"] | questions["suggesting"] | said.table("letting")
+    form = longest_match(said.words, 0, opening)
+    return said if form is None or len(form) == len(said.words) else said.behind(len(form))
 
 
 def _without_courtesies(said: Said) -> Said:
