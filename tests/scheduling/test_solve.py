@@ -193,3 +193,33 @@ def test_no_schedule_costs_less_than_each_skill_alone() -> None:
         # What must wait for another has its best time later than alone.
         assert least >= math.fsum(costs) - 1e-6, seed
         assert least <= solve(task).weighted_cost + 1e-9, seed
+
+
+def test_what_happens_by_itself_takes_no_agent_and_no_room() -> None:
+    leaves = FuzzySkill("the train leaves", Rectangle(900, 900), 0, happens=True)
+    paint = FuzzySkill("paint", Triangle(0, 300, 600), 1200)
+    wave = FuzzySkill("wave", ALWAYS, 60)
+    follows = (Precedence(0, 2, maximum_lag=30.0),)
+    alone = solve(FuzzyTask((paint,)))
+    schedule = solve(FuzzyTask((leaves, paint)))
+    assert schedule.start_times == (900, *alone.start_times)
+    assert schedule.certificate.status is Status.OPTIMAL
+    assert schedule.satisfaction == pytest.approx(1.0)
+    sand = FuzzySkill("sand", Triangle(0, 300, 600), 800)
+    after = solve(FuzzyTask((leaves, sand, wave), precedences=follows))
+    assert not faults(after)
+    assert not any(after.rejected)
+    assert after.start_times == pytest.approx((900, 130, 930), abs=1)
+    busy = solve(FuzzyTask((leaves,), busy=(Busy(0, 3600),)))
+    assert busy.start_times == (900,)
+
+
+def test_what_happens_at_no_certain_moment_happens_when_it_is_best() -> None:
+    rings = FuzzySkill("the bell rings", Triangle(0, 300, 600), 0, happens=True)
+    paint = FuzzySkill("paint", Triangle(0, 200, 600), 1200)
+    assert solve(FuzzyTask((rings, paint))).start_times == pytest.approx((300, 200))
+
+
+def test_what_happens_by_itself_has_no_duration() -> None:
+    with pytest.raises(FuzzytimeError, match="must take no agent's time, got a duration of 60 s"):
+        FuzzySkill("the train leaves", ALWAYS, 60, happens=True)
