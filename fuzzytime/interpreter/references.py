@@ -10,13 +10,14 @@ from dataclasses import dataclass, field, replace
 
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval, SatisfactionFunction
-from fuzzytime.skills import FuzzyTask, Precedence
+from fuzzytime.skills import Precedence
 from fuzzytime.spelling import suggestion
 
 
@@ -73,11 +74,11 @@ def link(
             linked[position] = tie.follower()
             wanted.append((position, tie.precedence(targets[0], position)))
     kept = _without_circles(linked, wanted, problems)
-    for position, precedence in wanted:
-        if position == precedence.second and precedence in kept:
+    for position, precedence in kept:
+        if position == precedence.second:
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
-    return linked, kept, problems
+    return linked, tuple(precedence for _, precedence in kept), problems
 
 
 def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
@@ -212,20 +213,15 @@ class _Tie:
 
 def _without_circles(
     skills: Sequence[Interpreted], wanted: list[tuple[int, Precedence]], problems: list[Problem]
-) -> tuple[Precedence, ...]:
+) -> list[tuple[int, Precedence]]:
     """Keep the precedences that form no circle, in order; say which do not hold."""
-    kept: list[Precedence] = []
-    task = tuple(interpreted.skill for interpreted in skills)
-    try:
-        return FuzzyTask(task, precedences=tuple(precedence for _, precedence in wanted)).precedences
-    except FuzzytimeError:
-        pass
+    before = Before()
+    kept: list[tuple[int, Precedence]] = []
     for position, precedence in wanted:
-        try:
-            FuzzyTask(task, precedences=(*kept, precedence))
-            kept.append(precedence)
-        except FuzzytimeError:
+        if before.add(precedence.first, precedence.second):
+            kept.append((position, precedence))
+        else:
             message = "cannot come before what must come before it: this order is not kept"
             wish, identifier = skills[position].wish, skills[position].identifier
             problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
-    return tuple(kept)
+    return kept

@@ -90,10 +90,14 @@ def shares_thing(one: Operation, other: Operation) -> bool:
     return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
 
 
+def comes(happening: Operation) -> bool:
+    """Whether somebody or something is said to come, and is not there before."""
+    return happening.stated and happening.lemma in ARRIVING
+
+
 def waits_for(operation: Operation, happening: Operation) -> bool:
     """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
-    comes = happening.stated and happening.lemma in ARRIVING
-    return comes and not operation.stated and shares_thing(happening, operation)
+    return comes(happening) and not operation.stated and shares_thing(happening, operation)
 
 
 @dataclass(slots=True)
