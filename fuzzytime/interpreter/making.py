@@ -10,7 +10,7 @@ from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -81,14 +81,27 @@ class Maker:
         return made[:1] if all(one.reason for one in made) else made
 
     def _told(self, requirement: TimeRequirement) -> TimeRequirement:
-        """Wait for the instruction that makes a condition true, where no reading tells of it."""
-        condition = requirement.condition
-        if condition is None or condition.target is None:
+        """Wait for what makes a condition true where no reading tells of it: an instruction, or some time.
+
+        Of the same thing alone an instruction is taken where nothing may tell of it later, either.
+        """
+        condition, request = requirement.condition, self.request
+        if condition is None or condition.about is condition.target is condition.takes is None:
             return requirement
-        if self.rulebook.tells_of(condition, self.request.context):
+        readings = bool(request.context.readings) or request.awaits_readings
+        if readings and self.rulebook.tells_of(condition, request.context):
             return requirement
-        anchor = Anchor(text=condition.text, target=condition.target)
-        return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
+        target, takes = condition.target, condition.takes
+        assumed = target is None and takes is None
+        if target is None and not (assumed and request.awaits_readings):
+            target = condition.about
+        if target is not None:
+            edge = Edge.END if takes is None else Edge.FREE
+            anchor = Anchor(text=condition.text, target=target, edge=edge, lag=takes or 0.0, assumed=assumed)
+            return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
+        if takes is None:
+            return requirement
+        return replace(requirement, constraint=Constraint.AFTER, condition=None, t_spec=takes, earliest=takes)
 
     def _one(
         self,

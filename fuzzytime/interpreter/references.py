@@ -69,6 +69,8 @@ def link(
                     )
                 )
                 continue
+            if requirement.anchor.assumed:
+                problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
             # Of a repetition, the first occurrence is meant.
             tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
             linked[position] = tie.follower()
@@ -79,6 +81,12 @@ def link(
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
     return linked, tuple(precedence for _, precedence in kept), problems
+
+
+def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interpreted) -> Problem:
+    """Say of a state that nothing tells of what it is taken to wait for."""
+    message = f"nothing tells {requirement.text!r}: taken as once this is done: {target.skill.name}"
+    return problem_of(this.wish, ProblemKind.NOTE, message, requirement.span, this.identifier)
 
 
 def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
@@ -131,10 +139,10 @@ class _Tie:
     @property
     def moment(self) -> float:
         """Seconds from the start of the target to the moment that is measured from."""
-        length = self.target.skill.time_until_done
+        skill = self.target.skill
         if self.anchor.share is not None:
-            return self.anchor.share * length
-        return 0.0 if self.anchor.edge is Edge.START else length
+            return self.anchor.share * skill.time_until_done
+        return {Edge.START: 0.0, Edge.FREE: skill.duration, Edge.END: skill.time_until_done}[self.anchor.edge]
 
     def allowed(self) -> Interval:
         """Give the interval of x."""

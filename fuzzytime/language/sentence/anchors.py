@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references import (
     Mentions,
     best_of,
     content_words,
+    is_done_with,
     waits_for,
 )
 from fuzzytime.language.sentence.segments import Segment
@@ -147,6 +148,16 @@ class Anchors:
         for place in self.mentions.named_by(clause, coming, backwards=False):
             yield place, self.mentions.operations[place]
 
+    def done_with(self, thing: str | None) -> int | None:
+        """Give the latest instruction before it that is about a thing; None for none, and for a person."""
+        words = content_words((thing or "").split()[-1] if thing else None) - PRONOUNS
+        if not words or words & self.lexicon.persons:
+            return None
+        for place in range(self.position - 1, self.first - 1, -1):
+            if is_done_with(self._operation(place), words):
+                return place
+        return self.mentions.touching(words, self.first)
+
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
         words = content_words(thing)
@@ -161,7 +172,10 @@ class Anchors:
         together = clause.kind == "while"
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
+        if clause.takes is not None and not before:
+            lag += clause.takes.seconds
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
+        edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
         if (clause.object or "").lower() in END or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):

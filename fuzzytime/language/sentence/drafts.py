@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Said
+from fuzzytime.language.sentence.asides import Aside, asides_of, without_asides
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
@@ -33,7 +34,8 @@ ROUNDS = 12
 class Draft:
     """A text with its times and its parts, before anything is grounded.
 
-    ``step`` is its number in a numbered list.
+    ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
+    of its parts.
     """
 
     text: str
@@ -43,6 +45,7 @@ class Draft:
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
     step: int | None = None
+    asides: tuple[Aside, ...] = ()
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -68,17 +71,20 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps = [], []
+    sources, steps, asides = [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        asides.append(asides_of(scanned, lexicon))
+        if asides[-1]:
+            scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
         sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step)
-        for (text, _), s, own, step in zip(texts, sources, parts, steps, strict=True)
+        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside)
+        for (text, _), s, own, step, aside in zip(texts, sources, parts, steps, asides, strict=True)
     ]
 
 
