@@ -9,8 +9,9 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -58,7 +59,8 @@ class Maker:
             If a context reading is of no declared signal, or a duration impossible.
         """
         instruction = _from_to(instruction)
-        said = [self._told(p) for p in instruction.requirements if p.constraint is not Constraint.FOR]
+        told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
+        said = [with_waits(part, self.rulebook, self.request) for part in told]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
@@ -79,29 +81,6 @@ class Maker:
             made.append(self._one(wish, reading, occurring, (time, *once)))
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
-
-    def _told(self, requirement: TimeRequirement) -> TimeRequirement:
-        """Wait for what makes a condition true where no reading tells of it: an instruction, or some time.
-
-        Of the same thing alone an instruction is taken where nothing may tell of it later, either.
-        """
-        condition, request = requirement.condition, self.request
-        if condition is None or condition.about is condition.target is condition.takes is None:
-            return requirement
-        readings = bool(request.context.readings) or request.awaits_readings
-        if readings and self.rulebook.tells_of(condition, request.context):
-            return requirement
-        target, takes = condition.target, condition.takes
-        assumed = target is None and takes is None
-        if target is None and not (assumed and request.awaits_readings):
-            target = condition.about
-        if target is not None:
-            edge = Edge.END if takes is None else Edge.FREE
-            anchor = Anchor(text=condition.text, target=target, edge=edge, lag=takes or 0.0, assumed=assumed)
-            return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
-        if takes is None:
-            return requirement
-        return replace(requirement, constraint=Constraint.AFTER, condition=None, t_spec=takes, earliest=takes)
 
     def _one(
         self,

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Edge, Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -138,6 +138,8 @@ def every_date(days: Calendar) -> Repeat | None:
 def edge_of_every(edge: Edge, unit: UnitWord) -> Repeat | None:
     """At the end of every month: on its last day."""
     whole = Cycle(unit.unit, unit.count)
+    if whole == Cycle(Unit.DAY) and edge is Edge.END:
+        return Repeat(walls=(Wall(whole, clock=Clock(23, 59, 59, grain=Unit.SECOND, full_day=True)),))
     if whole.grain is Unit.DAY or unit.unit not in {Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR}:
         return None
     return Repeat(walls=(Wall(Nth(1 if edge is Edge.START else -1, Cycle(Unit.DAY), whole)),))

@@ -19,7 +19,6 @@ from fuzzytime.language.sentence.references import (
     is_done_with,
     waits_for,
 )
-from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 FIRST = frozenset({"before", "until", "by the time"})
@@ -293,20 +292,4 @@ def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) 
     """Give a requirement that counts from another instruction alone."""
     return replace(
         requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
-    )
-
-
-def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
-    """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
-    if segment.connective not in {"then", "meanwhile"} or position == 0:
-        return None
-    first, end = segment.connective_span
-    said = text[first:end].rstrip(" ,:") or text[first:end]
-    follows = segment.connective == "then"
-    return TimeRequirement(
-        text=said,
-        span=(first, first + len(said)),
-        constraint=Constraint.AFTER if follows else Constraint.AT,
-        preposition=segment.connective,
-        anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
     )

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
@@ -53,7 +54,8 @@ def clauses_of(
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
-        form = None if place in covered else longest_match(words, place, lexicon.clauses)
+        is_name = place > 0 and words[place - 1].text in NAMED
+        form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:

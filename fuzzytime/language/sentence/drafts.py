@@ -1,7 +1,7 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
@@ -31,11 +31,20 @@ ROUNDS = 12
 
 
 @dataclass(frozen=True, slots=True)
+class Heading:
+    """A day on a line of its own, as meant and as said."""
+
+    said: Said
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Draft:
     """A text with its times and its parts, before anything is grounded.
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
-    of its parts.
+    of its parts. ``heading`` is the day that a line above names for it; one that ``leads`` names that of the
+    lines below.
     """
 
     text: str
@@ -46,6 +55,8 @@ class Draft:
     remarks: tuple[Remark, ...]
     step: int | None = None
     asides: tuple[Aside, ...] = ()
+    heading: Heading | None = None
+    leads: bool = False
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -125,6 +136,12 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
     found = _uncapitalised(texts, trees)
+    led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
+    blanked = trees([_without_root(found[place]) for place in led_astray])
+    for place, tree in zip(led_astray, blanked, strict=True):
+        # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
+        if tree.root not in waiting[place].timed(tree):
+            found[place] = replace(tree, text=texts[place])
     for carrier in CARRIERS:
         again = [
             (place, waiting[place].behind_time)
@@ -137,6 +154,12 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _without_root(tree: Tree) -> str:
+    """Give the text of a tree with spaces for its root."""
+    node = tree.nodes[tree.root or 0]
+    return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

@@ -5,7 +5,11 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments import ARTICLES, ENDS
-from fuzzytime.language.sentence.statements import order_behind_statement, result_behind_statement
+from fuzzytime.language.sentence.statements import (
+    order_behind_statement,
+    result_behind_statement,
+    second_statement,
+)
 from fuzzytime.language.sentence.tree import Node, Tree
 
 JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also", "so"})
@@ -48,6 +52,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
+    told = second_statement(tree, place, timed) if told is None else told
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):

@@ -36,7 +36,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
-    return _with_asides(on_their_days(found, draft.text), draft), remarks
+    return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
 
 
 def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:

@@ -187,7 +187,7 @@ class Waiting:
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
-        if self.source.covered and happens(tree, self._phrases, lexicon):
+        if self._phrases and happens(tree, self._phrases, lexicon):
             return False
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
