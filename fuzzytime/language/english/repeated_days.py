@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Edge, Repeat, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Unit
@@ -86,6 +86,22 @@ def before_every_meal(meals: tuple[Part, ...]) -> Repeat:
 def after_every_meal(meals: tuple[Part, ...]) -> Repeat:
     """After meals: when they are over."""
     return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), replace(part, start=part.end)) for part in meals))
+
+
+@grammar.rule("repeat", "<duration> before every|each? <meals>", weight=0.4)
+def so_long_before_meals(duration: Duration, meals: tuple[Part, ...]) -> Repeat:
+    """Fifteen minutes before each meal."""
+    moments = (part.start - int(duration.seconds) for part in meals)
+    parts = (replace(part, start=at, end=at) for part, at in zip(meals, moments, strict=True))
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part) for part in parts))
+
+
+@grammar.rule("repeat", "<duration> after every|each? <meals>", weight=0.4)
+def so_long_after_meals(duration: Duration, meals: tuple[Part, ...]) -> Repeat:
+    """Half an hour after meals."""
+    moments = (part.end + int(duration.seconds) for part in meals)
+    parts = (replace(part, start=at, end=at) for part, at in zip(meals, moments, strict=True))
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part) for part in parts))
 
 
 @grammar.rule("repeat", "every|each other|second <part>", "on? alternate <parts>", weight=0.3)

@@ -57,6 +57,9 @@ class Borders:
                 # "A day's work"
                 return True
             last = self.words[piece.end - 1]
+            if last.text == "'" and word.glued and word.is_letters:
+                # "Bed 4's"
+                return True
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
@@ -110,6 +113,10 @@ class Borders:
         if first in {"round", "around"}:
             # "Bring the car round at six"
             return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
+        wall = piece.value.time
+        if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
+            # "Shut them in at dusk"
+            return True
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _counts_from_that(self, piece: Piece) -> bool:

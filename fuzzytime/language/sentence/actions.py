@@ -197,7 +197,7 @@ def _lets(tree: Tree, place: int) -> bool:
 
 def _is_going_to(tree: Tree, place: int) -> bool:
     """Whether it is "it's going to rain", not "go to see her"."""
-    return tree.nodes[place].lower in {"going", "gonna"} and bool(tree.children(place, "aux"))
+    return tree.nodes[place].lower in {"going", "gonna", "gon"} and bool(tree.children(place, "aux"))
 
 
 def _has_to(tree: Tree, below: int) -> bool:

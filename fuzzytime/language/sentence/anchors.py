@@ -180,6 +180,7 @@ class Anchors:
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
             edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
+        halfway = clause.kind == HALFWAY
         anchor = Anchor(
             text=what,
             verb=clause.verb,
@@ -187,7 +188,8 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=distance is not None and clause.kind != "within",
+            exact=halfway or (distance is not None and clause.kind != "within"),
+            share=0.5 if halfway else None,
         )
         return TimeRequirement(
             text=text,

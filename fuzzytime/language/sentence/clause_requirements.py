@@ -104,7 +104,11 @@ def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
         earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         if earlier is not None and earlier.lower() not in PRONOUNS:
             return earlier
-    return None if operation is None else operation.object
+    if operation is None:
+        return None
+    person = not anchors.lexicon.persons.isdisjoint((operation.object or "").lower().split())
+    # "Move mum to the other room once it is clean"
+    return operation.place if person and operation.place else operation.object
 
 
 def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:

@@ -232,7 +232,9 @@ class _Composer:
         words = words_of(" ; ".join((*dated, *named)))
         for place in range(len(words)):
             form = longest_match(words, place, self.lexicon.usual_hours)
-            if form is not None:
+            numbered = place + 1 < len(words) and words[place + 1].is_digits
+            if form is not None and not numbered:
+                # "Bed 5" is no bedtime
                 first, last = self.lexicon.usual_hours[form]
                 policy = replace(self.moment.policy, ahead_from=first)
                 if last is not None:

@@ -28,6 +28,9 @@ BY = frozenset({"by", "back", "forward"})
 COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
 """Words before a unit in a length of time."""
 
+MARKING = frozenset({"before", "after", "until", "till", "last"})
+"""Words about order that bind nothing here: "before and after each patient", "move the bull last"."""
+
 NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
 """Names of nothing that is used: "it's time to eat"."""
 
@@ -82,7 +85,7 @@ def unused_words(
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
-        if node.tag.startswith(NAMES)
+        if (node.tag.startswith(NAMES) or node.lower in MARKING)
         and node.text[0].isalnum()
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)

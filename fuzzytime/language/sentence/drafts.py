@@ -150,7 +150,7 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
-            bare = tree.without_carrier(carrier, texts[place], skipped)
+            bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
@@ -160,6 +160,15 @@ def _without_root(tree: Tree) -> str:
     """Give the text of a tree with spaces for its root."""
     node = tree.nodes[tree.root or 0]
     return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
+
+
+def _as_order(tree: Tree) -> Tree:
+    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    root = tree.root
+    first = tree.nodes[0] if tree.nodes else None
+    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
+        return tree
+    return Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

@@ -34,6 +34,13 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     return listed or (tree.nodes[root].tag in ONE and any(map(_is_range, phrases)))
 
 
+def may_be_ordered(tree: Tree) -> bool:
+    """Whether what seems to name a thing may as well be an order: "clean bay 2 from one to three"."""
+    first = tree.nodes[0]
+    bare = first.may_act and first.lower == first.lemma and not first.tag.startswith("NNS")
+    return tree.root != 0 and bare and first.tag in {"JJ", "NNP", "VB", "VBP"}
+
+
 def happening_at(
     root: int, tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
 ) -> Operation:

@@ -274,8 +274,9 @@ class Reader(Places):
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
-        # "Load the truck, it leaves at three"
-        told = told or (subjects[:1] == ["it"] and self.tree.nodes[verb].lower in PHASES)
+        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
+        goes = self.tree.nodes[verb].lower in PHASES or (lasts and self.tree.nodes[verb].lemma in GOING)
+        told = told or (subjects[:1] == ["it"] and goes)
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
@@ -293,7 +294,7 @@ class Reader(Places):
 
     def _is_others_doing(self, verb: int, helping: AbstractSet[str]) -> bool:
         """Whether somebody who is named does it, and is not asked to: "the kids finish school at three"."""
-        subjects = [p for p in self.tree.children(verb, "nsubj") if p < verb]
-        named = bool(subjects) and self.tree.nodes[subjects[0]].lower in self.lexicon.persons - ALL_OF_US
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj") if p < verb]
+        named = subjects[:1] and subjects[0] in self.lexicon.persons - ALL_OF_US
         finite = self.tree.nodes[verb].tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE
-        return named and finite and self.tree.nodes[verb].lemma not in self.lexicon.wanting | {"have"}
+        return bool(named) and finite and self.tree.nodes[verb].lemma not in self.lexicon.wanting | {"have"}
