@@ -46,7 +46,7 @@ class Auto:
         best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
-        if is_open and not (problem.kept_by_order and (few or problem.agents == 1)):
+        if is_open and not watch.is_over() and not (problem.kept_by_order and (few or problem.agents == 1)):
             better = LocalSearch(kicks=KICKS, patience=PATIENCE).search(problem, watch.share(0.2), best)
             if len(problem.jobs) > PARTS.length + PARTS.rejected:
                 better = PARTS.improve(problem, watch.share(0.5), better)

@@ -31,6 +31,9 @@ SLOTS_A_JOB = 8
 FINER = 20
 """How much finer than that it may be, so that all durations are whole numbers of slots."""
 
+MOST_STARTS = 2_000_000
+"""Starts of all jobs on a grid that is finer than it need be."""
+
 
 @dataclass(frozen=True, slots=True)
 class Curve:
@@ -88,8 +91,8 @@ ROUND_STEPS = tuple(
 def step_for(problem: Problem, slots: int, finer: float = FINER) -> float:
     """Give a round step that lays at least so many slots over a problem's horizon, and some for each job.
 
-    Of the steps down to so much finer than the longest such one, the longest that divides all durations is
-    taken; where none does, the longest.
+    Of the steps down to so much finer than the longest such one, as far as that does not lay too many starts,
+    the longest that divides all durations is taken; where none does, the longest.
     """
     first = min(job.earliest for job in problem.jobs)
     last = max(job.latest + job.duration for job in problem.jobs)
@@ -97,13 +100,19 @@ def step_for(problem: Problem, slots: int, finer: float = FINER) -> float:
     durations = np.array([job.duration for job in problem.jobs])
     slots = max(slots, SLOTS_A_JOB * len(problem.jobs))
     fine = [step for step in sorted(ROUND_STEPS, reverse=True) if step * slots <= span] or [span / slots]
+    shortest = max(fine[0] / finer * (1 - ROUNDING), room_of(problem) / MOST_STARTS)
     for step in fine:
         shares = durations / step
-        if step < fine[0] / finer * (1 - ROUNDING):
+        if step < shortest:
             break
         if (np.abs(shares - np.rint(shares)) <= ROUNDING * np.maximum(1.0, shares)).all():
             return step
     return fine[0]
+
+
+def room_of(problem: Problem) -> float:
+    """Give the seconds in which each job can start, on each lane, in all."""
+    return math.fsum(window.length for job in problem.jobs for lane in job.windows for window in lane)
 
 
 def grid_of(problem: Problem, step: float) -> Grid:

@@ -12,7 +12,7 @@ from typing import ClassVar
 import numpy as np
 
 from fuzzytime.satisfaction import Floats, cell_chord_errors
-from fuzzytime.scheduling.grid import Grid, Ints, grid_of, step_for
+from fuzzytime.scheduling.grid import Grid, Ints, grid_of, room_of, step_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.relaxation import Relaxation, prices_from
@@ -67,8 +67,7 @@ def fine_enough(problem: Problem, draft: Draft, step: float, error: float) -> fl
 
 def bytes_for(problem: Problem, step: float) -> float:
     """Give the memory that the starts of a problem take on a grid."""
-    lengths = [window.length for job in problem.jobs for lane in job.windows for window in lane]
-    return BYTES_PER_START * math.fsum(lengths) / step
+    return BYTES_PER_START * room_of(problem) / step
 
 
 class GridSearch(ABC):

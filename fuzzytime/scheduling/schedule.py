@@ -130,7 +130,7 @@ class Schedule:
             return 0.0
         return math.exp(-self.cost / len(self.start_times)) if self.start_times else 1.0
 
-    @property
+    @cached_property
     def skills(self) -> tuple[SpecificSkill, ...]:
         """The skills with their start times, in the task's order."""
         rows = zip(self.task.skills, self.start_times, self.agents, strict=True)
@@ -139,7 +139,7 @@ class Schedule:
             for skill, start, agent in rows
         )
 
-    @property
+    @cached_property
     def order(self) -> tuple[int, ...]:
         """Positions of the skills by start time."""
         return tuple(sorted(range(len(self.start_times)), key=lambda i: (self.start_times[i], i)))
