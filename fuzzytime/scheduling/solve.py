@@ -99,9 +99,11 @@ def _scheduled(
     lower = math.fsum(job.rejection for job in problem.apart) + math.fsum(job.least for job in problem.free)
     draft = nothing(problem)
     methods: dict[str, None] = {}  # in the order of their first use
-    for members in problem.groups():
+    left = len(problem.jobs)
+    for members in sorted(problem.groups(), key=len):  # What is small leaves time to what is large.
         group = problem.select(members)
-        found = solver.search(group, watch, remembered(group, hints) if hints else None)
+        share, left = watch.share(len(members) / left), left - len(members)
+        found = solver.search(group, share, remembered(group, hints) if hints else None)
         lower += found.lower_cost
         methods[found.method or solver.name] = None
         draft.starts[members], draft.agents[members] = found.starts, found.agents

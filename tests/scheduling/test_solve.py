@@ -1,6 +1,8 @@
 """Solving whole tasks: against an independent optimiser, and what a person would expect."""
 
 import math
+from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -9,8 +11,11 @@ from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.scheduling.alone import best_alone
+from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.schedule import THRESHOLD
+from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
 from scheduling.random_tasks import faults, random_task
@@ -102,6 +107,42 @@ def test_priority_decides_who_gets_the_better_time() -> None:
     task = FuzzyTask((FuzzySkill("a", wish, 60), FuzzySkill("b", wish, 60, priority=3)))
     schedule = solve(task)
     assert schedule.satisfactions[1] > schedule.satisfactions[0]
+
+
+@dataclass
+class Timed:
+    """Notes the size of each group and the share of time that is left for it; may be interrupted at once."""
+
+    name: ClassVar[str] = "timed"
+
+    interrupted: bool = False
+    seen: list[tuple[int, float]] = field(default_factory=list)
+
+    def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
+        """Place nothing."""
+        self.seen.append((len(problem.jobs), 0.0 if watch.is_over() else watch.remaining))
+        if self.interrupted:
+            watch.stop()
+        return warm or nothing(problem)
+
+
+def groups(*sizes: int) -> FuzzyTask:
+    centres = [1000.0 * group for group, size in enumerate(sizes, 1) for _ in range(size)]
+    return FuzzyTask(
+        tuple(FuzzySkill(f"skill {i}", Triangle(c - 60, c, c + 60), 30.0) for i, c in enumerate(centres))
+    )
+
+
+def test_groups_that_cannot_meet_share_the_time_and_leave_what_they_do_not_need() -> None:
+    solver = Timed()
+    solve(groups(5, 3), solver=solver, limits=Limits(seconds=80, clock=lambda: 0.0), objectives=())
+    assert solver.seen == [(3, 30.0), (5, 80.0)]
+
+
+def test_an_interrupt_in_one_group_is_one_for_all() -> None:
+    solver = Timed(interrupted=True)
+    solve(groups(5, 3), solver=solver, limits=Limits(seconds=80, clock=lambda: 0.0), objectives=())
+    assert solver.seen == [(3, 30.0), (5, 0.0)]
 
 
 def test_out_of_time_the_best_so_far_comes_back_with_its_gap() -> None:
