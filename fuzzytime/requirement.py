@@ -44,9 +44,10 @@ class Unit(StrEnum):
 
 
 class Edge(StrEnum):
-    """An end of another skill's execution."""
+    """A moment of another skill: its start, when hands are free of it, when its result is there."""
 
     START = "start"
+    FREE = "free"
     END = "end"
 
 
@@ -93,7 +94,9 @@ class Condition:
     ``subject`` is the noun without its determiner ("frying pan"), ``word`` what is said of it ("hot"),
     ``hedges`` the words between ("very"); a clause that does not have this form keeps its text only.
     ``comparisons`` are the numbers in it, in the order of the words. ``target`` is the position of the
-    instruction that makes it so ("warm up the printer"), which counts where no reading tells.
+    instruction that makes it so ("warm up the printer"), which counts where no reading tells; ``about`` that
+    of the latest that is about the same thing ("paint the door", where the paint is dry). ``takes`` is how
+    many seconds it takes then to become so, where that is said.
     """
 
     text: str
@@ -104,6 +107,8 @@ class Condition:
     lasting: Lasting | None = None
     comparisons: tuple[Comparison, ...] = ()
     target: int | None = None
+    about: int | None = None
+    takes: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,6 +120,7 @@ class Anchor:
     that the lag is wished for ("five minutes before"), not only its sign ("before"); it counts from ``edge``,
     or from the ``share`` of its length that is over then ("halfway through"). ``lasting`` and
     ``comparisons`` are those of a state that is measured from ("after the oven is above 150 degrees").
+    ``assumed`` says that nothing tells of such a state, and that the target is only about the same thing.
     """
 
     text: str
@@ -127,6 +133,7 @@ class Anchor:
     share: float | None = None
     lasting: Lasting | None = None
     comparisons: tuple[Comparison, ...] = ()
+    assumed: bool = False
 
 
 class Recurrence(Protocol):

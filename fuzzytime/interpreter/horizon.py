@@ -18,7 +18,8 @@ ROOM = 600.0
 def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     """Give the horizon in seconds: as asked, else past the last window, at most `MAX_HORIZON`.
 
-    Behind the last window there is room for all the work, so that what has no time of its own finds one.
+    Behind the last window there is room for all the work and all waits, so that what has no time of its own
+    finds one.
     """
     if request.horizon is not None:
         return request.horizon
@@ -33,7 +34,14 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     ends += [busy.end for busy in request.busy if busy.end <= MAX_HORIZON]
     last = max(end for end in ends if end <= MAX_HORIZON)
     work = sum(interpreted.skill.time_until_done for interpreted in skills)
-    return min(MAX_HORIZON, last + work + ROOM)
+    waits = sum(_waits(interpreted) for interpreted in skills)
+    return min(MAX_HORIZON, last + work + waits + ROOM)
+
+
+def _waits(interpreted: Interpreted) -> float:
+    """Give how long a skill waits at least behind others, where its window does not show it."""
+    anchors = (part.anchor for part in interpreted.requirements)
+    return max((anchor.lag for anchor in anchors if anchor is not None and not anchor.exact), default=0.0)
 
 
 def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -> Interpreted:

@@ -6,12 +6,13 @@ of a list is looser than one in words: it gives way where it would keep a step f
 follows a step that cannot be done goes on without it.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
+from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Reading, shares_thing, waits_for
+from fuzzytime.language import Instruction, Reading, comes, content_words, shares_thing
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -87,12 +88,16 @@ class Row:
 
 @dataclass(slots=True)
 class Rows:
-    """The lists of a request: all of it where its order holds, else each numbered list."""
+    """The lists of a request: all of it where its order holds, else each numbered list.
+
+    ``arrived`` gives for each word the latest that comes which it names.
+    """
 
     in_order: bool
     row: Row = field(default_factory=Row)
     number: int | None = None
     precedences: list[Precedence] = field(default_factory=list)
+    arrived: dict[str, int] = field(default_factory=dict)
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
@@ -131,13 +136,17 @@ class Rows:
             return
         step = Step(made[0], skills[made[0]])
         operation = step.interpreted.operation
+        if operation is None:
+            return
+        if comes(operation):
+            self.arrived.update(dict.fromkeys(content_words(operation.object), made[0]))
+            return
         if step.timed or any(part.anchor is not None for part in step.interpreted.requirements):
             return
-        for place in range(made[0] - 1, -1, -1):
-            happening = skills[place].operation
-            if operation is not None and happening is not None and waits_for(operation, happening):
-                self.precedences.append(Precedence(place, made[0]))
-                return
+        words = content_words(operation.object) | content_words(operation.place)
+        latest = max((self.arrived[word] for word in words & self.arrived.keys()), default=None)
+        if latest is not None and not operation.stated:
+            self.precedences.append(Precedence(latest, made[0]))
 
     def kept(self) -> tuple[Precedence, ...]:
         """Give the order of all lists."""
@@ -151,27 +160,12 @@ class Rows:
 
 def free_of_circles(order: Iterable[Precedence], precedences: Iterable[Precedence]) -> tuple[Precedence, ...]:
     """Give the order as far as it agrees with what words say, without what they say already."""
-    after: dict[int, set[int]] = {}
-    for entry in precedences:
-        after.setdefault(entry.first, set()).add(entry.second)
-    kept = []
-    for entry in order:
-        said = entry.second in after.get(entry.first, ())
-        if not said and not _reaches(after, entry.second, entry.first):
-            kept.append(entry)
-            after.setdefault(entry.first, set()).add(entry.second)
-    return tuple(kept)
-
-
-def _reaches(after: Mapping[int, set[int]], start: int, end: int) -> bool:
-    seen, open_ends = {start}, [start]
-    for place in open_ends:
-        if place == end:
-            return True
-        for following in after.get(place, set()) - seen:
-            seen.add(following)
-            open_ends.append(following)
-    return False
+    before = Before.of((entry.first, entry.second) for entry in precedences)
+    return tuple(
+        entry
+        for entry in order
+        if not before.says(entry.first, entry.second) and before.add(entry.first, entry.second)
+    )
 
 
 def without_now(instruction: Instruction) -> Instruction:

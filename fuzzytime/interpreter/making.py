@@ -9,8 +9,9 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -59,7 +60,8 @@ class Maker:
             If a context reading is of no declared signal, or a duration impossible.
         """
         instruction = _from_to(instruction)
-        said = [self._told(p) for p in instruction.requirements if p.constraint is not Constraint.FOR]
+        told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
+        said = [with_waits(part, self.rulebook, self.request) for part in told]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
@@ -80,16 +82,6 @@ class Maker:
             made.append(self._one(wish, reading, occurring, (time, *once)))
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
-
-    def _told(self, requirement: TimeRequirement) -> TimeRequirement:
-        """Wait for the instruction that makes a condition true, where no reading tells of it."""
-        condition = requirement.condition
-        if condition is None or condition.target is None:
-            return requirement
-        if self.rulebook.tells_of(condition, self.request.context):
-            return requirement
-        anchor = Anchor(text=condition.text, target=condition.target)
-        return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
 
     def _one(
         self,

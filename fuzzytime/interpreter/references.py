@@ -10,13 +10,14 @@ from dataclasses import dataclass, field, replace
 
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval, SatisfactionFunction
-from fuzzytime.skills import FuzzyTask, Precedence
+from fuzzytime.skills import Precedence
 from fuzzytime.spelling import suggestion
 
 
@@ -68,16 +69,24 @@ def link(
                     )
                 )
                 continue
+            if requirement.anchor.assumed:
+                problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
             # Of a repetition, the first occurrence is meant.
             tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
             linked[position] = tie.follower()
             wanted.append((position, tie.precedence(targets[0], position)))
     kept = _without_circles(linked, wanted, problems)
-    for position, precedence in wanted:
-        if position == precedence.second and precedence in kept:
+    for position, precedence in kept:
+        if position == precedence.second:
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
-    return linked, kept, problems
+    return linked, tuple(precedence for _, precedence in kept), problems
+
+
+def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interpreted) -> Problem:
+    """Say of a state that nothing tells of what it is taken to wait for."""
+    message = f"nothing tells {requirement.text!r}: taken as once this is done: {target.skill.name}"
+    return problem_of(this.wish, ProblemKind.NOTE, message, requirement.span, this.identifier)
 
 
 def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
@@ -130,10 +139,10 @@ class _Tie:
     @property
     def moment(self) -> float:
         """Seconds from the start of the target to the moment that is measured from."""
-        length = self.target.skill.time_until_done
+        skill = self.target.skill
         if self.anchor.share is not None:
-            return self.anchor.share * length
-        return 0.0 if self.anchor.edge is Edge.START else length
+            return self.anchor.share * skill.time_until_done
+        return {Edge.START: 0.0, Edge.FREE: skill.duration, Edge.END: skill.time_until_done}[self.anchor.edge]
 
     def allowed(self) -> Interval:
         """Give the interval of x."""
@@ -212,20 +221,15 @@ class _Tie:
 
 def _without_circles(
     skills: Sequence[Interpreted], wanted: list[tuple[int, Precedence]], problems: list[Problem]
-) -> tuple[Precedence, ...]:
+) -> list[tuple[int, Precedence]]:
     """Keep the precedences that form no circle, in order; say which do not hold."""
-    kept: list[Precedence] = []
-    task = tuple(interpreted.skill for interpreted in skills)
-    try:
-        return FuzzyTask(task, precedences=tuple(precedence for _, precedence in wanted)).precedences
-    except FuzzytimeError:
-        pass
+    before = Before()
+    kept: list[tuple[int, Precedence]] = []
     for position, precedence in wanted:
-        try:
-            FuzzyTask(task, precedences=(*kept, precedence))
-            kept.append(precedence)
-        except FuzzytimeError:
+        if before.add(precedence.first, precedence.second):
+            kept.append((position, precedence))
+        else:
             message = "cannot come before what must come before it: this order is not kept"
             wish, identifier = skills[position].wish, skills[position].identifier
             problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
-    return tuple(kept)
+    return kept

@@ -124,6 +124,8 @@ class Request:
     in_order
         Whether wishes in words are steps, each after the one before unless words say another order. A
         numbered list is so by itself.
+    awaits_readings
+        Whether readings may still come that tell of a condition: then nothing is assumed of it.
     """
 
     now: datetime
@@ -134,6 +136,7 @@ class Request:
     horizon: float | None = None
     started: tuple[Started, ...] = ()
     in_order: bool = False
+    awaits_readings: bool = False
 
     def named(self) -> "Request":
         """Give the request with every wish named: as it is, or s1, s2, … by its place among the wishes."""

@@ -19,7 +19,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import content_words, shares_thing, waits_for
+from fuzzytime.language.sentence.references import comes, content_words, shares_thing
 
 __all__ = [
     "About",
@@ -41,12 +41,12 @@ __all__ = [
     "about_wishes",
     "answer",
     "check_length",
+    "comes",
     "content_words",
     "find_times",
     "installed_model",
     "model_files",
     "reported",
     "shares_thing",
-    "waits_for",
     "with_words",
 ]

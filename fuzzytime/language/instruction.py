@@ -67,7 +67,7 @@ class Operation:
         if self.stated:
             # "Dinner is at seven": what is, is its name.
             verb = None if self.attended or self.lemma == "be" else self.verb
-            said = (self.object, verb, self.particle, self.place)
+            said = (self.object, verb, self.particle, None if verb is None else self.complement, self.place)
         return " ".join(part for part in said if part)
 
 

@@ -13,6 +13,7 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.drafts import Draft, drafted
+from fuzzytime.language.sentence.headings import under_headings
 from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.parse_cache import ParseCache
 from fuzzytime.language.sentence.references import Mentions
@@ -108,7 +109,7 @@ class Language:
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        drafts = self._drafts(list(texts))
+        drafts = under_headings(self._drafts(list(texts)))
         since: float | None = None
         given_since = []
         for draft in drafts:

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook.formula import Formula, Is, events, variables
+from fuzzytime.rulebook.matching import described
 from fuzzytime.rulebook.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.rules import Rule
 from fuzzytime.rulebook.tables import Tables
@@ -82,7 +83,8 @@ class Chosen:
 
 def matching(requirement: TimeRequirement, verb: str | None, tables: Tables) -> tuple[Rule, ...]:
     """Give the rules that speak about a requirement, whatever the context."""
-    return tuple(rule for rule in tables.rules.values() if rule.match(requirement, verb))
+    texts = described(requirement, verb)
+    return tuple(rule for rule in tables.rules.values() if rule.match(texts))
 
 
 def signals_of(formula: Formula, tables: Tables) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+from fuzzytime.rulebook.matching import described
 from fuzzytime.rulebook.tables import Model, Row, Tables
 from fuzzytime.times import DAY, HOUR, MINUTE
 
@@ -34,8 +35,9 @@ def find(requirement: TimeRequirement, tables: Tables, verb: str | None = None) 
 
     There is always one, as every constraint has a row of its own.
     """
+    texts = described(requirement, verb)
     for entry in tables.entries:
-        if entry.match(requirement, verb):
+        if entry.match(texts):
             hedges = () if "hedge" in entry.match.keys else requirement.fuzziness
             return _found(entry.row, requirement, tables, hedges)
     worded = _word_row(requirement, tables)

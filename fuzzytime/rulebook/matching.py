@@ -27,9 +27,8 @@ class Match:
 
     accepted: tuple[tuple[str, frozenset[str]], ...] = ()
 
-    def __call__(self, requirement: TimeRequirement, verb: str | None) -> bool:
-        """Tell whether a requirement, of an operation with a verb, matches."""
-        texts = described(requirement, verb)
+    def __call__(self, texts: Mapping[str, frozenset[str]]) -> bool:
+        """Tell whether a requirement that is `described` by some texts matches."""
         return all(accepted & texts[key] for key, accepted in self.accepted)
 
     def first_covering(self, others: Iterable["Match"]) -> int | None:

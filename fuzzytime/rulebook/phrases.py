@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 from fuzzytime.rulebook.durations import singular_forms
 from fuzzytime.rulebook.tables import Tables
@@ -15,6 +16,9 @@ _DENIALS = re.compile(r"\b(?:not|no longer|never|neither|\w+n't)\b")
 _FORMS_OF_HAVE = frozenset(("has", "have", "had", "just", "already", "finally"))
 _FORMS_OF_BE = frozenset(("is", "are", "was", "were", "been", "gets", "got"))
 _BE = "is"
+REMEMBERED = 16384
+"""Texts whose plain form is remembered: those of tables are compared with each that is said."""
+
 _ENDING = re.compile(r"(?<=\w{3})(?:(?<=([^aeiou]))\1(?=ing|ed))?(?:ing|ed|es|s|e)$")
 
 
@@ -66,6 +70,7 @@ def event_named(text: str, tables: Tables) -> str | None:
     return None
 
 
+@lru_cache(maxsize=REMEMBERED)
 def _of_any_tense(text: str) -> str:
     """Give a plain text without tenses, as far as these are regular: "courier has come" is "courier come"."""
     words = (_BE if word in _FORMS_OF_BE else word for word in text.split() if word not in _FORMS_OF_HAVE)
@@ -105,6 +110,7 @@ def ways_to_say(term: Term) -> tuple[str, ...]:
     return (plain(term.name), *map(plain, term.words))
 
 
+@lru_cache(maxsize=REMEMBERED)
 def plain(text: str) -> str:
     """Give a text in lower case, without punctuation and determiners."""
     words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", text.lower().replace("\u2019", "'"))

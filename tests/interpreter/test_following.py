@@ -83,3 +83,11 @@ def test_the_day_after_counts_from_the_day_of_the_line_before() -> None:
 def test_the_next_morning_without_a_day_before_is_that_of_tomorrow() -> None:
     made = told(["sweep the floor the next morning"])
     assert made.instant(made.schedule.start_times[0]).day == 5
+
+
+def test_what_is_unloaded_waits_for_the_latest_that_comes() -> None:
+    made = told(
+        ["the truck arrives at 9 am", "the truck arrives at 11 am", "unload the truck", "wash the car"]
+    )
+    assert starts(made)["s3"] >= "11:00"
+    assert starts(made)["s4"] < "11:00"

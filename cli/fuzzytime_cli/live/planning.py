@@ -50,7 +50,7 @@ class Planning:
     def __init__(self, request: Request, interpreter: Interpreter, solving: Solving) -> None:
         self.interpreter, self.solving = interpreter, solving
         self.origin: datetime = request.now
-        self.request = request.named()
+        self.request = replace(request.named(), awaits_readings=True)
         skills = interpreter.interpret(self.request).skills
         self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
         self.readings: dict[str, deque[Reading]] = {}

@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -122,6 +123,10 @@ def from_goal(duration: Duration, goal: Goal) -> Offset | None:
 )
 def soon_after(duration: Duration, goal: Goal) -> Range | None:
     """Less than three days after tomorrow: from then to then."""
+    whole = isinstance(goal.time, Wall) and goal.time.clock is None and goal.time.part is None
+    if whole and all(unit in SUB_DAY for _, unit in duration.terms):
+        # "Within an hour of the fall"
+        return None
     return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
 
 

@@ -91,7 +91,19 @@ def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wal
     return Wall(days or Relative(0), whole.share(low, high))
 
 
-@grammar.rule("wall", "<days>|<date> ,? first|last thing", weight=0.4)
+@grammar.rule("wall", "<days>|<date> ,? last thing", weight=0.4)
+def last_thing(days: Calendar) -> Wall | None:
+    """Tomorrow last thing."""
+    return later_today((0.75, 1.0), days)
+
+
+@grammar.rule("wall", "last thing", weight=0.1)
+def last_thing_alone() -> Wall | None:
+    """Last thing, without a day: this evening."""
+    return later_today((0.75, 1.0), Relative(0))
+
+
+@grammar.rule("wall", "<days>|<date> ,? first thing", weight=0.4)
 def first_thing(days: Calendar) -> Wall | None:
     """Tomorrow first thing."""
     return later_today((0.0, 0.5), days)

@@ -4,9 +4,9 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Edge, Repeat, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -88,6 +88,22 @@ def after_every_meal(meals: tuple[Part, ...]) -> Repeat:
     return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), replace(part, start=part.end)) for part in meals))
 
 
+@grammar.rule("repeat", "<duration> before every|each? <meals>", weight=0.4)
+def so_long_before_meals(duration: Duration, meals: tuple[Part, ...]) -> Repeat:
+    """Fifteen minutes before each meal."""
+    moments = (part.start - int(duration.seconds) for part in meals)
+    parts = (replace(part, start=at, end=at) for part, at in zip(meals, moments, strict=True))
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part) for part in parts))
+
+
+@grammar.rule("repeat", "<duration> after every|each? <meals>", weight=0.4)
+def so_long_after_meals(duration: Duration, meals: tuple[Part, ...]) -> Repeat:
+    """Half an hour after meals."""
+    moments = (part.end + int(duration.seconds) for part in meals)
+    parts = (replace(part, start=at, end=at) for part, at in zip(meals, moments, strict=True))
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part) for part in parts))
+
+
 @grammar.rule("repeat", "every|each other|second <part>", "on? alternate <parts>", weight=0.3)
 def every_other_part(part: Part) -> Repeat:
     """Every other morning."""
@@ -138,6 +154,8 @@ def every_date(days: Calendar) -> Repeat | None:
 def edge_of_every(edge: Edge, unit: UnitWord) -> Repeat | None:
     """At the end of every month: on its last day."""
     whole = Cycle(unit.unit, unit.count)
+    if whole == Cycle(Unit.DAY) and edge is Edge.END:
+        return Repeat(walls=(Wall(whole, clock=Clock(23, 59, 59, grain=Unit.SECOND, full_day=True)),))
     if whole.grain is Unit.DAY or unit.unit not in {Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR}:
         return None
     return Repeat(walls=(Wall(Nth(1 if edge is Edge.START else -1, Cycle(Unit.DAY), whole)),))

@@ -13,6 +13,12 @@ from fuzzytime.requirement import Constraint
 COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
 """Words behind which "than" makes a length of time a difference."""
 
+SAYING = frozenset(["is", "are", "was", "will", "starts", "begins", "ends", "finishes", "comes", "goes"])
+"""Words behind which stands what is said of the thing before them: "lunch is at twelve"."""
+
+NAMED = frozenset({"the", "a", "an", "my", "your", "our", "their"})
+"""Words behind which a preposition is the name of a thing: "lock the till at six"."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -39,6 +45,8 @@ class Borders:
             or self._names_event(piece)
             or self._is_object(piece)
             or self._counts_from_that(piece)
+            or self._begins_another(piece)
+            or self._is_named(piece)
         )
 
     def runs_on(self, piece: Piece) -> bool:
@@ -49,6 +57,9 @@ class Borders:
                 # "A day's work"
                 return True
             last = self.words[piece.end - 1]
+            if last.text == "'" and word.glued and word.is_letters:
+                # "Bed 4's"
+                return True
             if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
                 return True
             if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
@@ -102,6 +113,10 @@ class Borders:
         if first in {"round", "around"}:
             # "Bring the car round at six"
             return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
+        wall = piece.value.time
+        if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
+            # "Shut them in at dusk"
+            return True
         return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
 
     def _counts_from_that(self, piece: Piece) -> bool:
@@ -115,6 +130,14 @@ class Borders:
         time = piece.value.time
         distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
         return distance and self.around.follower(piece) in {"before", "after"}
+
+    def _begins_another(self, piece: Piece) -> bool:
+        """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
+        return self.texts[piece.end - 2] == "," and self.around.follower(piece) in SAYING
+
+    def _is_named(self, piece: Piece) -> bool:
+        """Whether its preposition names a thing: "the till"."""
+        return self.around.before(piece) in NAMED and (self.texts[piece.start],) in self.lexicon.clauses
 
     def _is_object(self, piece: Piece) -> bool:
         """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""

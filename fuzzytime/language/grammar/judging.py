@@ -149,17 +149,7 @@ class Judge:
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in {"most", "some", "many", "few"}
         parted = any(wall.part is not None for wall in piece.value.time.walls)
-        return not some and (parted or not self._is_rate(piece))
-
-    def _is_rate(self, piece: Piece) -> bool:
-        """Whether it says how much in how long: "to 20 an hour", "at five km per hour"."""
-        named = self.texts[piece.start - 2 : piece.start - 1] if piece.start > 1 else []
-        if self.measures.is_number(piece.start - 1) and not (self.lexicon.measure_nouns & set(named)):
-            # "Within two working days"; but "pick from bin 4 every ten seconds"
-            return True
-        if "to" in {self.around.before(piece), self.texts[piece.start]}:
-            return self.measures.is_number(piece.start) or self.measures.is_number(piece.start + 1)
-        return self.texts[piece.start] == "per" and self.measures.is_number(piece.start - 2)
+        return not some and (parted or not self.measures.is_rate(piece))
 
     def _begins_clause(self, piece: Piece) -> bool:
         """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""

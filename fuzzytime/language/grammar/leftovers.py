@@ -88,6 +88,12 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     if piece.category == "unit" and numbered and around.words[piece.start].capital:
         # "Year 4"
         return True
+    called = around.before(piece)
+    if piece.category == "unit" and around.texts[piece.start].endswith("s") and called.isalpha():
+        # "Visiting hours", "office hours"
+        known = called in around.lexicon.function_words or called in around.lexicon.entries
+        if not known and called not in around.lexicon.numbers:
+            return True
     named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}

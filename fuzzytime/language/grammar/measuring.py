@@ -26,6 +26,9 @@ CLOCKS = frozenset({"it", "time", "clock", "hour"})
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
 
+REACHING = frozenset({"to", "and", "-"})
+"""What joins the numbers of things."""
+
 
 class Measures:
     """What is measured in a text."""
@@ -81,6 +84,22 @@ class Measures:
         beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
         amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
         return amount and self.is_number(place)
+
+    def is_rate(self, piece: Piece) -> bool:
+        """Whether a repetition says how much in how long: "to 20 an hour", "at five km per hour"."""
+        first = piece.start
+        while first > 2 and self.texts[first - 2] in REACHING and self.is_number(first - 3):
+            # "Repeat steps 1 to 7 every 40 minutes"
+            first -= 2
+        named = self.texts[first - 2 : first - 1] if first > 1 else []
+        called = {text.removesuffix(end) for text in named for end in ("", "s")}
+        if self.is_number(piece.start - 1) and not (self.lexicon.measure_nouns & called):
+            # "Within two working days"; but "pick from bin 4 every ten seconds"
+            return True
+        before = self.texts[piece.start - 1 : piece.start] if piece.start else []
+        if "to" in {*before, self.texts[piece.start]}:
+            return self.is_number(piece.start) or self.is_number(piece.start + 1)
+        return self.texts[piece.start] == "per" and self.is_number(piece.start - 2)
 
     def is_number(self, place: int) -> bool:
         """Whether a word is a number."""

@@ -72,11 +72,9 @@ class Surroundings:
         counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
         called = follower in self.lexicon.addressing and behind in self.lexicon.persons
-        orders = (
-            called
-            or behind in BEHIND_VERBS
-            or (number and counted and behind not in self.lexicon.function_words and behind[:1].isalpha())
-        )
+        alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
+        led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
+        orders = called or behind in BEHIND_VERBS or (number and counted and led)
         return before in SENTENCE_STARTS and orders and not plural
 
     def describes(self, piece: Piece) -> bool:

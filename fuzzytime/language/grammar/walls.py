@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import Measures
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.requirement import Unit
 
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
@@ -51,8 +52,8 @@ class Walls:
         if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
             # "The 18th century table"
             return False
-        if said.preposition == "of" and self._is_ordinal(piece.end - 1):
-            # "Within a minute of the first"
+        if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
+            # "Within a minute of the first", "within an hour of the fall"
             return False
         if wall.clock is not None and said.preposition is None and self.measures.named(piece):
             # "Seat 12A"
@@ -74,6 +75,11 @@ class Walls:
         part = wall.days is None and wall.clock is None
         if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
             # "Switch to night mode"
+            return False
+        owned = self.texts[piece.end - 2] in OWNING and piece.end - piece.start > 1
+        inside = piece.start > 0 and self.around.before(piece) not in SENTENCE_STARTS
+        if part and owned and inside and not self.around.may_end(piece):
+            # "The kettle for the night staff"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
         if (

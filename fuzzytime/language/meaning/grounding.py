@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
+from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
@@ -173,12 +174,12 @@ class Grounding:
                 return self._clock_alone(wall, wall.clock)
             if wall.part is None:
                 raise UngroundedError("a time must name a day or a time of day")
-            return self._part_alone(wall.part)
+            return part_alone(wall.part, self.now, self.since, follows=self.follows)
         if wall.clock is not None:
             return self._clock_on(wall, wall.days, wall.clock)
         days = self._chosen_day(wall.days, wall.part)
         if wall.part is not None:
-            return self._part_on(days.first, wall.part)
+            return part_on(days.first, wall.part)
         return Instants(midnight(days.first), midnight(days.end), wall.days.grain)
 
     def _chosen_day(self, calendar: Calendar, part: Part | None) -> Days:
@@ -189,16 +190,6 @@ class Grounding:
             if over or (part is None and self.policy.same_weekday is SameWeekday.NEXT):
                 return next(candidates, first)
         return first
-
-    def _part_on(self, day: date, part: Part) -> Instants:
-        start = midnight(day) + timedelta(seconds=part.start)
-        return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
-
-    def _part_alone(self, part: Part) -> Instants:
-        """Give the part of the day that is not over yet: "tonight, then in the morning"."""
-        begun = self.since if self.follows and self.since is not None and self.since > self.now else self.now
-        here = self._part_on(begun.date(), part)
-        return here if here.end > begun else self._part_on(begun.date() + timedelta(days=1), part)
 
     def _clock_alone(self, wall: Wall, clock: Clock) -> Instants:
         """Give the next occurrence; without am or pm, the next plausible one."""

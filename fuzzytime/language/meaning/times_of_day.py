@@ -7,6 +7,7 @@ from enum import StrEnum
 from fuzzytime.requirement import Unit
 
 DAY_SECONDS = 86400
+NOON = DAY_SECONDS // 2
 DAY_HOURS = 24
 """A number beyond it is no hour."""
 

@@ -10,7 +10,10 @@ from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
-COPULAS = frozenset({"be", "'s"})
+COPULAS = frozenset({"be", "'s", "'m", "'re", "’s", "’m", "’re"})
+PRESENT = frozenset({"VBZ", "VBP"})
+ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
+ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
@@ -27,12 +30,19 @@ class Action:
 def is_doubtful(tree: Tree) -> bool:
     """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
     root = tree.root
-    if root is None or not tree.nodes[root].is_verb:
+    if root is None or not tree.nodes[root].is_verb or _is_title(tree, root):
         return True
     if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
         # "Do the ironing"
         return True
     return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
+
+
+def _is_title(tree: Tree, root: int) -> bool:
+    """Whether one word alone is no order: "Pancakes", "Agenda"."""
+    node = tree.nodes[root]
+    alone = all(other is node or other.tag == "UH" for other in tree.nodes if other.text[0].isalnum())
+    return alone and (node.tag == "VBZ" or not node.may_act)
 
 
 def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
@@ -78,6 +88,8 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
 def _governing(tree: Tree) -> int | None:
     """Find the verb of the sentence; None where it has none, or says only that something is so."""
     root = tree.root
+    if root is not None and _is_title(tree, root):
+        return None
     if root is not None and not tree.nodes[root].is_verb:
         root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
     if root is None:
@@ -95,6 +107,18 @@ def _only_is(tree: Tree, root: int) -> bool:
         and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
         and not tree.children(root, "aux")
     )
+
+
+def says_how_things_are(tree: Tree, verb: int) -> bool:
+    """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
+    node = tree.nodes[verb]
+    subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in ASKED:
+        return False
+    is_so = node.lemma in COPULAS and node.tag in PRESENT and not helping
+    goes_on = node.tag == "VBG" and bool(helping) and helping <= ARE
+    return is_so or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
 def _order_before(tree: Tree, root: int) -> int:
@@ -173,7 +197,7 @@ def _lets(tree: Tree, place: int) -> bool:
 
 def _is_going_to(tree: Tree, place: int) -> bool:
     """Whether it is "it's going to rain", not "go to see her"."""
-    return tree.nodes[place].lower in {"going", "gonna"} and bool(tree.children(place, "aux"))
+    return tree.nodes[place].lower in {"going", "gonna", "gon"} and bool(tree.children(place, "aux"))
 
 
 def _has_to(tree: Tree, below: int) -> bool:

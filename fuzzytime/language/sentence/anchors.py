@@ -16,9 +16,9 @@ from fuzzytime.language.sentence.references import (
     Mentions,
     best_of,
     content_words,
+    is_done_with,
     waits_for,
 )
-from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 FIRST = frozenset({"before", "until", "by the time"})
@@ -147,6 +147,16 @@ class Anchors:
         for place in self.mentions.named_by(clause, coming, backwards=False):
             yield place, self.mentions.operations[place]
 
+    def done_with(self, thing: str | None) -> int | None:
+        """Give the latest instruction before it that is about a thing; None for none, and for a person."""
+        words = content_words((thing or "").split()[-1] if thing else None) - PRONOUNS
+        if not words or words & self.lexicon.persons:
+            return None
+        for place in range(self.position - 1, self.first - 1, -1):
+            if is_done_with(self._operation(place), words):
+                return place
+        return self.mentions.touching(words, self.first)
+
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
         words = content_words(thing)
@@ -161,12 +171,16 @@ class Anchors:
         together = clause.kind == "while"
         distance = clause.distance
         lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
+        if clause.takes is not None and not before:
+            lag += clause.takes.seconds
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
+        edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
         if (clause.object or "").lower() in END or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
             edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
+        halfway = clause.kind == HALFWAY
         anchor = Anchor(
             text=what,
             verb=clause.verb,
@@ -174,7 +188,8 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=distance is not None and clause.kind != "within",
+            exact=halfway or (distance is not None and clause.kind != "within"),
+            share=0.5 if halfway else None,
         )
         return TimeRequirement(
             text=text,
@@ -279,20 +294,4 @@ def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) 
     """Give a requirement that counts from another instruction alone."""
     return replace(
         requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
-    )
-
-
-def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
-    """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
-    if segment.connective not in {"then", "meanwhile"} or position == 0:
-        return None
-    first, end = segment.connective_span
-    said = text[first:end].rstrip(" ,:") or text[first:end]
-    follows = segment.connective == "then"
-    return TimeRequirement(
-        text=said,
-        span=(first, first + len(said)),
-        constraint=Constraint.AFTER if follows else Constraint.AT,
-        preposition=segment.connective,
-        anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
     )

@@ -13,7 +13,8 @@ class Clause:
 
     ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
     says must hold; ``time`` when it says that is ("before the guests arrive at seven"). ``excepted`` marks
-    when not to do something: "but not during her nap".
+    when not to do something: "but not during her nap". ``takes`` is how long it takes until it is so,
+    where an aside says that.
     """
 
     kind: str
@@ -27,6 +28,7 @@ class Clause:
     is_event: bool = False
     time: Phrase | None = None
     excepted: bool = False
+    takes: Duration | None = None
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""

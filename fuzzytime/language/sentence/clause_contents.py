@@ -12,7 +12,7 @@ from fuzzytime.language.sentence.tree import Tree
 STATED = frozenset({"when", "if", "until"})
 """Clauses that say what must be so."""
 
-NAMING = frozenset({"after", "before", "until", "into", "within"})
+NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
 
 REFLEXIVE = ("self", "selves")
@@ -20,6 +20,9 @@ REFLEXIVE = ("self", "selves")
 
 CONJUNCTIONS = frozenset({"while", "whilst", "as"})
 """Markers behind which something goes on: "during the film" names it."""
+
+DETERMINERS = frozenset({"DT", "PRP$"})
+"""Tags of words behind which a noun stands: "the ward round", whatever a tree makes of it."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
@@ -117,7 +120,7 @@ class Contents:
                 timed
                 or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
                 or node.is_verb
-                or node.relation == "nsubj"
+                or (node.relation == "nsubj" and self.tree.nodes[last].tag not in DETERMINERS)
             ):
                 break
             last = place

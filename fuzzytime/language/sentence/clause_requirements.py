@@ -8,7 +8,7 @@ from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.references import PRONOUNS, content_words, resolved_object
+from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
 
@@ -20,6 +20,9 @@ RESULTING = frozenset({"when", "if", "after"})
 
 STATING = frozenset({"when", "if", "until", "while"})
 """Clauses that may say what must be so."""
+
+BECOMING = frozenset({"when", "after"})
+"""Clauses that wait for what becomes so: how long that takes is no length of what is to be done."""
 
 LASTING = frozenset({"until", "through"})
 
@@ -61,6 +64,10 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         # "Warm up the printer. Once it is warm, print"
         made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
         condition = replace(condition, target=anchors.target_of(made))
+        if clause.kind in BECOMING and clause.verb not in ARRIVING:
+            # "Paint the door. Once the paint is dry, which takes two hours, sand it"
+            takes = None if clause.takes is None else clause.takes.seconds
+            condition = replace(condition, about=anchors.done_with(condition.subject), takes=takes)
     return TimeRequirement(
         text=said.text,
         span=clause.span,
@@ -97,7 +104,11 @@ def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
         earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         if earlier is not None and earlier.lower() not in PRONOUNS:
             return earlier
-    return None if operation is None else operation.object
+    if operation is None:
+        return None
+    person = not anchors.lexicon.persons.isdisjoint((operation.object or "").lower().split())
+    # "Move mum to the other room once it is clean"
+    return operation.place if person and operation.place else operation.object
 
 
 def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:

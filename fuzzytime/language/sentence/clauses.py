@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
@@ -29,6 +30,9 @@ WITHIN = (("of",), ("after",))
 EXCEPTING = (["not"], ["except"], ["excluding"])
 """Words before a marker whose clause says when not to do something."""
 
+ENDS = frozenset({",", "(", ")"})
+"""Marks at which a clause ends: "until golden (about ten minutes)"."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -50,7 +54,8 @@ def clauses_of(
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
-        form = None if place in covered else longest_match(words, place, lexicon.clauses)
+        is_name = place > 0 and words[place - 1].text in NAMED
+        form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
@@ -162,16 +167,16 @@ class _Clauses:
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
 
     def _end(self, first: int) -> int:
-        """Give where the clause ends: at a comma, or at "and" and a time."""
+        """Give where the clause ends: at a mark, or at "and" and a time."""
         return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
 
     def _is_mark(self, place: int) -> bool:
-        """Whether a clause ends before a word: a comma, or "and", "or" before a time or another clause."""
+        """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
         text = self.words[place].text
         if text == "," and self._is_inside_number(place):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
-            return text == ","
+            return text in ENDS
         # "Before you leave and again when you get back"
         behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
         clause = longest_match(self.words, behind, self.lexicon.clauses)

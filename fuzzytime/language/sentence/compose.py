@@ -19,12 +19,15 @@ from fuzzytime.language.instruction import (
     Token,
 )
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors, anchored_by_connective
+from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.connectives import anchored_by_connective
 from fuzzytime.language.sentence.contradictions import contradictions
+from fuzzytime.language.sentence.days_apart import HEADED
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
@@ -55,6 +58,8 @@ def composed(
     Where it ``awaits`` them, those behind its own may be meant too. ``since`` is the clock time in seconds
     that the text before it said last.
     """
+    if draft.leads:
+        return read_heading(draft)
     composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
     composer.moment = replace(composer.moment, since=since, carried=since is not None)
     return composer.reading()
@@ -169,7 +174,10 @@ class _Composer:
                 for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
                 if phrase.span == grounded.requirement.span
             )
-            requirement = anchors.of_phrase(phrase, grounded.requirement)
+            requirement = grounded.requirement
+            if phrase.rule == HEADED and self.draft.heading is not None:
+                requirement = replace(requirement, text=self.draft.heading.text)
+            requirement = anchors.of_phrase(phrase, requirement)
             requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
                 alone = _follows_nothing(requirement.text, requirement.span)
@@ -224,7 +232,9 @@ class _Composer:
         words = words_of(" ; ".join((*dated, *named)))
         for place in range(len(words)):
             form = longest_match(words, place, self.lexicon.usual_hours)
-            if form is not None:
+            numbered = place + 1 < len(words) and words[place + 1].is_digits
+            if form is not None and not numbered:
+                # "Bed 5" is no bedtime
                 first, last = self.lexicon.usual_hours[form]
                 policy = replace(self.moment.policy, ahead_from=first)
                 if last is not None:

@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import TimeWord
 from fuzzytime.language.sentence.anchors import ORDERING
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.segments import ARTICLES, Segment
+from fuzzytime.language.sentence.statements import second_statement
 from fuzzytime.language.sentence.tree import Node
 from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 from fuzzytime.requirement import Constraint
@@ -88,7 +89,10 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if chain:
             yield from chain
             return
-    gaps = set(_gaps(one, part, lexicon))
+    timed = {place for span in times for place in part.tree.at(*span)}
+    told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
+    statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
+    gaps = set(_gaps(one, part, lexicon)) - statements
     starts += sorted(gaps)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))

@@ -10,9 +10,13 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.meaning.beside import told_apart
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.sentence.drafts import Heading
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
+
+HEADED = "heading"
+"""The rule of a day that a line above says."""
 
 WHEN = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.EVERY})
 """How a day binds on which something is to be done."""
@@ -26,13 +30,17 @@ class _Day:
     phrase: Phrase | None = None
 
 
-def on_their_days(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
-    """Put each time of some instructions on the day that was said for it elsewhere in the sentence."""
+def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
+    """Put each time of some instructions on the day that was said for it elsewhere.
+
+    That is in the same sentence, or on a line above, as a heading.
+    """
     placed: list[Sketch] = []
-    held: _Day | None = None
+    above = None if heading is None else _Day(heading.said, Phrase(heading.said, 0, 0, (0, 0), HEADED))
+    held = above
     for sketch in sketches:
         if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
-            held = None
+            held = above
         named = [place for place, phrase in enumerate(sketch.phrases) if _is_day(phrase.said)]
         told = sketch
         if named:

@@ -17,6 +17,20 @@ BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
 NAMES = ("NN", "CD")
 """How tags of words begin that name or count something."""
 
+DENYING = "not"
+DENIED = frozenset({"not", "now", "yet", "today", "and", "but", "please"})
+"""Words that say nothing to do behind what takes back what was said."""
+
+SHIFTING = frozenset({"bring", "put", "extend"})
+"""Further verbs that give another time to what has one: "bring the meeting forward by an hour"."""
+
+BY = frozenset({"by", "back", "forward"})
+COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
+"""Words before a unit in a length of time."""
+
+MARKING = frozenset({"before", "after", "until", "till", "last"})
+"""Words about order that bind nothing here: "before and after each patient", "move the bull last"."""
+
 NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
 """Names of nothing that is used: "it's time to eat"."""
 
@@ -27,6 +41,14 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     behind = next((word.text for word in words if word.start >= span[1]), "")
     if asks(said, behind, lexicon) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
+        return
+    if _takes_back(said, lexicon):
+        message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if _shifts(said, lexicon):
+        message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
     foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
     if foreign:
@@ -63,7 +85,7 @@ def unused_words(
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
-        if node.tag.startswith(NAMES)
+        if (node.tag.startswith(NAMES) or node.lower in MARKING)
         and node.text[0].isalnum()
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)
@@ -81,6 +103,28 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
     if not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
+
+
+def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words do nothing but deny: "wait, not now"."""
+    marks = {word for form in lexicon.corrections for word in form} | DENIED
+    texts = [word.text for word in said if word.text.isalpha()]
+    return DENYING in texts and all(text in marks for text in texts)
+
+
+def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether what has a time is moved by a length: "delay the call by an hour"."""
+    if not said or said[0].text not in lexicon.moving | SHIFTING:
+        return False
+    counting = lexicon.numbers.keys() | COUNTING
+    for first in (place + 1 for place, word in enumerate(said) if word.text in BY):
+        behind = first
+        while behind < len(said) and (said[behind].text in counting or said[behind].is_digits):
+            behind += 1
+        units = lexicon.pieces(said, behind) if first < behind < len(said) else ()
+        if any(piece.category == "unit" for piece in units):
+            return True
+    return False
 
 
 def _is_inverted(tree: Tree) -> bool:

@@ -1,7 +1,7 @@
 """The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.chart import Grammar
@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Said
+from fuzzytime.language.sentence.asides import Aside, asides_of, without_asides
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
@@ -30,10 +31,20 @@ ROUNDS = 12
 
 
 @dataclass(frozen=True, slots=True)
+class Heading:
+    """A day on a line of its own, as meant and as said."""
+
+    said: Said
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Draft:
     """A text with its times and its parts, before anything is grounded.
 
-    ``step`` is its number in a numbered list.
+    ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
+    of its parts. ``heading`` is the day that a line above names for it; one that ``leads`` names that of the
+    lines below.
     """
 
     text: str
@@ -43,6 +54,9 @@ class Draft:
     parts: tuple[Part, ...]
     remarks: tuple[Remark, ...]
     step: int | None = None
+    asides: tuple[Aside, ...] = ()
+    heading: Heading | None = None
+    leads: bool = False
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -68,17 +82,20 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps = [], []
+    sources, steps, asides = [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        asides.append(asides_of(scanned, lexicon))
+        if asides[-1]:
+            scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
         sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step)
-        for (text, _), s, own, step in zip(texts, sources, parts, steps, strict=True)
+        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside)
+        for (text, _), s, own, step, aside in zip(texts, sources, parts, steps, asides, strict=True)
     ]
 
 
@@ -119,6 +136,12 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
     found = _uncapitalised(texts, trees)
+    led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
+    blanked = trees([_without_root(found[place]) for place in led_astray])
+    for place, tree in zip(led_astray, blanked, strict=True):
+        # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
+        if tree.root not in waiting[place].timed(tree):
+            found[place] = replace(tree, text=texts[place])
     for carrier in CARRIERS:
         again = [
             (place, waiting[place].behind_time)
@@ -127,10 +150,25 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
-            bare = tree.without_carrier(carrier, texts[place], skipped)
+            bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _without_root(tree: Tree) -> str:
+    """Give the text of a tree with spaces for its root."""
+    node = tree.nodes[tree.root or 0]
+    return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
+
+
+def _as_order(tree: Tree) -> Tree:
+    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    root = tree.root
+    first = tree.nodes[0] if tree.nodes else None
+    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
+        return tree
+    return Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

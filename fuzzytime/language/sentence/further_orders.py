@@ -4,12 +4,22 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.sentence.segments import ARTICLES, ENDS
-from fuzzytime.language.sentence.statements import order_behind_statement, result_behind_statement
+from fuzzytime.language.sentence.actions import ARE
+from fuzzytime.language.sentence.orders_beside_times import (
+    IMPERATIVE,
+    JOINTS,
+    is_led_by_time,
+    is_order_before_time,
+    stands_alone,
+)
+from fuzzytime.language.sentence.segments import ARTICLES
+from fuzzytime.language.sentence.statements import (
+    order_behind_statement,
+    result_behind_statement,
+    second_statement,
+)
 from fuzzytime.language.sentence.tree import Node, Tree
 
-JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also", "so"})
-OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
@@ -21,7 +31,6 @@ PAST_ALIKE = frozenset({"lay", "saw"})
 
 THEM = frozenset({"it", "them"})
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
-IMPERATIVE = frozenset({"VB", "VBP"})
 SUBJECTS = ("nsubj", "nsubjpass", "csubj", "expl")
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
@@ -48,6 +57,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
+    told = second_statement(tree, place, timed) if told is None else told
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
@@ -57,7 +67,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
             return place
         if _is_overlooked(tree, place, timed, lexicon):
             return place
-        if _is_led_by_time(tree, place, timed, lexicon):
+        if is_led_by_time(tree, place, timed, lexicon):
             return _behind_joint(tree, place, timed)
     if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
         return place
@@ -83,7 +93,7 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> 
     if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
         # "Weld seam 3 at 11 and seam 4 at 12"
         return None
-    start = _behind_joint(tree, _first_of(tree, place), timed)
+    start = _behind_joint(tree, _behind_place(tree, place), timed)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
         return None
     return start if place > root or _leads(tree, place, root) else None
@@ -94,8 +104,8 @@ def _is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     alone = tree.nodes[place].lower in lexicon.alone
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
-        or _is_order_before_time(tree, place, timed)
-        or (place - 2 in timed and _stands_alone(tree, place, lexicon))
+        or is_order_before_time(tree, place, timed)
+        or (place - 2 in timed and stands_alone(tree, place, lexicon))
     )
 
 
@@ -155,42 +165,6 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return node.relation == "conj" and before in {"and", "&"} and behind in ARTICLES
 
 
-def _is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
-    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
-
-    The tree may have it for a thing.
-    """
-    node = tree.nodes[place]
-    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
-        return False
-    # "Open in two seconds, close in five"
-    listed = place - 2 in timed
-    lasts = tree.nodes[place + 1].lower == "for"
-    return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
-
-
-def _is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
-    """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
-    node = tree.nodes[place]
-    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
-    first = place
-    while first and first - 1 in timed:
-        first -= 1
-    led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
-    bare = node.may_act and node.lower == node.lemma
-    called = node.lower in lexicon.addressing and behind in lexicon.persons
-    return led and bare and (called or behind in ARTICLES | OBJECTS)
-
-
-def _stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
-    node = tree.nodes[place]
-    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
-    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
-    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
-
-
 def _is_passive_order(tree: Tree, place: int) -> bool:
     """Whether it is the "get" of "get dressed", beside another order."""
     node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
@@ -218,7 +192,8 @@ def _follows_order(tree: Tree, root: int) -> int | None:
     start = min([start, *brought])
     joint = tree.nodes[start - 1].lower if start else ""
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
-    if joint not in JOINTS or (subjects and joint != ",") or not helping <= TELLING:
+    telling = TELLING | ARE if tree.nodes[root].tag == "VBG" else TELLING
+    if joint not in JOINTS or (subjects and joint != ",") or not helping <= telling:
         return None
     before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
@@ -267,6 +242,13 @@ def _first_of(tree: Tree, place: int) -> int:
     while start and _is_own_adverb(tree.nodes[start - 1], place):
         start -= 1
     return start
+
+
+def _behind_place(tree: Tree, place: int) -> int:
+    """Give where it begins with what is said in front of where: "…, and on the way back drop the cheque"."""
+    start = _first_of(tree, place)
+    led = (p for p in tree.children(place, "prep") if p < start and tree.reach(p)[1] == start)
+    return next(led, start)
 
 
 def _is_own_adverb(node: Node, verb: int) -> bool:

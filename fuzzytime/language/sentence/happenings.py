@@ -19,7 +19,8 @@ ONE = frozenset({"NN", "NNP"})
 def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     """Whether a tree names what has a time, and nobody does anything.
 
-    Its root is a noun for that, or any noun for one thing beside two clock times: "physio from two to three".
+    Its root is a noun for that; or any noun for one thing beside two clock times ("physio from two to
+    three"), or one that is no verb beside a clock time in a list.
     """
     root = tree.root
     if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
@@ -29,7 +30,15 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
-    return tree.nodes[root].tag in ONE and any(map(_is_range, phrases))
+    listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
+    return listed or (tree.nodes[root].tag in ONE and any(map(_is_range, phrases)))
+
+
+def may_be_ordered(tree: Tree) -> bool:
+    """Whether what seems to name a thing may as well be an order: "clean bay 2 from one to three"."""
+    first = tree.nodes[0]
+    bare = first.may_act and first.lower == first.lemma and not first.tag.startswith("NNS")
+    return tree.root != 0 and bare and first.tag in {"JJ", "NNP", "VB", "VBP"}
 
 
 def happening_at(
@@ -51,6 +60,13 @@ def happening_at(
         stated=True,
         attended=spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening),
     )
+
+
+def _is_clock_alone(phrase: Phrase) -> bool:
+    """Whether it is a clock time without a preposition, as in a list: "9:15 Status of the project"."""
+    time = phrase.said.time
+    clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
+    return clocked and phrase.said.preposition is None and phrase.said.constraint is None
 
 
 def _is_range(phrase: Phrase) -> bool:

@@ -148,7 +148,8 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
     node = tree.nodes[tree.root]
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)
-    return replace(operation, object=before.object) if node.tag == "VBG" and not before.stated else operation
+    goes_on = node.tag == "VBG" and not before.stated and not operation.stated
+    return replace(operation, object=before.object) if goes_on else operation
 
 
 def _counted_in(phrase: Phrase, length: float) -> Phrase:

@@ -37,6 +37,9 @@ def time_of(
         return None
     if any(part.constraint not in DONE or part.anchor is not None for part in requirements):
         return None
+    if text.split(maxsplit=1)[0].lower() == operation.verb:
+        # "Empty the bins by six" asks for it.
+        return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
     if anchors.lexicon.results.isdisjoint(said):
         return None

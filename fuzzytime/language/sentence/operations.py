@@ -1,6 +1,7 @@
 """What is to be done, by the words below a verb: its object, its place, its particle."""
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
@@ -30,6 +31,9 @@ IT = "it"
 FIRST_PERSON = frozenset({"i", "we"})
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
+ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
+"""Persons who may be asked: "everyone clean your desks"."""
+
 TAKING = frozenset({"take", "last", "need", "require"})
 GOING = frozenset({"run", "go"})
 """Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
@@ -58,7 +62,10 @@ class Reader(Places):
         stated, subject = self._is_stated(verb), self._subject(verb)
         direct, complement = self.said(whole[:split]), self.said(result)
         if subject is not None and (stated or direct is None):
-            direct = subject
+            direct, complement = (
+                subject,
+                complement or (direct if self._is_others_doing(verb, frozenset()) else None),
+            )
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
             direct, complement = subject, direct
@@ -169,10 +176,11 @@ class Reader(Places):
         if not words:
             # "Wake Tim up", "move my three o'clock": what is named was taken for a measure.
             names = self.tree.children(verb, "npadvmod")
-            near = [p for p in names if self.tree.reach(p)[0] == verb + 1]
+            behind = verb + 2 if particle == verb + 1 else verb + 1
+            near = [p for p in names if self.tree.reach(p)[0] == behind]
             owned = [p for p in names if self.tree.children(p, "poss")]
             owned += [p for p in near if self.tree.children(p, "det")]
-            named = owned or [p for p in names if p == verb + 1 and self._is_named(p)]
+            named = owned or [p for p in names if p == behind and self._is_named(p)]
             words = self.words([p for p in named if not self.timed(p)], verb)
         if not words:
             # "Say hello"
@@ -261,11 +269,14 @@ class Reader(Places):
             # "It's going to rain at four"
             return True
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        if self._is_others_doing(verb, helping):
+            return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
-        # "Load the truck, it leaves at three"
-        told = told or (subjects[:1] == ["it"] and self.tree.nodes[verb].lower in PHASES)
+        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
+        goes = self.tree.nodes[verb].lower in PHASES or (lasts and self.tree.nodes[verb].lemma in GOING)
+        told = told or (subjects[:1] == ["it"] and goes)
         if finite and self._is_attended(verb):
             return True
         if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
@@ -280,3 +291,10 @@ class Reader(Places):
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
         return told and finite and not rest
+
+    def _is_others_doing(self, verb: int, helping: AbstractSet[str]) -> bool:
+        """Whether somebody who is named does it, and is not asked to: "the kids finish school at three"."""
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj") if p < verb]
+        named = subjects[:1] and subjects[0] in self.lexicon.persons - ALL_OF_US
+        finite = self.tree.nodes[verb].tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE
+        return bool(named) and finite and self.tree.nodes[verb].lemma not in self.lexicon.wanting | {"have"}

@@ -90,10 +90,14 @@ def shares_thing(one: Operation, other: Operation) -> bool:
     return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
 
 
+def comes(happening: Operation) -> bool:
+    """Whether somebody or something is said to come, and is not there before."""
+    return happening.stated and happening.lemma in ARRIVING
+
+
 def waits_for(operation: Operation, happening: Operation) -> bool:
     """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
-    comes = happening.stated and happening.lemma in ARRIVING
-    return comes and not operation.stated and shares_thing(happening, operation)
+    return comes(happening) and not operation.stated and shares_thing(happening, operation)
 
 
 @dataclass(slots=True)
@@ -147,6 +151,15 @@ class Mentions:
                 return position
         return None
 
+    def touching(self, words: frozenset[str], before: int) -> int | None:
+        """Give the latest position before one of what is to be done with something that words name."""
+        stretch = range(before)
+        runs = [_within(by.get(word, []), stretch) for word in words for by in (self._by_word, self._by_verb)]
+        for position in heapq.merge(*(reversed(run) for run in runs), reverse=True):
+            if is_done_with(self.operations[position], words):
+                return position
+        return None
+
     def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
         """Give the positions in a stretch that a clause may be about, the nearest end first."""
         named, words = _names_of(clause)
@@ -167,6 +180,14 @@ def _nouns(verb: str) -> tuple[str, ...]:
     """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
     bare = verb.removesuffix("e")
     return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+
+
+def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
+    """Whether an operation asks for something to be done with what words name, which may be its verb."""
+    if operation is None or operation.stated or operation.negated:
+        return False
+    known = content_words(operation.object) | content_words(operation.place)
+    return not words.isdisjoint(known.union(_nouns(operation.lemma)))
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:

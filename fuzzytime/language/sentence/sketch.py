@@ -14,7 +14,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
-from fuzzytime.language.sentence.actions import Action, action_of, reference_of
+from fuzzytime.language.sentence.actions import Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
@@ -102,7 +102,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if named.operation is not None or part.segment.verbless:
         return named
     action = _untimed(part, action_of(part.tree, lexicon), kept)
-    if action is None:
+    if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
     kept = [phrase for phrase in kept if phrase not in others]

@@ -11,6 +11,8 @@ from fuzzytime.language.meaning.expressions import (
     Repeat,
     TimeWord,
 )
+from fuzzytime.language.sentence.asides import Aside
+from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
@@ -34,7 +36,32 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
-    return on_their_days(found, draft.text), remarks
+    return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
+
+
+def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
+    """Give each length that an aside says to the clause before it, or else to what is to be done."""
+    found = list(sketches)
+    for aside in draft.asides:
+        before = [sketch.part for sketch in found if sketch.part.segment.span[0] < aside.span[0]]
+        for place, sketch in enumerate(found):
+            if before and sketch.part is before[-1]:
+                segment = sketch.part.segment
+                span = (segment.span[0], max(segment.span[1], aside.span[1]))
+                part = replace(sketch.part, segment=replace(segment, span=span))
+                found[place] = replace(_with_aside(sketch, aside, draft.scanned.text), part=part)
+    return found
+
+
+def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
+    clauses = list(sketch.clauses)
+    for place, clause in enumerate(clauses):
+        beside = clause.span[1] <= aside.span[0] and not text[clause.span[1] : aside.span[0]].strip()
+        if beside and clause.kind in BECOMING and isinstance(aside.length.said.time, Duration):
+            clauses[place] = replace(clause, takes=aside.length.said.time)
+            return replace(sketch, clauses=tuple(clauses))
+    lasting = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))
+    return replace(sketch, phrases=(*sketch.phrases, lasting), references=(*sketch.references, None))
 
 
 def _not_used(text: str, span: Span) -> Remark:

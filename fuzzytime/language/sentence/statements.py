@@ -21,6 +21,9 @@ PHASES = frozenset(
 
 DETERMINERS = frozenset({"DT", "PRP$"})
 
+ASKED = frozenset({"you", "that", "which", "who", "what"})
+"""Subjects of no statement of its own."""
+
 COUNTABLE = frozenset({"NN", "NNP"})
 
 
@@ -30,7 +33,13 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ``timed`` are the words about time: one stands right behind the verb.
     """
     root = tree.root
-    if root is None or tree.nodes[root].tag not in {"NNS", "VBZ"} or root + 1 not in timed:
+    if root is None or root + 1 not in timed:
+        return tree
+    if tree.nodes[root].tag == "NN" and tree.nodes[root].may_act and _is_led_by_plural(tree, root):
+        # "My parents land at four"
+        verb = replace(tree.nodes[root], tag="VBP")
+        return Tree(tree.text, (*tree.nodes[:root], verb, *tree.nodes[root + 1 :]))
+    if tree.nodes[root].tag not in {"NNS", "VBZ"}:
         return tree
     subject = _subject(tree, root)
     first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
@@ -45,6 +54,11 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
     return Tree(tree.text, tuple(nodes))
+
+
+def _is_led_by_plural(tree: Tree, verb: int) -> bool:
+    """Whether several who do something stand right before a word that may be a verb."""
+    return any(p == verb - 1 and tree.nodes[p].tag == "NNS" for p in tree.children(verb, "nsubj"))
 
 
 def _subject(tree: Tree, verb: int) -> int | None:
@@ -71,6 +85,39 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
         if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
             return end + 1
+    return None
+
+
+def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | None:
+    """Give where begins what is told beside something with a time: "doors open at nine, they come at ten".
+
+    ``place`` is that of its verb, behind which a time of its own stands.
+    """
+    start = _start_of_statement(tree, place)
+    if start is None or tree.nodes[start].lower in ASKED or not any(p > place for p in timed):
+        return None
+    joint = start - 1
+    if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
+        joint -= 1
+    joined = joint > 0 and tree.nodes[start - 1].lower in {*JOINTS, "and", "&"}
+    return start if joined and joint - 1 in timed else None
+
+
+def _start_of_statement(tree: Tree, place: int) -> int | None:
+    """Give where a statement begins, by the place of its verb, which a tree may take for a plural."""
+    node = tree.nodes[place]
+    subjects = [p for p in tree.children(place, *SUBJECTS) if p < place]
+    if node.tag in FINITE - {"VBG"} and subjects:
+        return min(tree.below(subjects[-1]))
+    if node.lower in PHASES | {phase[:-1] for phase in PHASES} and place > 0:
+        # "The last bus leaves", "doors open"
+        singular = node.tag == "NNS" and tree.nodes[place - 1].tag in COUNTABLE
+        plural = not node.lower.endswith("s") and tree.nodes[place - 1].tag == "NNS"
+        if singular or plural:
+            first = place - 1
+            while first > 0 and tree.nodes[first - 1].tag in {*DETERMINERS, *COUNTABLE, "JJ", "NNS"}:
+                first -= 1
+            return first
     return None
 
 

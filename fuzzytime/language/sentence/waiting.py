@@ -11,7 +11,7 @@ from fuzzytime.language.instruction import Remark
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
-from fuzzytime.language.sentence.happenings import happens
+from fuzzytime.language.sentence.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.tree import Tree
 
@@ -162,7 +162,7 @@ class Waiting:
         spans = (phrase.span for phrase in self.source.phrases)
         return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
 
-    def _overlooks_order(self, tree: Tree) -> bool:
+    def _overlooks_order(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
         if first is None or first == tree.root or tree.root is None:
@@ -177,6 +177,9 @@ class Waiting:
         if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
             # "Pat it dry"
             return True
+        if first == 0 and node.lower in lexicon.particles.get(tree.nodes[1].lower, ()):
+            # "Top up the water troughs"
+            return True
         if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
             # "Print the boarding passes tonight"
             return True
@@ -187,8 +190,8 @@ class Waiting:
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
-        if self.source.covered and happens(tree, self._phrases, lexicon):
-            return False
+        if self._phrases and happens(tree, self._phrases, lexicon):
+            return may_be_ordered(tree)
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
         words, covered = self.source.scanned.words, self.source.covered
@@ -196,9 +199,10 @@ class Waiting:
             return True
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
-        if self._overlooks_order(tree) or (tree.root is not None and tree.nodes[tree.root].start in timed):
+        first = tree.nodes[tree.root or 0].start
+        if self._overlooks_order(tree, lexicon) or first in timed:
             return True
-        root = self.main + tree.nodes[tree.root or 0].start
+        root = self.main + first
         before = [p for p in self.source.places(self.main, root) if p not in covered]
         if not before or longest_match(words, before[0], lexicon.clauses) is not None:
             return False

@@ -11,6 +11,9 @@ from fuzzytime.language.sentence.tree import Tree
 LISTED = frozenset({",", "and", "&", "or"})
 """What joins the numbers of a list."""
 
+REACHING = frozenset({"to", "-"})
+"""What joins the first and the last number of several: "steps 1 to 7"."""
+
 LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
 """How strong a fire or a machine is on."""
 
@@ -61,10 +64,13 @@ class Wording:
         found = set(words)
         found.update(p + 1 for p in words if self._is_called_by(p + 1))
         for place in sorted(found):
+            joints = LISTED
+            if place and self.tree.nodes[place - 1].tag == "NNS":
+                joints = LISTED | REACHING
             end: int | None = place
             while end is not None and self._counts(end):
                 found.update(range(place, end + 1))
-                end = self._next_number(end)
+                end = self._next_number(end, joints)
         return sorted(found)
 
     def numbers_from(self, place: int) -> list[int]:
@@ -87,10 +93,10 @@ class Wording:
         inside = place < len(self.tree.nodes)
         return inside and self.tree.nodes[place].tag == "CD" and not self.timed(place)
 
-    def _next_number(self, place: int) -> int | None:
+    def _next_number(self, place: int, joints: frozenset[str]) -> int | None:
         """Give the number behind another and a joint, if it counts nothing itself."""
         nodes, behind = self.tree.nodes, place + 1
-        while behind < len(nodes) and nodes[behind].lower in LISTED:
+        while behind < len(nodes) and nodes[behind].lower in joints:
             behind += 1
         if not place + 1 < behind < len(nodes) or not self._counts(behind):
             return None

@@ -1,0 +1,31 @@
+"""What a skill waits for where no reading tells of the state that it is to wait for."""
+
+from dataclasses import replace
+
+from fuzzytime.interpreter.request import Request
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.rulebook import Rulebook
+
+
+def with_waits(requirement: TimeRequirement, rulebook: Rulebook, request: Request) -> TimeRequirement:
+    """Wait for what makes a condition true where no reading tells of it: an instruction, or some time.
+
+    One that is only about the same thing is taken where nothing may tell of it later, either.
+    """
+    condition = requirement.condition
+    if condition is None or condition.about is condition.target is condition.takes is None:
+        return requirement
+    readings = bool(request.context.readings) or request.awaits_readings
+    if readings and rulebook.tells_of(condition, request.context):
+        return requirement
+    target, takes = condition.target, condition.takes
+    assumed = target is None and takes is None
+    if target is None and not (assumed and request.awaits_readings):
+        target = condition.about
+    if target is not None:
+        edge = Edge.END if takes is None else Edge.FREE
+        anchor = Anchor(text=condition.text, target=target, edge=edge, lag=takes or 0.0, assumed=assumed)
+        return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
+    if takes is None:
+        return requirement
+    return replace(requirement, constraint=Constraint.AFTER, condition=None, t_spec=takes, earliest=takes)

@@ -1,0 +1,28 @@
+"""From when to when a part of the day is: "tonight", "in the morning"."""
+
+from datetime import date, datetime, timedelta
+
+from fuzzytime.language.meaning.instants import Instants, midnight
+from fuzzytime.language.meaning.times_of_day import NOON, Part
+from fuzzytime.requirement import Unit
+
+
+def part_on(day: date, part: Part) -> Instants:
+    """Give a part of a day."""
+    start = midnight(day) + timedelta(seconds=part.start)
+    return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
+
+
+def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bool) -> Instants:
+    """Give the part of the day that is not over yet: "tonight, then in the morning".
+
+    ``since`` is the time that was said before, and ``follows`` whether this comes after it.
+    """
+    begun = now
+    if since is not None and since > now:
+        # "Leave it overnight, and in the morning bake it"
+        night_before = part.end <= NOON and since <= part_on(since.date(), part).end
+        next_day = since.date() > now.date() and night_before
+        begun = since if follows or next_day else now
+    here = part_on(begun.date(), part)
+    return here if here.end > begun else part_on(begun.date() + timedelta(days=1), part)

@@ -1,0 +1,91 @@
+"""Asides that say how long something takes: "once the paint is dry, which takes two hours, sand it".
+
+They are no instructions, and what stands around them is read as if they were not there. Their length is that
+of what stands before them: of what a clause says, or else of what is to be done.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Duration, Phrase
+
+OPENING = frozenset({",", "(", "-"})
+BRACKET = "("
+NAMING = frozenset({"which", "that", "this"})
+"""Words for what stands before."""
+
+IT = "it"
+HELPING = frozenset(
+    [
+        *("will", "should", "would", "can", "could", "may", "might", "must", "only"),
+        *("usually", "normally", "typically", "probably", "generally"),
+    ]
+)
+TAKING = frozenset(["take", "takes", "taking", "last", "lasts", "lasting", "need", "needs", "requires"])
+WHOM = frozenset({"me", "us", "you", "for"})
+CLOSING = frozenset({",", ")", ".", "!", ";", "-", "and", "then", "so", "but", "before"})
+PURPOSE = 3
+"""Words at most of what a length is for: "to cool down"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Aside:
+    """An aside: its stretch, and the length that it says."""
+
+    span: Span
+    length: Phrase
+
+
+def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
+    """Give the asides of a text in order."""
+    if TAKING.isdisjoint(word.text for word in scanned.words):
+        return ()
+    lengths = (p for p in phrases_of(scanned, lexicon) if isinstance(p.said.time, Duration))
+    found = (_aside(scanned, phrase) for phrase in lengths)
+    return tuple(aside for aside in found if aside is not None)
+
+
+def without_asides(text: str, asides: Sequence[Aside]) -> str:
+    """Give a text of the same length with spaces for its asides."""
+    for first, end in (aside.span for aside in asides):
+        text = text[:first] + " " * (end - first) + text[end:]
+    return text
+
+
+def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
+    words = scanned.words
+    place = phrase.first - 1
+    while place > 0 and words[place].text in WHOM | HELPING:
+        place -= 1
+    if place < 1 or words[place].text not in TAKING:
+        return None
+    place -= 1
+    while place > 0 and words[place].text in HELPING:
+        place -= 1
+    bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
+    if words[place].text in NAMING or (words[place].text == IT and bracketed):
+        place -= 1
+    if place < 1 or words[place].text not in OPENING:
+        return None
+    if words[place].text != BRACKET and words[place + 1].text not in NAMING | {IT}:
+        # "Wash up, need 20 minutes"
+        return None
+    end = _end(scanned, phrase)
+    return None if end is None else Aside((words[place].start, end), phrase)
+
+
+def _end(scanned: Scanned, phrase: Phrase) -> int | None:
+    """Give where an aside ends that has a length: behind what that is for, and behind a closing bracket."""
+    words = scanned.words
+    behind = phrase.end
+    if behind < len(words) and words[behind].text == "to":
+        marks = (p for p in range(behind, len(words)) if words[p].text in CLOSING)
+        closing = next(marks, len(words))
+        behind = closing if closing - behind <= PURPOSE else behind
+    if behind < len(words) and words[behind].text not in CLOSING:
+        return None
+    closes = behind < len(words) and words[behind].text == ")"
+    return words[behind if closes else behind - 1].end

@@ -1,0 +1,45 @@
+"""Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments import ARTICLES, ENDS
+from fuzzytime.language.sentence.tree import Tree
+
+JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also", "so"})
+IMPERATIVE = frozenset({"VB", "VBP"})
+OBJECTS = frozenset({"it", "them", "me", "us", "him"})
+
+
+def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
+
+    The tree may have it for a thing.
+    """
+    node = tree.nodes[place]
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+        return False
+    # "Open in two seconds, close in five"
+    listed = place - 2 in timed
+    lasts = tree.nodes[place + 1].lower == "for"
+    return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
+
+
+def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    first = place
+    while first and first - 1 in timed:
+        first -= 1
+    led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
+    bare = node.may_act and node.lower == node.lemma
+    called = node.lower in lexicon.addressing and behind in lexicon.persons
+    return led and bare and (called or behind in ARTICLES | OBJECTS)
+
+
+def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
+    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)

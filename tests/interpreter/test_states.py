@@ -1,0 +1,61 @@
+"""States that no reading tells of: what they wait for, and what is said of it."""
+
+from datetime import datetime
+
+import pytest
+
+from fuzzytime.context import Context
+from fuzzytime.interpreter import Interpreter, Request, SpokenWish
+from interpreter.telling import SEVEN, interpreter, notes, starts, told
+
+pytestmark = pytest.mark.model
+
+
+def test_a_state_waits_for_the_latest_that_is_about_the_same_thing() -> None:
+    made = told(["set the timer for ten minutes", "wipe the table", "when the timer rings, drain the pasta"])
+    assert starts(made)["s3"] == "07:10"
+    assert any(
+        "nothing tells 'when the timer rings'" in note and "set the timer" in note for note in notes(made)
+    )
+
+
+def test_how_long_a_state_takes_counts_from_when_hands_are_free() -> None:
+    made = told(["paint the door for 15 minutes", "once the paint is dry, which takes two hours, sand it"])
+    assert starts(made)["s2"] == "09:15"
+    assert not notes(made)
+
+
+def test_how_long_a_state_takes_counts_from_now_where_nothing_brings_it_about() -> None:
+    assert starts(told(["once the paint is dry, which takes two hours, sand it"]))["s1"] == "09:00"
+
+
+def test_how_long_a_thing_to_be_done_takes_may_be_said_aside() -> None:
+    made = told(["fold the shirts, which takes half an hour, and iron them"])
+    assert starts(made) == {"s1": "07:00", "s1.2": "07:30"}
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["call the guests", "when the guests arrive, open the wine"],
+        ["fetch the coats", "if the coats are wet, dry them"],
+        ["once they have left, lock the door"],
+    ],
+)
+def test_whoever_comes_and_what_is_only_possible_is_not_assumed(lines: list[str]) -> None:
+    assert len(starts(told(lines))) == len(lines) - 1
+
+
+def test_nothing_is_assumed_where_readings_may_still_tell() -> None:
+    said = ["put the kettle on", "when it boils, pour the tea"]
+    wishes = tuple(SpokenWish(text=line, given=SEVEN) for line in said)
+    made = [_second(interpreter(), wishes, awaits) for awaits in (False, True)]
+    assert made == [False, True]
+
+
+def _second(understanding: Interpreter, wishes: tuple[SpokenWish, ...], awaits: bool) -> bool:  # noqa: FBT001
+    """Give whether the second of some wishes waits for readings."""
+    now: datetime = SEVEN
+    request = Request(now=now, wishes=wishes, context=Context(), awaits_readings=awaits)
+    (_, pour) = understanding.interpret(request).skills
+    return any(part.condition is not None for part in pour.requirements)
