@@ -10,7 +10,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish
-from fuzzytime.language import Instruction, Reading
+from fuzzytime.language import Instruction, Reading, reported
 
 
 @dataclass(slots=True)
@@ -96,6 +96,10 @@ def _made(
     """Make an instruction's skills; where there is none to make, say why."""
     operation = instruction.operation
     if is_spoiled(instruction, reading, remarks_of(reading, wish)):
+        return []
+    if reported(reading) is not None:
+        what = "tells what was done, and asks for nothing"
+        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
         return []
     if operation is None or operation.negated:
         what = "says a time but nothing to do" if operation is None else "asks for something not to be done"

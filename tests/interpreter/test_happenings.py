@@ -92,6 +92,18 @@ def test_what_comes_after_what_happens_waits_for_it() -> None:
     assert starts(made)["s3"] >= "10:15"
 
 
+@pytest.mark.parametrize("line", ["I fed the cat", "I've already called mum", "We have watered the plants"])
+def test_what_was_done_is_not_planned_and_said(line: str) -> None:
+    made = told([line])
+    assert not made.skills
+    assert [problem.message for problem in made.problems] == ["tells what was done, and asks for nothing"]
+
+
+@pytest.mark.parametrize("line", ["I put the bins out", "I want the cat fed", "I have to call mum"])
+def test_what_may_be_a_wish_is_planned(line: str) -> None:
+    assert told([line]).skills
+
+
 def test_appointments_that_overlap_are_pointed_at() -> None:
     lines = ["I have a meeting from 10 to 11", "I have a dentist appointment from half past ten to 12"]
     found = [note for note in notes(told(lines)) if "overlap" in note]

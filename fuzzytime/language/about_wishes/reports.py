@@ -86,5 +86,8 @@ def reported(reading: Reading) -> Operation | None:
     if place is None or reading.tokens[place].tag not in PAST:
         return None
     parts = [token for token in reading.tokens if token.head == place]
+    if operation.verb.lower() == operation.lemma:
+        # "I put the bins out" may be what who speaks does, or did
+        return None
     speaks = any(part.relation == "nsubj" and part.text.lower() in SPEAKERS for part in parts)
     return operation if speaks and operation.object not in PRONOUNS else None
