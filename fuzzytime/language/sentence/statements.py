@@ -3,6 +3,7 @@
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.tree import Tree
 
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
@@ -18,6 +19,11 @@ PHASES = frozenset(
     {"starts", "begins", "ends", "finishes", "opens", "closes", "leaves", "departs", "arrives"}
 )
 """What things with a time of their own do."""
+
+FUTURE = frozenset({"will", "'ll", "’ll"})
+TAKING = frozenset({"take", "last", "need", "require"})
+ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
+"""Persons who may be asked: "everyone clean your desks"."""
 
 DETERMINERS = frozenset({"DT", "PRP$"})
 
@@ -136,3 +142,20 @@ def _is_statement(tree: Tree, place: int) -> bool:
     if node.relation in SUBJECTS:
         return node.tag in {"VBZ", "NNS"} and _subject(tree, place) is not None
     return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
+
+
+def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon) -> bool:
+    """Whether somebody who is named does it, and is not asked to: "the kids finish school at three".
+
+    ``helping`` are the verbs that help it.
+    """
+    node = tree.nodes[verb]
+    subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
+    if not subjects or node.lemma in lexicon.wanting | {"have"}:
+        return False
+    named = subjects[0].lower in lexicon.persons - ALL_OF_US
+    if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
+        # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
+        named = named or subjects[0].lower not in lexicon.machines
+    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
+    return named and finite
