@@ -32,7 +32,8 @@ SPOKEN = (
     (30, ":ctx pan_temp=120"),
     (60, "Set the table before dinner, then light the candles"),
     (90, "Call mum at half past six"),
-    (120, ":why 2"),
+    (120, "push everything back by ten minutes"),
+    (150, "why is the fish so late?"),
 )
 WIDTH = 92
 

@@ -44,12 +44,15 @@ class FuzzySkill:
     preferred
         The start, in seconds, that was named: among starts that satisfy equally, nearer is better. None where
         no moment was named, and earlier is better.
+    happens
+        Whether it happens by itself and needs no agent, whatever else is done meanwhile: "the train leaves at
+        9:15". Its duration is 0 then.
 
     Raises
     ------
     FuzzytimeError
-        If a duration is negative or not finite, the priority is not above 0, or the preferred start is not
-        finite.
+        If a duration is negative or not finite, the priority is not above 0, the preferred start is not
+        finite, or what happens by itself has a duration.
     """
 
     name: str
@@ -61,8 +64,13 @@ class FuzzySkill:
     priority: float = 1.0
     agent: int | None = None
     preferred: float | None = None
+    happens: bool = False
 
     def __post_init__(self) -> None:
+        if self.happens and self.duration:
+            raise FuzzytimeError(
+                f"what happens by itself must take no agent's time, got a duration of {self.duration:g} s"
+            )
         if self.preferred is not None and not math.isfinite(self.preferred):
             raise FuzzytimeError(f"a skill's preferred start must be finite, got {self.preferred}")
         for name, value in (("duration", self.duration), ("elapsed time", self.time_until_done)):

@@ -1,5 +1,6 @@
 """The command `fuzzytime`: its commands, and the one place where errors become exit codes."""
 
+import gc
 import os
 import signal
 import sys
@@ -27,6 +28,10 @@ PLAINER = (
     (", unable to parse string as a number", ""),
 )
 """Words of the library that checks options, and what people would say."""
+
+
+SELDOM = 200_000
+"""New objects after which Python looks for circles that nobody refers to any more."""
 
 
 class Root(Group):
@@ -126,6 +131,9 @@ def _called(arguments: list[str]) -> int:
 
 def main() -> None:
     """Run the command as the shell does."""
+    # Most of what a short command makes stays until its end: looking through it every 700 objects, and once
+    # more on the way out, takes a fifth of its time.
+    gc.set_threshold(SELDOM)
     _hold_closed_streams()
     code = run(sys.argv[1:])
     if code in {Exit.CLOSED_PIPE, Exit.IO_ERROR} and sys.stdout is not None:
@@ -133,6 +141,7 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     if code == Exit.INTERRUPT:
         signal.signal(signal.SIGINT, signal.SIG_IGN)
+    gc.freeze()
     sys.exit(code)
 
 

@@ -3,7 +3,7 @@
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.planner import Plan, plan, scheduled, task_of, understood
-from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Started, Wish
+from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Moved, Request, SpokenWish, Started, Wish
 
 __all__ = [
     "MAX_HORIZON",
@@ -11,6 +11,7 @@ __all__ = [
     "Interpretation",
     "Interpreted",
     "Interpreter",
+    "Moved",
     "Plan",
     "Problem",
     "ProblemKind",

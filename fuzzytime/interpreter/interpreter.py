@@ -17,6 +17,7 @@ from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.rulebook import Rulebook
+from fuzzytime.rulebook.documents import shipped_tables
 from fuzzytime.skills import FuzzySkill
 
 
@@ -41,7 +42,14 @@ class Interpreter:
     @classmethod
     def joining(cls, language: Language, rulebook: Rulebook) -> "Interpreter":
         """Give the interpreter of a language and tables, whose own words of time it understands as well."""
-        return cls(with_words(language, rulebook.tables.words), rulebook)
+        tables, shipped = rulebook.tables, shipped_tables(rulebook.profile)
+        hedges = [name for name in tables.time_hedges if name not in shipped.time_hedges]
+        prepositions = {
+            name: None if row.own is not None else tables.models[row.model].constraint
+            for name, row in tables.prepositions.items()
+            if name not in shipped.prepositions
+        }
+        return cls(with_words(language, tables.words, hedges, prepositions), rulebook)
 
     def skill(
         self,

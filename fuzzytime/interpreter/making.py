@@ -36,7 +36,8 @@ class Maker:
         given = seconds_between(self.request.now, wish.given)
         duration = self._given_duration(wish, None)
         function = wish.satisfaction.shifted(given) if given else wish.satisfaction
-        skill = self._skill(wish, wish.name, function, duration)
+        function, preferred = self._moved(wish, function, None)
+        skill = replace(self._skill(wish, wish.name, function, duration), preferred=preferred)
         reason = "its satisfaction is 0 at every time" if function.support.empty else ""
         return Interpreted(
             identifier=wish.identifier, wish=wish, skill=skill, duration=duration, reason=reason
@@ -93,7 +94,9 @@ class Maker:
         duration = self._duration(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
-        function = self._joined(wish, resolutions)
+        function, preferred = self._moved(
+            wish, self._joined(wish, resolutions), self._preferred(wish, resolutions)
+        )
         reason = next((part.reason for part in resolutions if part.reason), "")
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
@@ -105,7 +108,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
-                preferred=self._preferred(wish, resolutions),
+                preferred=preferred,
             ),
             duration=duration,
             reading=reading,
@@ -152,6 +155,20 @@ class Maker:
             if resolution.named is not None:
                 return self._origin(wish, resolution) + resolution.named
         return None
+
+    def _moved(
+        self, wish: Wish, function: SatisfactionFunction, preferred: float | None
+    ) -> tuple[SatisfactionFunction, float | None]:
+        """Move ψ and the start that was named as the wish was moved."""
+        if wish.moved is None:
+            return function, preferred
+        by = wish.moved.by
+        function, preferred = function.shifted(by), None if preferred is None else preferred + by
+        if wish.moved.to is None:
+            return function, preferred
+        to = seconds_between(self.request.now, wish.moved.to)
+        window = Rectangle(to, math.inf) if by >= 0 else Rectangle(-math.inf, to)
+        return both(function, window), to
 
     def _origin(self, wish: Wish, resolution: Resolution) -> float:
         """Give the time that a resolution counts from: the readings' now, or when it was said."""

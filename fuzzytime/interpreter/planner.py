@@ -1,23 +1,18 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
 import math
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime
-from itertools import pairwise
 
+from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.loosening import loosened
 from fuzzytime.interpreter.request import Request
 from fuzzytime.interpreter.started import without_started
-from fuzzytime.satisfaction import Rectangle
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
-from fuzzytime.skills import Busy, FuzzyTask
+from fuzzytime.skills import FuzzyTask
 from fuzzytime.times import instant_after, seconds_between
-
-SURE = 0.999
-"""The satisfaction from which on a start is as said."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,57 +90,13 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    interpretation = _fixed(interpreter.interpret(request))
-    busy = (*request.busy, *_attended(interpretation, request))
+    interpretation = happening(interpreter.interpret(request))
+    appointments = attended(interpretation, request)
+    busy = (*request.busy, *(taken for _, taken in appointments))
+    clashing = clashes(appointments, request)
+    interpretation = replace(interpretation, problems=(*interpretation.problems, *clashing))
     interpretation, held = without_started(interpretation, request.started)
-    return replace(request, busy=(*_parted(busy, interpretation), *held)), interpretation
-
-
-def _fixed(interpretation: Interpretation) -> Interpretation:
-    """Keep what happens where it was said to: it gives way to nobody's work."""
-    return replace(interpretation, skills=tuple(map(_where_it_happens, interpretation.skills)))
-
-
-def _where_it_happens(one: Interpreted) -> Interpreted:
-    time = one.skill.preferred
-    if time is None or one.skill.duration or not _is_stated(one):
-        return one
-    if not all(part.anchor is None for part in one.requirements):
-        return one
-    if time < 0 or float(one.skill.satisfaction(time)) < SURE:
-        return one
-    return replace(one, skill=replace(one.skill, satisfaction=Rectangle(time, time)))
-
-
-def _parted(busy: Iterable[Busy], interpretation: Interpretation) -> Iterator[Busy]:
-    """Give busy times in parts where something happens that needs nobody's hands: it happens all the same."""
-    happening = sorted(
-        one.skill.preferred
-        for one in interpretation.skills
-        if one.skill.preferred is not None and _is_stated(one) and not one.skill.duration
-    )
-    for taken in busy:
-        ends = [taken.start, *(time for time in happening if taken.start < time < taken.end), taken.end]
-        for start, end in pairwise(ends):
-            yield replace(taken, start=start, end=end)
-
-
-def _is_stated(interpreted: Interpreted) -> bool:
-    return interpreted.operation is not None and interpreted.operation.stated
-
-
-def _attended(interpretation: Interpretation, request: Request) -> Iterator[Busy]:
-    """Give when who speaks is taken: "I have a meeting from two to four" is no wish, and gives way to none.
-
-    Of several agents the first speaks, unless the wish says which.
-    """
-    for interpreted in interpretation.skills:
-        operation, start = interpreted.operation, interpreted.skill.preferred
-        if operation is not None and operation.attended and start is not None:
-            end = start + interpreted.skill.time_until_done
-            speaker = interpreted.wish.agent or (1 if request.agents > 1 else None)
-            if max(start, 0.0) < end:
-                yield Busy(max(start, 0.0), end, interpreted.skill.name, speaker)
+    return replace(request, busy=(*busy, *held)), interpretation
 
 
 def scheduled(

@@ -15,6 +15,23 @@ MAX_HORIZON = 48 * 3600.0
 """How far a plan looks ahead, in seconds, unless a horizon is given."""
 
 
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """How a wish was moved after it was said: "push it back by ten minutes".
+
+    Parameters
+    ----------
+    by
+        Seconds by which all that it says of its time is moved: later above 0, earlier below.
+    to
+        The start that it is moved to; none sooner satisfies, or none later where it is moved to be earlier.
+        None binds nothing, as for what has several starts.
+    """
+
+    by: float
+    to: datetime | None = None
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Wish:
     """What words and direct skills share.
@@ -33,6 +50,8 @@ class Wish:
         As in `FuzzySkill`.
     after
         Identifiers of what must be done before.
+    moved
+        How it was moved after it was said; None where it was not.
     """
 
     given: datetime
@@ -43,6 +62,7 @@ class Wish:
     priority: float = 1.0
     agent: int | None = None
     after: tuple[str, ...] = ()
+    moved: Moved | None = None
 
     def __post_init__(self) -> None:
         if self.hands_on is not None and self.elapsed is not None and self.elapsed < self.hands_on:

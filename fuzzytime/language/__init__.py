@@ -1,6 +1,6 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
-from fuzzytime.language.about_wishes import About, AboutKind, about_wishes
+from fuzzytime.language.about_wishes import About, AboutKind, about_wishes, reported
 from fuzzytime.language.answer import answer
 from fuzzytime.language.finding import Times, check_length, find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -46,6 +46,7 @@ __all__ = [
     "find_times",
     "installed_model",
     "model_files",
+    "reported",
     "shares_thing",
     "with_words",
 ]

@@ -1,18 +1,40 @@
-"""Words of time that rule tables bring, beside those of the language's own tables."""
+"""Words about time that rule tables bring, beside those of the language's own tables."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from fuzzytime.language.grammar.lexicon import Entry, form_of
-from fuzzytime.language.meaning.expressions import TimeWord
+from fuzzytime.language.grammar.lexicon import Entry, Preposition, form_of
+from fuzzytime.language.meaning.expressions import Edge, TimeWord
 from fuzzytime.language.reader import Language
 from fuzzytime.requirement import Constraint
 
+HEDGING = ("hedge", "hedge_after")
+"""The categories of a hedge that may stand on either side of its time."""
 
-def with_words(language: Language, words: Iterable[str]) -> Language:
-    """Give a language that understands more words of time, each as vague as "soon".
+BINDING = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.AFTER})
+"""What a preposition can do."""
+
+
+def with_words(
+    language: Language,
+    words: Iterable[str],
+    hedges: Iterable[str] = (),
+    prepositions: Mapping[str, Constraint | None] | None = None,
+) -> Language:
+    """Give a language that understands more words about time.
 
     Words that it understands already stay as they are.
+
+    Parameters
+    ----------
+    language
+        What understands the others.
+    words
+        Words that are a time by themselves, each as vague as "soon".
+    hedges
+        Words that say how exactly a time is meant, in front of it or behind.
+    prepositions
+        Words in front of a time, and how they bind it; None for beside it, as "at" does.
 
     >>> language = with_words(Language.shipped(), ["anon"])
     >>> language.read("Call mum anon").instructions[0].requirements[0].word
@@ -20,13 +42,30 @@ def with_words(language: Language, words: Iterable[str]) -> Language:
     """
     entries = language.lexicon.entries
     known = {one.words for found in entries.values() for one in found if one.category == "word"}
-    forms = {form_of(word): word for word in words}
-    new = [
-        Entry(form, "word", TimeWord(word, Constraint.VAGUE))
-        for form, word in forms.items()
-        if form and form not in known
-    ]
+    new = [one for one in _words(words) if one.words and one.words not in known]
+    spoken = {one.words for found in entries.values() for one in found}
+    others = (*_hedges(hedges), *_prepositions(prepositions or {}))
+    new += [one for one in others if one.words and one.words not in spoken]
     more = dict(entries)
     for entry in new:
         more[entry.words[0]] = (*more.get(entry.words[0], ()), entry)
     return replace(language, lexicon=replace(language.lexicon, entries=more)) if new else language
+
+
+def _words(words: Iterable[str]) -> Iterator[Entry]:
+    for form, word in {form_of(word): word for word in words}.items():
+        yield Entry(form, "word", TimeWord(word, Constraint.VAGUE))
+
+
+def _hedges(hedges: Iterable[str]) -> Iterator[Entry]:
+    for hedge in hedges:
+        for category in HEDGING:
+            yield Entry(form_of(hedge), category, hedge)
+
+
+def _prepositions(prepositions: Mapping[str, Constraint | None]) -> Iterator[Entry]:
+    for name, constraint in prepositions.items():
+        binds = constraint if constraint in BINDING else Constraint.AT
+        yield Entry(
+            form_of(name), f"preposition_{binds}", Preposition(name, binds or Constraint.AT, Edge.START)
+        )

@@ -2,8 +2,9 @@
 
 On each grid (`fuzzytime.scheduling.refinement`) a label program below a threshold just above the bound either
 finds the best schedule of the grid, or proves that none is below, and the threshold rises. Where that takes
-too much room, a local search around the relaxation's path and labels in a beam look for a better schedule.
-The next grid is finer, over the few starts that labels leave.
+too much room, a local search around the relaxation's path and labels in a beam look for a better schedule,
+and the threshold falls to half its distance from the bound. The next grid is finer, over the few starts that
+labels leave.
 """
 
 from dataclasses import dataclass
@@ -22,7 +23,7 @@ from fuzzytime.scheduling.labels import Labels as LabelProgram
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.refinement import CLOSED, FINER, STEPS, GridSearch, bytes_for
+from fuzzytime.scheduling.refinement import CLOSED, STEPS, GridSearch, bytes_for
 from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.solver import Draft
 from fuzzytime.scheduling.stretches import Stretches
@@ -32,6 +33,9 @@ FIRST_SLOTS = 1500
 
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
+
+LEAST = 0.05
+"""Of the gap, the threshold is above the bound at least; where labels fail even so, the gap stays."""
 
 DOUBTFUL = 0.01
 """The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
@@ -47,6 +51,12 @@ REJECTED = 25
 
 PART_ROUNDS = 2
 """Rounds in which the bound of a part is made better: what it began with is mostly good."""
+
+KICKS_A_JOB = 2
+"""Of a local search where a schedule is doubtful, at most."""
+
+PATIENCE = 40
+"""Kicks that may gain nothing before such a search ends."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -84,6 +94,7 @@ class _Search(GridSearch):
         super().__init__(problem, watch, best)
         self._dominance: Dominance | None = None
         self._followed: Floats | None = None
+        self._kicked = np.inf
         self._is_solved = False
 
     def tightened(self, problem: Problem, step: float) -> Problem:
@@ -118,11 +129,13 @@ class _Search(GridSearch):
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
             elif budget < cells:
-                budget, width = 4 * budget, 6 * width
+                budget, width, delta = 4 * budget, 6 * width, delta / 2
                 if searching:
                     self._search_near(relaxation, width)
                 if self.is_closed():
                     return True
+            elif delta > LEAST * (self.best.cost - self.lower):
+                delta /= 2
             else:
                 return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
@@ -148,6 +161,11 @@ class _Search(GridSearch):
         """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
         known = self.best.cost
         self._follow_path(relaxation)
+        if self._is_early_search_worth() and self.best.cost < self._kicked:
+            count = len(self.problem.jobs)
+            search = LocalSearch(kicks=KICKS_A_JOB * count, patience=PATIENCE)
+            self.take(search.search(self.problem, self.watch.share(0.3), self.best))
+            self._kicked = self.best.cost
         self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
         if len(self.problem.jobs) > MOST_TOGETHER and self._is_doubtful():
             self._search_stretches(relaxation)
@@ -207,7 +225,7 @@ def search_part(
     prices : array of shape (jobs,)
         λ, from where on to search better ones: what the schedule says unless given.
     """
-    step = step_for(problem, FIRST_SLOTS, FINER) if step is None else step
+    step = step_for(problem, FIRST_SLOTS) if step is None else step
     if bytes_for(problem, step) > watch.limits.memory:
         return warm
     grid, search = grid_of(problem, step), _Search(problem, watch, warm)

@@ -25,6 +25,12 @@ Ints = NDArray[np.int64]
 ROUNDING = 1e-9
 """Shares of a slot that are rounding errors."""
 
+SLOTS_A_JOB = 8
+"""Slots of a grid for each job, at least."""
+
+FINER = 20
+"""How much finer than that it may be, so that all durations are whole numbers of slots."""
+
 
 @dataclass(frozen=True, slots=True)
 class Curve:
@@ -79,8 +85,8 @@ ROUND_STEPS = tuple(
 """Steps that people's times are whole numbers of, from long to short."""
 
 
-def step_for(problem: Problem, slots: int, finer: float = 5) -> float:
-    """Give a round step that lays at least so many slots over a problem's horizon.
+def step_for(problem: Problem, slots: int, finer: float = FINER) -> float:
+    """Give a round step that lays at least so many slots over a problem's horizon, and some for each job.
 
     Of the steps down to so much finer than the longest such one, the longest that divides all durations is
     taken; where none does, the longest.
@@ -89,6 +95,7 @@ def step_for(problem: Problem, slots: int, finer: float = 5) -> float:
     last = max(job.latest + job.duration for job in problem.jobs)
     span = max(last - first, 1e-4)
     durations = np.array([job.duration for job in problem.jobs])
+    slots = max(slots, SLOTS_A_JOB * len(problem.jobs))
     fine = [step for step in sorted(ROUND_STEPS, reverse=True) if step * slots <= span] or [span / slots]
     for step in fine:
         shares = durations / step

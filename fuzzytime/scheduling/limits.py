@@ -79,5 +79,5 @@ class Stopwatch:
         """Give a stopwatch that ends after a fraction of the time left."""
         part = Stopwatch(self.limits)
         part._deadline = part._began + fraction * self.remaining
-        part._whole = self
+        part._whole, part._stopped = self, self._stopped
         return part

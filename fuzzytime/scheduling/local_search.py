@@ -50,6 +50,8 @@ class LocalSearch:
         Slots of the grid, at least.
     kicks
         How many.
+    patience
+        How many of them may gain nothing in a row before the search ends.
     sweeps
         How often all jobs are tried at most: fewer than it takes is quick, and leaves work to do.
     """
@@ -59,6 +61,7 @@ class LocalSearch:
     seed: int = 0
     slots: int = 1500
     kicks: int = 0
+    patience: float = math.inf
     sweeps: float = math.inf
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
@@ -71,7 +74,7 @@ class LocalSearch:
         try:
             generator = np.random.default_rng(self.seed)
             plan.improve(watch, generator, self.sweeps)
-            plan.kick(self.kicks, watch, generator)
+            plan.kick(self.kicks, self.patience, watch, generator)
         except KeyboardInterrupt:
             watch.stop()
         hints = np.where(plan.placed, grid.times(np.array(plan.slots, np.int64)), np.nan)
@@ -142,11 +145,12 @@ class Rough:
             if count <= STRETCH and not self._lags:
                 break
 
-    def kick(self, kicks: int, watch: Stopwatch, generator: np.random.Generator) -> None:
-        """Kick stretches drawn at random, all jobs where they are few, until the stopwatch is over."""
+    def kick(self, kicks: int, patience: float, watch: Stopwatch, generator: np.random.Generator) -> None:
+        """Kick stretches drawn at random, all jobs where they are few, until nothing is gained any more."""
         count = len(self.placed)
         together = KICKS_A_STRETCH if count > STRETCH else max(kicks, 1)
-        for done in range(0, kicks, together):
+        done = fruitless = 0
+        while done < kicks and fruitless < patience and not watch.is_over():
             ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
             first = int(generator.integers(max(count - STRETCH, 0) + 1))
             stretch = _Stretch(self, ranking[first : first + STRETCH], generator)
@@ -155,6 +159,8 @@ class Rough:
                     break
                 stretch.kick(generator)
             stretch.settle()
+            done += together
+            fruitless = 0 if stretch.gain < stretch.begun - IMPROVEMENT else fruitless + together
 
     def _improve_stretch(
         self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator, sweeps: float

@@ -20,7 +20,7 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.paths import Arcs
 from fuzzytime.scheduling.problem import Problem
-from fuzzytime.scheduling.refinement import FINER, bytes_for
+from fuzzytime.scheduling.refinement import bytes_for
 from fuzzytime.scheduling.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
@@ -74,7 +74,7 @@ class Milp:
 
     def _run(self, problem: Problem, state: _State, watch: Stopwatch) -> None:
         """Bound and solve grid after grid until the gap closes or a limit is met."""
-        goal, step = OPTIMAL_GAP * problem.weight, step_for(problem, FIRST_SLOTS, FINER)
+        goal, step = OPTIMAL_GAP * problem.weight, step_for(problem, FIRST_SLOTS)
         if bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)

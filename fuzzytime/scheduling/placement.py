@@ -55,7 +55,7 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
     """
     rota = Rota(task)
     for skill, start, agent in zip(task.skills, starts, agents, strict=True):
-        if not math.isnan(start):
+        if not math.isnan(start) and not skill.happens:
             rota.take(agent, start, start + skill.duration)
     pairs = zip(task.skills, starts, strict=True)
     end_of_all = max((start + skill.duration for skill, start in pairs if not math.isnan(start)), default=0.0)
@@ -79,7 +79,8 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
                 f"every skill needs a time when an agent is free for it, got none for {skill.name!r}"
             )
         starts[job.position], agents[job.position] = start, agent
-        rota.take(agent, start, start + job.duration)
+        if not skill.happens:
+            rota.take(agent, start, start + job.duration)
 
 
 def _in_order(task: FuzzyTask, jobs: list[Job]) -> list[Job]:

@@ -36,7 +36,8 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
             late = float(skill.satisfaction(math.inf))
         wanted = above(skill.satisfaction, floor if position in leading else max(floor, late), horizon)
         windows = tuple(
-            free_of(wanted, lane.busy, skill.duration) if lane is not None else () for lane in mine
+            () if lane is None else wanted if skill.happens else free_of(wanted, lane.busy, skill.duration)
+            for lane in mine
         )
         worst = -skill.priority * math.log(floor)
         final = -skill.priority * math.log(max(late, floor)) + 0.0
@@ -122,8 +123,28 @@ def _bound_by_lags(task: FuzzyTask, jobs: list[Job], lanes: tuple[Lane, ...]) ->
             if not waiting[second]:
                 ready.append(second)
     everything = Problem(tuple(jobs), lanes, tuple(lags))
-    kept = everything.select([index for index, job in enumerate(jobs) if any(job.windows)])
-    return replace(kept, apart=tuple(job for job in jobs if not any(job.windows)))
+    free = _free(task, jobs)
+    kept = everything.select([i for i, job in enumerate(jobs) if any(job.windows) and i not in free])
+    apart = tuple(job for job in jobs if not any(job.windows))
+    return replace(kept, apart=apart, free=tuple(jobs[index] for index in free))
+
+
+def _free(task: FuzzyTask, jobs: list[Job]) -> list[int]:
+    """Give what happens by itself, and is bound to nothing, or happens at a known moment and after no work.
+
+    What comes after such a moment has no other windows than those that follow it.
+    """
+    bound = {member for entry in task.precedences for member in (entry.first, entry.second)}
+    happening = {
+        position
+        for position, skill in enumerate(task.skills)
+        if skill.happens
+        and any(jobs[position].windows)
+        and (position not in bound or jobs[position].earliest == jobs[position].latest)
+    }
+    while late := {entry.second for entry in task.precedences if entry.first not in happening} & happening:
+        happening -= late
+    return sorted(happening)
 
 
 def _clipped(job: Job, within: Interval) -> Job:

@@ -106,13 +106,15 @@ class Lag:
 class Problem:
     """The jobs that have a window, where they can be done, and what binds them.
 
-    ``apart`` are the jobs without a window: rejected, or as well done at any late time.
+    ``apart`` are the jobs without a window: rejected, or as well done at any late time. ``free`` are those
+    that happen by themselves, as they would if they were alone, and take no agent.
     """
 
     jobs: tuple[Job, ...]
     lanes: tuple[Lane, ...]
     lags: tuple[Lag, ...]
     apart: tuple[Job, ...] = ()
+    free: tuple[Job, ...] = ()
 
     @property
     def rejection_of_all(self) -> float:

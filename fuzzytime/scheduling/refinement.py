@@ -20,12 +20,6 @@ from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.settle import settled
 from fuzzytime.scheduling.solver import Draft
 
-SLOTS_A_JOB = 8
-"""Slots of the first grid for each job, at least."""
-
-FINER = 20
-"""How much finer than that it may be, so that all durations are whole numbers of slots."""
-
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
@@ -134,8 +128,7 @@ class GridSearch(ABC):
         problem, watch = self.problem, self.watch
         # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
-        slots = max(self.first_slots, SLOTS_A_JOB * len(problem.jobs))
-        step, enough = step_for(problem, slots, FINER), self.left_over
+        step, enough = step_for(problem, self.first_slots), self.left_over
         if bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)

@@ -32,6 +32,9 @@ MOST_JOBS = 16
 FIRST_SLOTS = 3000
 """Slots of the first grid, at least."""
 
+FINER = 5
+"""How much finer than that it may be: a row for every set of skills is soon too long."""
+
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
@@ -61,7 +64,7 @@ class HeldKarp:
         if fault:
             raise RefusedError(f"Held-Karp {fault}")
         best, lower, open_before = warm or nothing(problem), 0.0, np.inf
-        step = step_for(problem, FIRST_SLOTS)
+        step = step_for(problem, FIRST_SLOTS, FINER)
         while True:
             grid = grid_of(problem, step)
             if table_bytes(problem, grid) > watch.limits.memory:

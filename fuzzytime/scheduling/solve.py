@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import partial
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.scheduling.alone import best_alone
 from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.clash import clash_of
 from fuzzytime.scheduling.limits import Limits, Stopwatch
@@ -95,12 +96,14 @@ def _scheduled(
 ) -> Schedule:
     """Solve group by group, go by what counts among equals, and place the rest."""
     problem = problem_of(task, threshold)
-    lower = math.fsum(job.rejection for job in problem.apart)
+    lower = math.fsum(job.rejection for job in problem.apart) + math.fsum(job.least for job in problem.free)
     draft = nothing(problem)
     methods: dict[str, None] = {}  # in the order of their first use
-    for members in problem.groups():
+    left = len(problem.jobs)
+    for members in sorted(problem.groups(), key=len):  # What is small leaves time to what is large.
         group = problem.select(members)
-        found = solver.search(group, watch, remembered(group, hints) if hints else None)
+        share, left = watch.share(len(members) / left), left - len(members)
+        found = solver.search(group, share, remembered(group, hints) if hints else None)
         lower += found.lower_cost
         methods[found.method or solver.name] = None
         draft.starts[members], draft.agents[members] = found.starts, found.agents
@@ -108,6 +111,11 @@ def _scheduled(
     starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
         starts[job.position], agents[job.position] = start, agent
+    for job in problem.free:
+        skill = task.skills[job.position]
+        wanted = 0.0 if skill.preferred is None else skill.preferred
+        starts[job.position] = best_alone(task, job.position, wanted).nearest(wanted)
+        agents[job.position] = skill.agent or 1
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
     method = " + ".join(methods) or solver.name
     open_end = Certificate(Status.HEURISTIC, -math.inf, math.inf, method, watch.seconds)

@@ -203,7 +203,8 @@ def _bond(schedule: Schedule, position: int, other: int, starts: Interval) -> Bo
             continue
         if starts.intersection(allowed).empty:
             return Bond.ORDER
-    same = mine.agent in {None, its.agent} and not schedule.rejected[other]
+    both_work = not (mine.happens or schedule.task.skills[other].happens)
+    same = both_work and mine.agent in {None, its.agent} and not schedule.rejected[other]
     if same and its.start < starts.high + mine.duration and starts.low < its.end:
         return Bond.OVERLAP
     return Bond.CHAIN

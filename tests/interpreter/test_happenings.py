@@ -77,3 +77,24 @@ def test_a_line_far_from_the_one_before_stands_alone() -> None:
 
 def test_what_people_do_in_the_morning_stays_there() -> None:
     assert starts(told(["go to bed at ten pm", "have breakfast at eight"]))["s2"] == "08:00"
+
+
+def test_work_goes_on_while_something_happens() -> None:
+    made = told(["the train leaves at 9:15 am", "paint the fence at 9:05 am for 20 minutes"])
+    assert starts(made) == {"s1": "09:15", "s2": "09:05"}
+    assert made.schedule.satisfactions == (1.0, 1.0)
+
+
+def test_what_comes_after_what_happens_waits_for_it() -> None:
+    made = told(["the guests arrive at 10 am", "wash up at 9:55 am for 20 minutes", "then greet the guests"])
+    assert starts(made)["s1"] == "10:00"
+    assert starts(made)["s2"] == "09:55"
+    assert starts(made)["s3"] >= "10:15"
+
+
+def test_appointments_that_overlap_are_pointed_at() -> None:
+    lines = ["I have a meeting from 10 to 11", "I have a dentist appointment from half past ten to 12"]
+    found = [note for note in notes(told(lines)) if "overlap" in note]
+    assert found == ["a meeting (10:00 to 11:00) and a dentist appointment (10:30 to 12:00) overlap"]
+    after = told([lines[0], "I have a call from 11 to 12"])
+    assert not any("overlap" in note for note in notes(after))

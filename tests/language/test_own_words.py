@@ -39,3 +39,27 @@ def test_every_word_of_the_shipped_tables_is_one_that_the_language_understands()
     for word in interpreter.rulebook.tables.words.keys() - lengths:
         (requirement,) = find_times(word, NOW, interpreter.language.lexicon).requirements
         assert requirement.word is not None, word
+
+
+def test_hedges_and_prepositions_of_ones_own_are_understood() -> None:
+    table = (
+        "fuzzytime: 1\n"
+        "prepositions: {nigh: {model: in}, anent: {model: before}}\n"
+        "hedges: {time: {kinda: {widen: 2}}}\n"
+    )
+    shipped = Interpreter.shipped()
+    own = Interpreter.joining(shipped.language, shipped.rulebook.with_rules(table, "own.yaml"))
+    nigh, anent, behind = (
+        own.language.read(f"Call mum {time}", now=NOW).instructions[0].requirements[0]
+        for time in ("nigh kinda six pm", "anent noon", "at noon kinda")
+    )
+    assert (nigh.preposition, nigh.fuzziness, nigh.constraint) == ("nigh", ("kinda",), Constraint.AT)
+    assert (anent.preposition, anent.constraint) == ("anent", Constraint.BEFORE)
+    assert behind.fuzziness == ("kinda",)
+    wide = own.rulebook.resolve(nigh)
+    assert wide.satisfaction.support.length > shipped.rulebook.resolve(nigh).satisfaction.support.length
+
+
+def test_tables_without_words_of_their_own_leave_the_language_as_it_is() -> None:
+    shipped = Interpreter.shipped()
+    assert Interpreter.joining(shipped.language, shipped.rulebook).language is shipped.language

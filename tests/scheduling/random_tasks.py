@@ -125,9 +125,9 @@ def faults(schedule: Schedule) -> list[str]:
         agent: [(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}]
         for agent in range(1, task.agents + 1)
     }
-    for skill in sorted(schedule.skills, key=lambda skill: (skill.start, skill.duration)):
-        if skill.start < 0:
-            found.append(f"{skill.name} starts at {skill.start}")
+    working = [skill for skill, its in zip(schedule.skills, task.skills, strict=True) if not its.happens]
+    found += [f"{skill.name} starts at {skill.start}" for skill in schedule.skills if skill.start < 0]
+    for skill in sorted(working, key=lambda skill: (skill.start, skill.duration)):
         for low, high in taken[skill.agent]:
             # What takes no time must not lie strictly inside, either.
             if min(skill.end, high) - max(skill.start, low) > 1e-9 or _inside(

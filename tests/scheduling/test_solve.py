@@ -1,6 +1,8 @@
 """Solving whole tasks: against an independent optimiser, and what a person would expect."""
 
 import math
+from dataclasses import dataclass, field
+from typing import ClassVar
 
 import numpy as np
 import pytest
@@ -9,8 +11,11 @@ from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.scheduling.alone import best_alone
+from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.schedule import THRESHOLD
+from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
 from scheduling.random_tasks import faults, random_task
@@ -104,6 +109,42 @@ def test_priority_decides_who_gets_the_better_time() -> None:
     assert schedule.satisfactions[1] > schedule.satisfactions[0]
 
 
+@dataclass
+class Timed:
+    """Notes the size of each group and the share of time that is left for it; may be interrupted at once."""
+
+    name: ClassVar[str] = "timed"
+
+    interrupted: bool = False
+    seen: list[tuple[int, float]] = field(default_factory=list)
+
+    def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
+        """Place nothing."""
+        self.seen.append((len(problem.jobs), 0.0 if watch.is_over() else watch.remaining))
+        if self.interrupted:
+            watch.stop()
+        return warm or nothing(problem)
+
+
+def groups(*sizes: int) -> FuzzyTask:
+    centres = [1000.0 * group for group, size in enumerate(sizes, 1) for _ in range(size)]
+    return FuzzyTask(
+        tuple(FuzzySkill(f"skill {i}", Triangle(c - 60, c, c + 60), 30.0) for i, c in enumerate(centres))
+    )
+
+
+def test_groups_that_cannot_meet_share_the_time_and_leave_what_they_do_not_need() -> None:
+    solver = Timed()
+    solve(groups(5, 3), solver=solver, limits=Limits(seconds=80, clock=lambda: 0.0), objectives=())
+    assert solver.seen == [(3, 30.0), (5, 80.0)]
+
+
+def test_an_interrupt_in_one_group_is_one_for_all() -> None:
+    solver = Timed(interrupted=True)
+    solve(groups(5, 3), solver=solver, limits=Limits(seconds=80, clock=lambda: 0.0), objectives=())
+    assert solver.seen == [(3, 30.0), (5, 0.0)]
+
+
 def test_out_of_time_the_best_so_far_comes_back_with_its_gap() -> None:
     generator = np.random.default_rng(1)
     skills = tuple(
@@ -152,3 +193,33 @@ def test_no_schedule_costs_less_than_each_skill_alone() -> None:
         # What must wait for another has its best time later than alone.
         assert least >= math.fsum(costs) - 1e-6, seed
         assert least <= solve(task).weighted_cost + 1e-9, seed
+
+
+def test_what_happens_by_itself_takes_no_agent_and_no_room() -> None:
+    leaves = FuzzySkill("the train leaves", Rectangle(900, 900), 0, happens=True)
+    paint = FuzzySkill("paint", Triangle(0, 300, 600), 1200)
+    wave = FuzzySkill("wave", ALWAYS, 60)
+    follows = (Precedence(0, 2, maximum_lag=30.0),)
+    alone = solve(FuzzyTask((paint,)))
+    schedule = solve(FuzzyTask((leaves, paint)))
+    assert schedule.start_times == (900, *alone.start_times)
+    assert schedule.certificate.status is Status.OPTIMAL
+    assert schedule.satisfaction == pytest.approx(1.0)
+    sand = FuzzySkill("sand", Triangle(0, 300, 600), 800)
+    after = solve(FuzzyTask((leaves, sand, wave), precedences=follows))
+    assert not faults(after)
+    assert not any(after.rejected)
+    assert after.start_times == pytest.approx((900, 130, 930), abs=1)
+    busy = solve(FuzzyTask((leaves,), busy=(Busy(0, 3600),)))
+    assert busy.start_times == (900,)
+
+
+def test_what_happens_at_no_certain_moment_happens_when_it_is_best() -> None:
+    rings = FuzzySkill("the bell rings", Triangle(0, 300, 600), 0, happens=True)
+    paint = FuzzySkill("paint", Triangle(0, 200, 600), 1200)
+    assert solve(FuzzyTask((rings, paint))).start_times == pytest.approx((300, 200))
+
+
+def test_what_happens_by_itself_has_no_duration() -> None:
+    with pytest.raises(FuzzytimeError, match="must take no agent's time, got a duration of 60 s"):
+        FuzzySkill("the train leaves", ALWAYS, 60, happens=True)

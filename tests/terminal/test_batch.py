@@ -103,7 +103,8 @@ def test_errors_stand_beside_results(tmp_path: Path) -> None:
     assert [answer.get("error", {}).get("code") for answer in answers] == [65, 65, 66, 66, 66, 65, None]
     assert "says a time but nothing to do" in answers[5]["error"]["message"]
     assert done.code == Exit.FINE
-    assert "6 of 7 files could not be planned" in done.err
+    assert "6 of 7 files could not be planned (tests/data/binary.bin, tests/data/broken.yaml" in done.err
+    assert "tests/data/comments.txt and 2 more): see their 'error'" in done.err
     strict = ran("batch", *data, str(good), "--strict", "--jobs", "1", *NOW, folder=tmp_path)
     assert strict.code == Exit.BAD_DATA
 

@@ -291,3 +291,9 @@ def test_a_planned_instant_is_rounded_and_does_not_waver() -> None:
         talk.now = talk.now.replace(microsecond=part)
         talk.say("Ring the bell at 10 am")
         assert "09:59:59" not in talk.say(":list")
+
+
+def test_a_move_to_another_day_is_told_with_the_day() -> None:
+    talk = Talk()
+    talk.say("Call mum at 5 pm")
+    assert "moved: s1 call mum from 17:00 to Thu 17:00" in talk.say(":edit 1 call mum at 5 pm tomorrow")

@@ -149,3 +149,15 @@ def test_many_notes_are_counted_and_json_has_them_all(tmp_path: Path) -> None:
     shown = [line.removeprefix("note: ") for line in table.splitlines() if line.startswith("note: ")]
     assert len(said) > len(shown) > 0
     assert f"and {len(said) - len(shown)} more notes: --format json has all" in table
+
+
+def test_seconds_are_shown_where_minutes_are_not_enough(tmp_path: Path) -> None:
+    def table(*texts: str) -> str:
+        instructions = [part for text in texts for part in ("-i", text)]
+        return ran("plan", *instructions, "--now", "2026-03-04T09:00:42", folder=tmp_path).out
+
+    minutes = table("Stir the soup now", "Call mum in about 20 minutes")
+    assert "s1 09:01 09:02" in minutes
+    assert "s2 09:21 09:31" in minutes
+    assert "s1 09:00:42 09:01:42" in table("Stir the soup now")
+    assert "s1 09:00:42 09:01:12" in table("Pour the coffee now", "Call mum in about 20 minutes")

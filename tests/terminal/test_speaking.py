@@ -1,6 +1,6 @@
 """Plain words about what was asked for already, in a conversation."""
 
-from datetime import datetime
+from datetime import datetime, timedelta
 
 import pytest
 
@@ -42,6 +42,18 @@ def test_new_times_are_heard(line: str, time: str) -> None:
         "call mum at 5",
         "better",
         "what should I cook?",
+        "take back the books",
+        "redo the table",
+        "why don't you stir the soup?",
+        "45 minutes later stir the soup",
+        "serve the rice after the soup is done",
+        "finish the soup by six",
+        "put the potatoes on in five minutes",
+        "put the meat back for ten minutes",
+        "put the rice on. Five minutes later, start the fish",
+        "swap the tyres",
+        "clear the table",
+        "tell me a joke",
     ],
 )
 def test_wishes_are_left_alone(line: str) -> None:
@@ -63,14 +75,221 @@ def test_what_is_named_is_moved_given_a_length_and_dropped() -> None:
     talk.say("call mum at 5 pm")
     talk.say("simmer the soup at 10 am")
     talk.say("stir it at noon")
-    talk.say("move the soup to 11 am")
     talk.say("make it 20 minutes")
+    talk.say("move the soup to 11 am")
     assert talk.entries == ["call mum at 5 pm", "simmer the soup at 11 am", "stir it at noon for 20 minutes"]
-    talk.say("cancel the call")
     talk.say("never mind")
-    assert talk.entries == ["simmer the soup at 11 am"]
-    talk.say(":undo")
+    talk.say("cancel the call")
+    assert talk.entries == ["stir it at noon for 20 minutes"]
+    talk.say("undo that")
     assert len(talk.entries) == 2
+    assert ":drop all" in talk.say("start over")
+    assert talk.entries == []
+
+
+@pytest.mark.parametrize(
+    ("line", "kind", "names", "by"),
+    [
+        ("delay the pasta by ten minutes", AboutKind.DELAY, {"pasta"}, 600.0),
+        ("bring the call forward by an hour", AboutKind.DELAY, {"call"}, -3600.0),
+        ("move the call ten minutes earlier", AboutKind.DELAY, {"call"}, -600.0),
+        ("no, ten minutes later", AboutKind.DELAY, set(), 600.0),
+        ("snooze it for five minutes", AboutKind.DELAY, set(), 300.0),
+        ("push back the call", AboutKind.DELAY, {"call"}, None),
+        ("I'm about ten minutes late", AboutKind.LATE, set(), 600.0),
+        ("we got held up for half an hour", AboutKind.LATE, set(), 1800.0),
+        ("I'm running late", AboutKind.LATE, set(), None),
+        ("five more minutes", AboutKind.MORE, set(), 300.0),
+        ("the pasta needs another five minutes", AboutKind.MORE, {"pasta"}, 300.0),
+        ("I'm done with the pasta", AboutKind.DONE, {"pasta"}, None),
+        ("the soup is ready", AboutKind.DONE, {"soup"}, None),
+        ("it's done", AboutKind.DONE, set(), None),
+        ("finished the soup", AboutKind.DONE, {"soup"}, None),
+        ("how long until I have to leave?", AboutKind.WHEN, {"leave"}, None),
+        ("how long does the soup take?", AboutKind.LASTING, {"soup"}, None),
+        ("why is the soup so late?", AboutKind.WHY, {"soup"}, None),
+        ("why not earlier?", AboutKind.WHY, set(), None),
+        ("take that back", AboutKind.UNDO, set(), None),
+        ("what should I be doing now?", AboutKind.NEXT, set(), None),
+        ("what else is left?", AboutKind.ALL, set(), None),
+        ("what time is it?", AboutKind.CLOCK, set(), None),
+        ("ok, thanks!", AboutKind.ANSWER, set(), None),
+    ],
+)
+def test_what_is_said_of_wishes_is_heard(
+    line: str, kind: AboutKind, names: set[str], by: float | None
+) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert about is not None
+    assert (about.kind, set(about.names), about.by) == (kind, names, by)
+
+
+@pytest.mark.model
+def test_everything_is_pushed_back_but_what_was_told() -> None:
+    talk = Talk()
+    talk.say("stir the soup in about ten minutes")
+    talk.say("call mum at 5 pm")
+    talk.say("dinner is at 7 pm")
+    starts = {name: talk.start(name) for name in ("s1", "s2", "s3")}
+    shown = talk.say("push everything back by 20 minutes")
+    assert "taken as :delay all 20min" in shown
+    assert "3 (dinner)" in shown
+    assert "+20 min, at 5 pm" in shown
+    later = timedelta(minutes=20)
+    assert [talk.start(name) - starts[name] for name in starts] == [later, later, timedelta(0)]
+    talk.say("bring the call forward by half an hour")
+    assert talk.start("s2") == starts["s2"] - timedelta(minutes=10)
+    assert "which is over" in talk.say("bring the call forward by ten hours")
+    talk.say("undo")
+    assert talk.start("s2") == starts["s2"] + later
+
+
+@pytest.mark.model
+def test_what_is_delayed_does_not_start_before() -> None:
+    talk = Talk()
+    talk.say("stir the soup within an hour")
+    assert "running" in talk.say("what's next?")
+    talk.wait(minutes=1)
+    shown = talk.say("push the soup back by ten minutes")
+    assert "s2" in shown
+    assert talk.start("s2").minute == 10
+    talk.wait(minutes=4)
+    assert "s2 stir the soup: at 09:10, in 5 min" in talk.say("when is that?")
+
+
+@pytest.mark.model
+def test_what_follows_another_moves_along() -> None:
+    talk = Talk()
+    talk.say("call mum at 5 pm")
+    talk.say("ten minutes after you call mum, water the plants")
+    starts = [talk.start("s1"), talk.start("s2")]
+    assert "follows another one's time" in talk.say("delay the plants by an hour")
+    talk.say("push everything back by an hour")
+    assert [talk.start("s1"), talk.start("s2")] == [start + timedelta(hours=1) for start in starts]
+
+
+@pytest.mark.model
+def test_what_follows_what_is_running_is_pushed_back_too() -> None:
+    talk = Talk()
+    talk.say("Set the table now, then light the candles")
+    talk.wait(seconds=1)
+    talk.say("push everything back by ten minutes")
+    assert talk.start("s1.2") == talk.now.replace(minute=15, second=0)
+
+
+@pytest.mark.model
+def test_two_swap_their_times() -> None:
+    talk = Talk()
+    talk.say("call mum at 5 pm")
+    talk.say("Water the plants at 6 pm.")
+    talk.say("swap the two")
+    assert talk.entries == ["call mum at 6 pm", "Water the plants at 5 pm."]
+    talk.say("feed the cat at 8 pm")
+    assert "which two" in talk.say("swap them")
+    talk.say("swap the cat and the plants")
+    assert talk.entries[1:] == ["Water the plants at 8 pm.", "feed the cat at 5 pm"]
+    assert "nothing that is planned is about dog" in talk.say("swap the cat and the dog")
+
+
+@pytest.mark.model
+def test_what_is_running_is_done_early_or_goes_on() -> None:
+    talk = Talk()
+    talk.say("paint the wall now for 30 minutes")
+    talk.say("then water the plants")
+    talk.wait(minutes=5)
+    assert "until 09:40" in talk.say("ten more minutes")
+    assert talk.start("s2") == talk.now + timedelta(minutes=35)
+    assert "until 09:45" in talk.say("I'm five minutes late")
+    talk.say("move the plants to noon")
+    assert "done: paint the wall" in talk.say("done")
+    assert "nothing is running; the last, paint the wall, was done at 09:05" in talk.say("done")
+
+
+@pytest.mark.model
+def test_who_is_late_starts_nothing_before() -> None:
+    talk = Talk()
+    talk.say("call mum in about five minutes")
+    assert "by how much?" in talk.say("I'm running late")
+    talk.say("I'm 20 minutes late")
+    assert talk.start("s1") == talk.now + timedelta(minutes=20)
+    talk.say("undo that")
+    assert talk.start("s1") == talk.now + timedelta(minutes=5)
+
+
+@pytest.mark.model
+def test_what_was_done_is_no_wish() -> None:
+    talk = Talk()
+    talk.say("feed the cat at 10 am")
+    talk.say("call mum at 5 pm")
+    assert "done: feed the cat" in talk.say("I've already fed the cat")
+    assert talk.entries == ["call mum at 5 pm"]
+    assert "nothing that is planned" in talk.say("I watered the plants")
+    assert "nothing that is planned is about rice" in talk.say("the rice is done")
+    assert talk.entries == ["call mum at 5 pm"]
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("line", ["check that the soup is ready", "ask at eleven whether the cabin is ready"])
+def test_who_asks_for_a_report_makes_none(line: str) -> None:
+    talk = Talk()
+    talk.say(line)
+    assert talk.entries == [line]
+
+
+@pytest.mark.model
+def test_one_comes_first_or_after_another() -> None:
+    talk = Talk()
+    talk.say("wash the car at 10 am")
+    talk.say("call mum at 5 pm")
+    talk.say("move the car to after the call")
+    assert talk.start("s1") > talk.start("s2")
+    talk.say("do the car first")
+    assert talk.start("s1") == talk.now
+
+
+@pytest.mark.model
+def test_why_is_answered_in_sentences() -> None:
+    talk = Talk()
+    talk.say("Fry the fish at 5 pm")
+    talk.say("Call mum at 5 pm")
+    answer = talk.say("why is the fish so late?")
+    assert "It asked for “at 5 pm”" in answer
+    assert ":why s1 shows" in answer
+    assert "nothing that is planned" in talk.say("why is the dog so late?")
+
+
+@pytest.mark.model
+def test_doing_something_then_gives_it_another_time() -> None:
+    talk = Talk()
+    talk.say("Call mum at 5 pm")
+    talk.say("let's do the call at 6 pm instead")
+    assert talk.entries == ["Call mum at 6 pm"]
+    talk.say("could we do it half an hour earlier?")
+    assert talk.start("s1") == talk.now.replace(hour=17, minute=30)
+    talk.say("do the dishes at noon")
+    talk.say("do the dishes at 8 pm")
+    assert talk.entries[1:] == ["do the dishes at noon", "do the dishes at 8 pm"]
+    assert "one at a time" in talk.say("move everything to tomorrow")
+
+
+@pytest.mark.model
+def test_suppositions_change_nothing() -> None:
+    talk = Talk()
+    talk.say("call mum at 5 pm")
+    assert "water the plants" in talk.say("what if I water the plants at noon?")
+    assert "lost its place" not in talk.say("what if we push the call back by an hour?")
+    assert "nothing is changed" in talk.say("what if we drop the call?")
+    assert talk.entries == ["call mum at 5 pm"]
+
+
+@pytest.mark.model
+def test_what_is_said_anew_when_it_is_over_is_planned_again() -> None:
+    talk = Talk()
+    talk.say("water the plants now")
+    talk.wait(minutes=1)
+    talk.wait(minutes=30)
+    talk.say("do the plants after lunch")
+    assert talk.start("s2").hour == 13
 
 
 @pytest.mark.model

@@ -5,7 +5,7 @@ import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from fuzzytime_cli.batch.answers import Job, Recipe
@@ -13,6 +13,10 @@ from fuzzytime_cli.batch.backends import Workers
 from fuzzytime_cli.batch.journal import Journal
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import report
+from fuzzytime_cli.render import plain
+
+MOST_NAMED = 4
+"""Files that could not be planned and are named."""
 
 PATIENCE = 0.5
 """Seconds before progress is shown."""
@@ -20,19 +24,26 @@ PATIENCE = 0.5
 
 @dataclass(slots=True)
 class Tally:
-    """How many files were answered, kept from before, and not planned; the first error's code."""
+    """How many files were answered, kept from before, and not planned; the first error's code.
+
+    ``named`` are the first files that could not be planned.
+    """
 
     answered: int = 0
     kept: int = 0
     failed: int = 0
     code: Exit = Exit.FINE
+    named: list[str] = field(default_factory=list)
 
     def count(self, line: str) -> None:
         """Count an answer."""
         self.answered += 1
-        error = json.loads(line).get("error")
+        answer = json.loads(line)
+        error = answer.get("error")
         if error is not None:
             self.failed += 1
+            if len(self.named) < MOST_NAMED:
+                self.named.append(str(answer["file"]))
             self.code = self.code or Exit(error["code"])
 
     def exit(self, *, strict: bool) -> Exit:
@@ -80,7 +91,10 @@ def run(
 def _report(tally: Tally, total: int) -> None:
     """Say what is not as one would think: files that could not be planned, or that were answered before."""
     parts = [f"{tally.kept} of {total} files were answered before"] if tally.kept else []
-    parts += [f"{tally.failed} of {total} files could not be planned"] if tally.failed else []
+    if tally.failed:
+        more = f" and {tally.failed - len(tally.named)} more" if tally.failed > len(tally.named) else ""
+        named = f"{', '.join(map(plain, tally.named))}{more}"
+        parts.append(f"{tally.failed} of {total} files could not be planned ({named}): see their 'error'")
     if parts:
         report(f"fuzzytime: {'; '.join(parts)}")
 

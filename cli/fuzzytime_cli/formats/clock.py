@@ -9,19 +9,29 @@ from fuzzytime.times import instant_after
 
 @dataclass(frozen=True, slots=True)
 class Clock:
-    """Prints times of a plan: with seconds where one of them needs them, with the day where it is another."""
+    """Prints times of a plan: with seconds where one of them needs them, with the day where it is another.
+
+    ``grain`` is what times are rounded to, in seconds.
+    """
 
     now: datetime
     with_seconds: bool
+    grain: float = 1.0
 
     @classmethod
     def for_times(cls, now: datetime, times: Iterable[float]) -> "Clock":
         """Choose the least precision that tells all these times from full minutes."""
         return cls(now, any(round(time + now.second + _part(now)) % 60 for time in times))
 
+    @classmethod
+    def to_minutes(cls, now: datetime) -> "Clock":
+        """Round all times to the minute."""
+        return cls(now, with_seconds=False, grain=60.0)
+
     def of(self, time: float) -> str:
         """Print a time, in seconds from now, as ``09:02:30`` or ``Thu 09:02``."""
-        instant = instant_after(self.now, round(time + _part(self.now)) - _part(self.now))
+        past = _part(self.now) + (self.now.second if self.grain > 1 else 0)
+        instant = instant_after(self.now, self.grain * round((time + past) / self.grain) - past)
         clock = instant.strftime("%H:%M:%S" if self.with_seconds else "%H:%M")
         days = (instant.date() - self.now.date()).days
         if days == 0:

@@ -2,10 +2,11 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.interpreter import Plan
+from fuzzytime.interpreter import Moved, Plan
 from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling import Bond, Certificate, Limits, Neighbour, Status, Why, elsewhere, explain
 from fuzzytime.skills import Busy
+from fuzzytime.times import format_duration
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 
@@ -121,6 +122,11 @@ def name_of(plan: Plan, position: int) -> str:
     return f"{shown} ({plain(plan.skills[position].identifier)})" if same > 1 else shown
 
 
+def moved_words(moved: Moved | None) -> str:
+    """Give by how much a wish was moved, as a signed time; empty where it was not."""
+    return "" if moved is None else f"{'+' if moved.by >= 0 else ''}{format_duration(moved.by)}"
+
+
 def listed(names: Sequence[str]) -> str:
     """Join names as a sentence does: a, b and c."""
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
@@ -149,6 +155,8 @@ def _asked(why: Why, plan: Plan) -> str:
         asked = "Nothing was said about its time"
     else:
         asked = "Its satisfaction was given as a curve"
+    if interpreted.wish.moved is not None:
+        asked += f", and it was moved by {moved_words(interpreted.wish.moved)}"
     if why.best.starts.empty:
         return f"{asked}, and {_limit(why, plan)}."
     span = _span(why.best.starts, plan)

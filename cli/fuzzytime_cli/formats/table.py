@@ -12,12 +12,16 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines
+from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, moved_words
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
 _BAR = 10
+MINUTE = 60.0
+COARSE = 15 * MINUTE
+"""Seconds ahead from which on a plan of skills that take minutes is shown in minutes."""
+
 MOST_NOTES = 5
 """Notes that are told at most."""
 
@@ -71,11 +75,23 @@ class PlanView:
     def __init__(self, plan: Plan, width: int, *, unicode: bool = True) -> None:
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
-        times = [time for skill in self.schedule.skills for time in (skill.start, skill.end)]
-        self.clock = Clock.for_times(plan.request.now, times)
+        self.clock = self._clock()
         self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
         labels = [*self.labels, *(["busy"] if plan.request.busy else [])]
         self.label_width = min(12, max(map(width_of, labels), default=2))
+
+    def _clock(self) -> Clock:
+        """Choose how finely times are shown: seconds are noise where all takes minutes."""
+        planned = [
+            skill
+            for position, skill in enumerate(self.schedule.skills)
+            if not self.schedule.rejected[position]
+        ]
+        times = [time for skill in planned for time in (skill.start, skill.end)]
+        brief = any(0 < skill.duration < MINUTE for skill in planned)
+        if brief or max(times, default=0.0) < COARSE:
+            return Clock.for_times(self.plan.request.now, times)
+        return Clock.to_minutes(self.plan.request.now)
 
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""
@@ -105,10 +121,12 @@ class PlanView:
         """Give the words about time of a skill."""
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
-            return ", ".join(requirement.text for requirement in interpreted.requirements)
-        if interpreted.in_order:
-            return "in order"
-        return "any time" if interpreted.instruction is not None else "as given"
+            words = ", ".join(requirement.text for requirement in interpreted.requirements)
+        elif interpreted.in_order:
+            words = "in order"
+        else:
+            words = "any time" if interpreted.instruction is not None else "as given"
+        return ", ".join(filter(None, (moved_words(interpreted.wish.moved), words)))
 
     def times(self, position: int) -> tuple[str, str]:
         """Give when a skill starts and ends, by the clock; one that is rejected does neither."""

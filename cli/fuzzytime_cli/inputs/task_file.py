@@ -4,7 +4,7 @@ Every mistake is found in one run, with file, line and column.
 """
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime, tzinfo
 from functools import partial
@@ -13,8 +13,10 @@ from typing import Required, TypedDict
 from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
+from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
+from fuzzytime.yaml_tree import Sequence as Listed
 from fuzzytime_cli.inputs.functions import read_function
 from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
@@ -74,6 +76,7 @@ class _TaskFile:
         self.now = surroundings.now or surroundings.fallback_now
         self.agents = 1
         self.identifiers: dict[str, int] = {}
+        self.afters: list[tuple[Scalar, str]] = []
 
     def request(self) -> Request:
         reader = self.reader
@@ -100,6 +103,7 @@ class _TaskFile:
         )
         if not reader.mistakes and not wishes:
             reader.mistake(root, "", "a task file must hold instructions or skills")
+        self._check_afters(wishes)
         if len(wishes) > MAX_INSTRUCTIONS:
             reader.mistake(
                 root, "", f"a plan must hold at most {MAX_INSTRUCTIONS:,} skills, got {len(wishes):,}"
@@ -114,6 +118,15 @@ class _TaskFile:
             horizon=horizon,
             in_order=in_order,
         )
+
+    def _check_afters(self, wishes: Sequence[Wish]) -> None:
+        """Note what is to come after what is not there; of a line's skills any may be meant (s1.2)."""
+        named = Request(now=self.now, wishes=tuple(wishes)).named()
+        known = {wish.identifier for wish in named.wishes}
+        for name, key in self.afters:
+            if not {name.text, name.text.partition(".")[0]} & known:
+                meant = suggestion(name.text, known)
+                self.reader.mistake(name, key, f"must name the id of a skill, got {name.text!r}{meant}")
 
     def _now(self, top: dict[str, Node]) -> datetime:
         zone = self.surroundings.zone
@@ -200,6 +213,8 @@ class _TaskFile:
             shared["agent"] = max(1, reader.whole(fields["agent"], f"{key}.agent", 1, self.agents))
         if "after" in fields:
             shared["after"] = reader.strings(fields["after"], f"{key}.after")
+            named = fields["after"].items if isinstance(fields["after"], Listed) else (fields["after"],)
+            self.afters += [(node, f"{key}.after") for node in named if isinstance(node, Scalar)]
         if "id" in fields:
             shared["identifier"] = self._identifier(fields["id"], f"{key}.id")
         return shared

@@ -11,6 +11,8 @@ from fuzzytime_cli.render import fitted, plain, width_of
 from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
+    begun_of,
+    ended_line,
     identifier_of,
     number_and_rest,
     number_of,
@@ -25,7 +27,9 @@ BRIEF = 60
 
 
 def drop(scene: Scene, text: str) -> Reply:
-    """Forget an instruction."""
+    """Forget an instruction, or all of them."""
+    if text.strip().lower() == "all":
+        return step(scene, ":drop all", lambda state: replace(state, entries=()))
     number = number_of(text)
     return step(scene, f":drop {number}", lambda state: state.without(number))
 
@@ -37,16 +41,13 @@ def edit(scene: Scene, text: str) -> Reply:
     if not rest.strip():
         return Reply(edit=f":edit {number} {scene.conversation.state.entry(number).text}")
     words = rest.strip()
-    running = {one.identifier: one for one in scene.conversation.running(scene.now)}
-    begun = [one for one in running.values() if number_of(one.identifier) == number]
-    left = (skill.identifier for skill in scene.plan.skills if skill.identifier not in running)
-    if not begun or any(number_of(identifier) == number for identifier in left):
-        return step(
-            scene, f":edit {number}", lambda state: state.with_changed(number, text=words, given=scene.now)
-        )
+    anew = {"text": words, "given": scene.now, "moved_by": 0.0, "moved_to": None}
+    begun = begun_of(scene, number)
+    if begun is None:
+        return step(scene, f":edit {number}", lambda state: state.with_changed(number, **anew))
     # What has started does not move: said anew it is another, and may start at another time.
-    reply = step(scene, f":edit {number}", lambda state: state.with_another(number, words, scene.now))
-    return replace(reply, lines=(Text(f"no longer running: {plain(begun[0].name)}"), *reply.lines))
+    reply = step(scene, f":edit {number}", lambda state: state.with_another(number, **anew))
+    return replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
 
 
 def duration(scene: Scene, text: str) -> Reply:
@@ -93,6 +94,24 @@ def done(scene: Scene, text: str) -> Reply:
         scene.conversation.store.note_started(scene.conversation.name, begun)
         return Reply((name,), changed=True)
     return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
+
+
+def more(scene: Scene, text: str) -> Reply:
+    """Say that a skill that has started goes on for longer."""
+    first, _, rest = text.strip().partition(" ")
+    wanted, longer = identifier_of(first), parse_duration(rest)
+    if longer <= 0:
+        raise FuzzytimeError(f"a length of time must be above 0, got {rest!r}")
+    store, name = scene.conversation.store, scene.conversation.name
+    begun = next((one for one in store.started(name) if one.identifier == wanted), None)
+    if begun is None:
+        raise FuzzytimeError(f"{wanted} has not started (see: :duration)")
+    done = instant_after(max(begun.done, scene.now), longer)
+    # Who is at it stays at it; what goes on by itself goes on by itself.
+    by_itself = begun.end < scene.now < begun.done
+    end = begun.end if by_itself else instant_after(max(begun.end, scene.now), longer)
+    store.note_until(name, wanted, end, max(done, end))
+    return Reply((Text(f"{plain(begun.name)} goes on until {max(done, end):%H:%M:%S}"),), changed=True)
 
 
 def ctx(scene: Scene, text: str) -> Reply:

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime_cli.render import wrapped
-from fuzzytime_cli.repl import changing, looking, saving
+from fuzzytime_cli.repl import changing, looking, moving, saving
 from fuzzytime_cli.repl.rating import rate
 from fuzzytime_cli.repl.scene import Reply, Scene
 
@@ -21,13 +21,22 @@ class Command:
     run: Run
 
 
+HEAD = (
+    "Type what you want done and when: flip the pancakes in about two minutes.",
+    (
+        "Speak of it as you like: no, make it six; push the call back by ten minutes; swap the two; done; "
+        "five more minutes; I'm ten minutes late; cancel the call; what's next?; why?; undo."
+    ),
+)
+"""What the commands' list begins with."""
+
 NARROW = 60
 """Columns below which what a command does stands under it, not beside it."""
 
 
 def _help(scene: Scene, _: str) -> Reply:
-    head = "Type what you want done and when: flip the pancakes in about two minutes."
-    rows = [*wrapped(head, scene.width, 0), ""]
+    rows = [line for sentence in HEAD for line in wrapped(sentence, scene.width, 0)]
+    rows.append("")
     for command in COMMANDS.values():
         beginning = f"  :{command.usage:<26} "
         if scene.width < NARROW:
@@ -48,8 +57,13 @@ COMMANDS: Mapping[str, Command] = {
         "what-if TEXT", "what would move if you asked for that, or gave a :command", looking.what_if
     ),
     "edit": Command("edit N [TEXT]", "say instruction N anew", changing.edit),
-    "drop": Command("drop N", "forget instruction N", changing.drop),
+    "drop": Command("drop N|all", "forget instruction N, or all", changing.drop),
+    "delay": Command(
+        "delay N|all 10min", "move N, or all that is left, to later (-10min: earlier)", moving.delay
+    ),
+    "swap": Command("swap N M", "give N and M each other's times", moving.swap),
     "done": Command("done N", "skill N is done", changing.done),
+    "more": Command("more N 5min", "skill N, which has started, goes on for longer", changing.more),
     "undo": Command("undo", "take the last step back", changing.undo),
     "redo": Command("redo", "take an undone step again", changing.redo),
     "duration": Command("duration N 4min", "how long instruction N takes", changing.duration),
@@ -74,7 +88,19 @@ COMMANDS: Mapping[str, Command] = {
 
 TRIED = tuple(
     COMMANDS[name]
-    for name in ("edit", "drop", "duration", "priority", "ctx", "busy", "agents", "in-order", "solver")
+    for name in (
+        "edit",
+        "drop",
+        "delay",
+        "swap",
+        "duration",
+        "priority",
+        "ctx",
+        "busy",
+        "agents",
+        "in-order",
+        "solver",
+    )
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.context import Context, Reading
-from fuzzytime.interpreter import Interpreter, Plan, Request, SpokenWish, plan
+from fuzzytime.interpreter import Interpreter, Moved, Plan, Request, SpokenWish, plan
 from fuzzytime.interpreter import Started as StartedSkill
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
@@ -164,6 +164,7 @@ def wish_of(entry: Entry) -> SpokenWish:
         hands_on=entry.hands_on,
         elapsed=entry.elapsed,
         priority=entry.priority,
+        moved=Moved(entry.moved_by, entry.moved_to) if entry.moved_by else None,
     )
 
 

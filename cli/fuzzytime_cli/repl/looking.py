@@ -1,16 +1,20 @@
 """Commands of the conversation that look: they show, draw and explain, and change nothing."""
 
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan
+from fuzzytime.times import seconds_between
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.conversation import moves
+from fuzzytime_cli.repl.conversation import Move, moves
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
 from fuzzytime_cli.session import State
+
+MINUTE = 60.0
 
 
 def show_list(scene: Scene, _: str) -> Reply:
@@ -81,10 +85,7 @@ def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None
     """Say what moved between two plans."""
     lines = []
     for move in moves(before, after, started or set()):
-        ends = [
-            instant.strftime("%H:%M:%S") if instant is not None else ""
-            for instant in (move.before, move.after)
-        ]
+        ends = _ends(move, after.request.now)
         name = f"{plain(move.identifier)} {plain(move.name)}"
         if not ends[1]:
             lines.append(f"lost its place: {name}")
@@ -93,6 +94,17 @@ def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None
         else:
             lines.append(f"moved: {name} from {ends[0]} to {ends[1]}")
     return lines
+
+
+def _ends(move: Move, now: datetime) -> list[str]:
+    """Give where a skill was and is, as finely as the two differ; empty where it was or is not planned."""
+    instants = [instant for instant in (move.before, move.after) if instant is not None]
+    apart = abs(seconds_between(instants[0], instants[-1]))
+    form = "%H:%M:%S" if 0 < apart < MINUTE else "%H:%M"
+    return [
+        "" if instant is None else f"{instant:{form if instant.date() == now.date() else f'%a {form}'}}"
+        for instant in (move.before, move.after)
+    ]
 
 
 def plot(scene: Scene, text: str) -> Reply:

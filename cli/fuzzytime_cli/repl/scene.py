@@ -7,11 +7,11 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import Plan, Problem, ProblemKind
+from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
 from fuzzytime_cli.faults import underlined
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.session import State
+from fuzzytime_cli.session import Started, State
 
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
@@ -22,20 +22,22 @@ class Reply:
     """What a command answers: lines to show, and what happens next.
 
     ``changed`` asks for the schedule to be drawn again, ``edit`` puts words on the next prompt,
-    ``over`` ends the conversation.
+    ``over`` ends the conversation, ``focus`` is the instruction that was spoken of: what "it" is next.
     """
 
     lines: tuple[Text | str, ...] = ()
     changed: bool = False
     edit: str = ""
     over: bool = False
+    focus: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Scene:
     """What a command works with: the conversation, the plan on the screen, the moment, the screen's width.
 
-    Where ``tried`` is given, steps are not taken: what they would lead to is put there.
+    Where ``tried`` is given, steps are not taken: what they would lead to is put there. ``focus`` is the
+    instruction that was spoken of last.
     """
 
     conversation: Conversation
@@ -44,6 +46,7 @@ class Scene:
     width: int
     unicode: bool = True
     tried: list[State] | None = None
+    focus: int | None = None
 
 
 def said(text: str) -> Reply:
@@ -104,6 +107,25 @@ def position_of(scene: Scene, text: str) -> int:
             )
     known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
     raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
+
+
+def begun_of(scene: Scene, number: int) -> Started | None:
+    """Give the skill of an instruction that has started, the last if several have; None if one has not."""
+    if any(number_of(one.wish.identifier) == number for one in scene.plan.skills if is_waiting(scene, one)):
+        return None
+    begun = scene.conversation.store.started(scene.conversation.name)
+    return next((one for one in reversed(begun) if number_of(one.identifier) == number), None)
+
+
+def is_waiting(scene: Scene, one: Interpreted) -> bool:
+    """Whether a skill of the plan has not started since."""
+    begun = scene.conversation.store.started(scene.conversation.name)
+    return one.identifier not in {started.identifier for started in begun}
+
+
+def ended_line(scene: Scene, begun: Started) -> tuple[Text, ...]:
+    """Say that what was running is not any more."""
+    return (Text(f"no longer running: {plain(begun.name)}"),) if begun.done > scene.now else ()
 
 
 def step(scene: Scene, what: str, change: Callable[[State], State]) -> Reply:

@@ -5,16 +5,17 @@ from dataclasses import replace
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, about_wishes, content_words
+from fuzzytime.language import About, AboutKind, about_wishes, content_words, reported
 from fuzzytime.requirement import Constraint
-from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl import changing, looking
-from fuzzytime_cli.repl.scene import Reply, Scene, said
+from fuzzytime_cli.repl import answering, looking
+from fuzzytime_cli.repl.commands import command_of
+from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
+from fuzzytime_cli.repl.scene import Reply, Scene
 from fuzzytime_cli.session import Entry
 
-MOST = 5
-"""How many occurrences a question is answered with."""
+HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
+"""What tells how it went, which :undo does not take back."""
 
 
 def reply_about(scene: Scene, words: str) -> Reply | None:
@@ -23,46 +24,187 @@ def reply_about(scene: Scene, words: str) -> Reply | None:
     Raises
     ------
     FuzzytimeError
-        If what is meant has several times, and which one to change is not said.
+        If nothing that is known can be meant, or which of several is not said.
     """
     about = about_wishes(words, scene.now, scene.conversation.interpreter.language.lexicon)
     if about is None:
-        return None
+        return _told(scene, words)
     match about.kind:
-        case AboutKind.NEXT:
-            return _next(scene)
+        case AboutKind.NEXT | AboutKind.ANSWER:
+            return answering.coming(scene)
         case AboutKind.ALL:
             return looking.show_list(scene, "")
+        case AboutKind.CLOCK:
+            return looking.now(scene, "")
         case AboutKind.WHEN:
-            return _when(scene, about.names)
+            return answering.when(scene, about)
+        case AboutKind.LASTING:
+            return answering.lasting(scene, about)
+        case AboutKind.WHY:
+            return answering.why(scene, about)
+        case AboutKind.SUPPOSE:
+            return _supposed(scene, about.text)
         case _:
-            return _changed(scene, about)
+            return _taken(scene, about)
 
 
-def _changed(scene: Scene, about: About) -> Reply | None:
-    """Drop or change the entry that is meant; None where none is."""
-    entry = _entry(scene, about.names)
-    if entry is None:
+def _told(scene: Scene, words: str) -> Reply | None:
+    """Take what somebody tells to have done as done: "I've fed the cat"; None where nothing is told.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing that is known was done.
+    """
+    operation = reported(scene.conversation.interpreter.language.read(words, now=scene.now))
+    if operation is None:
         return None
-    if about.kind is AboutKind.DROP:
-        reply, taken = changing.drop(scene, str(entry.number)), f":drop {entry.number} ({entry.text})"
-    else:
-        text = _with_time(scene, entry, about.time)
-        reply, taken = changing.edit(scene, f"{entry.number} {text}"), f":edit {entry.number} {text}"
-    return replace(reply, lines=(Text(plain(f"taken as {taken}; :undo takes it back")), *reply.lines))
+    names = content_words(operation.object) | {operation.lemma}
+    return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
 
 
-def _entry(scene: Scene, names: frozenset[str]) -> Entry | None:
-    """Give the latest entry that all of some words name, or the latest."""
-    called: dict[str, frozenset[str]] = {}
-    for interpreted in scene.plan.skills:
-        name = interpreted.wish.identifier
-        called[name] = called.get(name, frozenset()) | content_words(interpreted.skill.name)
-    entries = scene.conversation.state.entries[::-1]
-    own = (entry for entry in entries if names <= content_words(entry.text))
-    # "It" in its words is what it is called by.
-    by_name = (e for e in entries if names <= called.get(f"s{e.number}", frozenset()) | content_words(e.text))
-    return next(own, None) or next(by_name, None)
+def _taken(scene: Scene, about: About) -> Reply | None:
+    """Run the command that is meant; None where the words may be a wish of their own."""
+    line = _command(scene, about)
+    if line is None:
+        return None
+    command, rest = command_of(line)
+    number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
+    dropped = _text_of(scene, number) if about.kind is AboutKind.DROP else ""
+    reply = command.run(scene, rest)
+    focus = int(number) if number.isdigit() and about.kind is not AboutKind.DROP else None
+    if not (reply.changed or scene.tried is not None):
+        return replace(reply, focus=focus)
+    if about.kind in {AboutKind.UNDO, AboutKind.REDO}:
+        return reply
+    back = "" if about.kind in HISTORY and not line.startswith(":busy") else "; :undo takes it back"
+    head = Text(plain(f"taken as {line}{f' ({dropped})' if dropped else ''}{back}"))
+    return replace(reply, lines=(head, *reply.lines), focus=focus)
+
+
+def _text_of(scene: Scene, number: str) -> str:
+    return next((one.text for one in scene.conversation.state.entries if str(one.number) == number), "")
+
+
+def _command(scene: Scene, about: About) -> str | None:
+    """Give the command that is meant, as it would be typed."""
+    match about.kind:
+        case AboutKind.UNDO | AboutKind.REDO:
+            return f":{about.kind.value}"
+        case AboutKind.DONE | AboutKind.MORE:
+            return _progress(scene, about)
+        case AboutKind.LATE:
+            return _late(scene, about)
+        case AboutKind.SWAP:
+            return _swap(scene, about)
+    if about.everything and about.kind is AboutKind.MOVE:
+        raise FuzzytimeError(
+            "one at a time, such as: move the call to six; or: push everything back by an hour"
+        )
+    if about.everything:
+        return ":drop all" if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
+    if about.both:
+        raise FuzzytimeError("one at a time, such as: forget the call")
+    entry = entry_of(scene, about.names)
+    if entry is None:
+        return unknown(about.names) if about.certain else None
+    if about.text and about.text in content_words(entry.text):
+        return None
+    match about.kind:
+        case AboutKind.DROP:
+            return f":drop {entry.number}"
+        case AboutKind.DELAY:
+            return f":delay {entry.number} {_length(about)}"
+        case _:
+            return f":edit {entry.number} {_with_time(scene, entry, about.time)}"
+
+
+def _length(about: About) -> str:
+    """Give by how much, as a command takes it.
+
+    Raises
+    ------
+    FuzzytimeError
+        If that is not said.
+    """
+    if about.by is None:
+        raise FuzzytimeError("by how much? Say: push it back by ten minutes (or: make it half past six)")
+    return _seconds(about.by)
+
+
+def _seconds(length: float) -> str:
+    whole, rest = divmod(abs(length), 60.0)
+    return f"{'-' if length < 0 else ''}{f'{whole:g}min' if not rest else f'{abs(length):g}s'}"
+
+
+def _progress(scene: Scene, about: About) -> str | None:
+    """Give the command that says how a skill goes: one that is running, or that need not start any more."""
+    one = running_one(scene, about.names)
+    longer = about.kind is AboutKind.MORE
+    if one is not None:
+        return f":more {one.identifier} {_length(about)}" if longer else f":done {one.identifier}"
+    if not about.names:
+        ended = all_called(scene, about.names)
+        if longer and ended:
+            return f":more {ended[-1].identifier} {_length(about)}"
+        last = f"; the last, {ended[-1].name}, was done at {ended[-1].done:%H:%M}" if ended else ""
+        raise FuzzytimeError(f"nothing is running{last}: say what, such as: the soup is done")
+    entry = entry_of(scene, about.names)
+    planned = None if entry is None else called(scene, entry.number)
+    ended = all_called(scene, about.names)
+    if planned is not None and not (longer and ended):
+        if longer and not about.certain:
+            return None
+        return f":more {planned} {_length(about)}" if longer else f":done {planned}"
+    if ended and longer:
+        return f":more {ended[-1].identifier} {_length(about)}"
+    if ended:
+        raise FuzzytimeError(f"{ended[-1].name} was done at {ended[-1].done:%H:%M}")
+    return unknown(about.names) if about.certain else None
+
+
+def _late(scene: Scene, about: About) -> str:
+    """Give the command that keeps who is late from everything for so long."""
+    if about.by is None:
+        raise FuzzytimeError(
+            "by how much? Say: I'm ten minutes late (nothing starts before then), "
+            "or: push everything back by ten minutes"
+        )
+    busy = [one for one in scene.conversation.running(scene.now) if one.end > scene.now]
+    if len(busy) == 1:
+        return f":more {busy[0].identifier} {_seconds(about.by)}"
+    from fuzzytime.times import instant_after
+
+    until = instant_after(scene.now, about.by)
+    day = "" if until.date() == scene.now.date() else f"{until:%Y-%m-%d}T"
+    return f":busy {scene.now:%H:%M:%S} {day}{until:%H:%M:%S} late"
+
+
+def _swap(scene: Scene, about: About) -> str | None:
+    if about.both:
+        left = [one for one in scene.conversation.state.entries if called(scene, one.number) is not None]
+        if len(left) != 2:
+            raise FuzzytimeError("which two? Say: swap the call and the soup")
+        return f":swap {left[0].number} {left[1].number}"
+    found = [entry_of(scene, names) for names in (about.names, about.others)]
+    if found[0] is None and found[1] is None:
+        return None
+    for entry, names in zip(found, (about.names, about.others), strict=True):
+        if entry is None:
+            return unknown(names)
+    return f":swap {' '.join(str(entry.number) for entry in found if entry is not None)}"
+
+
+def _supposed(scene: Scene, text: str) -> Reply:
+    """Show what would come of it: a wish, or what is said of those there are."""
+    about = about_wishes(text, scene.now, scene.conversation.interpreter.language.lexicon)
+    line = None if about is None or about.text else _supposable(scene, about)
+    return looking.what_if(scene, line or text)
+
+
+def _supposable(scene: Scene, about: About) -> str | None:
+    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP}
+    return _command(scene, about) if about.kind in changing else None
 
 
 def _with_time(scene: Scene, entry: Entry, time: str) -> str:
@@ -77,45 +219,3 @@ def _with_time(scene: Scene, entry: Entry, time: str) -> str:
         return f"{entry.text.rstrip('.! ')} {time}"
     first, end = mine[0].span
     return f"{entry.text[:first]}{time}{entry.text[end:]}"
-
-
-def _next(scene: Scene) -> Reply:
-    """Say what is going on, and what comes next."""
-    lines = [
-        Text(f"running: {plain(one.identifier)} {plain(one.name)}, until {one.done:%H:%M:%S}")
-        for one in scene.conversation.running(scene.now)
-    ]
-    coming = sorted(
-        (start, position)
-        for position, start in enumerate(scene.plan.schedule.start_times)
-        if not scene.plan.schedule.rejected[position]
-    )
-    lines += [_start(scene, position) for _, position in coming[:1]]
-    return Reply(tuple(lines)) if lines else said("nothing is planned")
-
-
-def _when(scene: Scene, names: frozenset[str]) -> Reply:
-    """Say when that is planned which all of some words name."""
-    schedule = scene.plan.schedule
-    found = [
-        position
-        for position, interpreted in enumerate(scene.plan.skills)
-        if names <= content_words(interpreted.skill.name)
-    ]
-    found.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
-    lines = [_start(scene, position) for position in found[:MOST]]
-    if len(found) > MOST:
-        lines.append(Text(f"and {len(found) - MOST} more times"))
-    return (
-        Reply(tuple(lines)) if lines else said(f"nothing that is planned is about {' '.join(sorted(names))}")
-    )
-
-
-def _start(scene: Scene, position: int) -> Text:
-    interpreted, schedule = scene.plan.skills[position], scene.plan.schedule
-    name = f"{plain(interpreted.identifier)} {plain(interpreted.skill.name)}"
-    if schedule.rejected[position]:
-        return Text(f"{name}: rejected (:why {plain(interpreted.identifier)} tells)")
-    start = schedule.start_times[position]
-    day = "" if scene.plan.instant(start).date() == scene.now.date() else f"{scene.plan.instant(start):%a} "
-    return Text(f"{name}: at {day}{scene.plan.instant(start):%H:%M}, in {format_duration(max(0.0, start))}")

@@ -14,7 +14,7 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines
 from fuzzytime_cli.repl.speaking import reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -33,7 +33,8 @@ class Pending:
 class Turns:
     """A conversation going on: the plan on the screen, the question put, what was told, and what is news.
 
-    ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once.
+    ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once. ``focus`` is
+    the instruction that was spoken of last.
     """
 
     conversation: Conversation
@@ -45,6 +46,7 @@ class Turns:
     pending: Pending | None = None
     news: list[Started] = field(default_factory=list)
     told: set[Problem] = field(default_factory=set)
+    focus: int | None = None
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -75,8 +77,10 @@ class Turns:
                 reply = command.run(self._scene(now), rest)
             else:
                 reply = reply_about(self._scene(now), words) or self._instruction(words, now)
+            self.focus = reply.focus if reply.focus is not None else self.focus
             if reply.changed:
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
+            reply = replace(reply, lines=(*self._told_news(), *reply.lines))
             if self.pending is not None:
                 reply = replace(reply, lines=(*reply.lines, *question_lines(self.pending.question)))
         except FuzzytimeError as error:
@@ -96,6 +100,7 @@ class Turns:
             return lines
         for started in self.conversation.note_started(self.plan, now):
             lines.append(start_line(started))
+            self.focus = number_of(started.identifier)
         return lines
 
     # -- inside ---------------------------------------------------------------------------------------------
@@ -107,7 +112,9 @@ class Turns:
 
     def _scene(self, now: datetime) -> Scene:
         plan = self.plan if self.plan is not None else self._refresh(now)
-        return Scene(self.conversation, plan, now, self.width, self.unicode)
+        # What starts now has started before anything is said of it.
+        self.news += self.conversation.note_started(plan, now)
+        return Scene(self.conversation, plan, now, self.width, self.unicode, focus=self.focus)
 
     def _refresh(self, now: datetime) -> Plan:
         """Plan from a moment on: what has started by then stays."""
@@ -121,8 +128,7 @@ class Turns:
         before = self.plan
         made = self._refresh(now)
         started = {one.identifier for one in self.conversation.store.started(self.conversation.name)}
-        lines: list[Line] = [start_line(one) for one in self.news]
-        self.news.clear()
+        lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
         for one in self.conversation.running(now):
             lines.append(
@@ -132,6 +138,12 @@ class Turns:
         self.told = set(made.problems)
         lines += PlanView(replace(made, problems=untold), self.width, unicode=self.unicode).lines()
         lines += [line for problem in untold for line in problem_lines(problem, self.width)]
+        return lines
+
+    def _told_news(self) -> list[Line]:
+        """Announce what has started since the last announcement."""
+        lines: list[Line] = [start_line(one) for one in self.news]
+        self.news.clear()
         return lines
 
     def _instruction(self, words: str, now: datetime) -> Reply:
@@ -147,7 +159,7 @@ class Turns:
         reading = own[0].reading if own else None
         if self.asks and reading is not None and reading.questions:
             self.pending = Pending(kept.entries[-1].number, reading.questions[0])
-        return Reply(changed=True)
+        return Reply(changed=True, focus=kept.entries[-1].number)
 
     def _answer(self, pending: Pending, choice: int) -> Reply:
         """Say the chosen time explicitly in the instruction; what no choice has that number leaves it."""

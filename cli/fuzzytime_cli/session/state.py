@@ -12,7 +12,10 @@ SCHEMA = "fuzzytime-session/1"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Entry:
-    """One instruction of the conversation, with the moment it was given."""
+    """One instruction of the conversation, with the moment it was given, and how it was moved since.
+
+    ``moved_by`` are seconds, and ``moved_to`` the start it was moved to (`fuzzytime.interpreter.Moved`).
+    """
 
     number: int
     text: str
@@ -20,6 +23,8 @@ class Entry:
     hands_on: float | None = None
     elapsed: float | None = None
     priority: float = 1.0
+    moved_by: float = 0.0
+    moved_to: datetime | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,10 +111,10 @@ class State:
         entries = (replace(entry, **changes) if entry.number == number else entry for entry in self.entries)
         return replace(self, entries=tuple(entries))
 
-    def with_another(self, number: int, text: str, given: datetime) -> "State":
-        """Give the state with a new instruction in the place of one."""
-        another = Entry(number=self.next_number, text=text, given=given)
+    def with_another(self, number: int, **changes: Any) -> "State":  # noqa: ANN401 - the fields of Entry
+        """Give the state with a new instruction in the place of one, which it equals but for some changes."""
         old = self.entry(number)
+        another = replace(old, number=self.next_number, **changes)
         entries = (another if entry is old else entry for entry in self.entries)
         return replace(self, entries=tuple(entries), next_number=self.next_number + 1)
 
@@ -159,9 +164,7 @@ def state_of(text: str) -> State:
         data = json.loads(text)
         if data.pop("schema") != SCHEMA:
             raise FuzzytimeError(f"a session must be of the form {SCHEMA}")
-        entries = tuple(
-            Entry(**{**entry, "given": instant_of(entry["given"])}) for entry in data.pop("entries")
-        )
+        entries = tuple(_entry_of(entry) for entry in data.pop("entries"))
         readings = tuple(
             KeptReading(**{**kept, "at": instant_of(kept["at"])}) for kept in data.pop("readings")
         )
@@ -179,6 +182,16 @@ def state_of(text: str) -> State:
         )
     except (ValueError, TypeError, KeyError, AttributeError) as error:
         raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
+
+
+def _entry_of(entry: dict[str, Any]) -> Entry:
+    """Read an entry; those of earlier versions were not moved."""
+    moved_to = entry.get("moved_to")
+    instants = {
+        "given": instant_of(entry["given"]),
+        "moved_to": None if moved_to is None else instant_of(moved_to),
+    }
+    return Entry(**{**entry, **instants})
 
 
 def started_of(text: str) -> Started:

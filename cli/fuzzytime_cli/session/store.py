@@ -5,7 +5,7 @@ import json
 import sqlite3
 from collections.abc import Callable, Iterator
 from contextlib import closing, contextmanager
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from datetime import datetime
 from pathlib import Path
 
@@ -15,7 +15,6 @@ from fuzzytime_cli.session.state import (
     KeptRating,
     Started,
     State,
-    instant_of,
     instant_text,
     started_of,
     state_of,
@@ -199,20 +198,23 @@ class SessionStore:
 
     def note_done(self, name: str, identifier: str, at: datetime) -> None:
         """Note that a started skill was done at an instant."""
+        self._note(name, identifier, lambda one: replace(one, done=at, end=min(one.end, at)))
+
+    def note_until(self, name: str, identifier: str, end: datetime, done: datetime) -> None:
+        """Note that a started skill keeps its agent until one instant, and is done at another."""
+        self._note(name, identifier, lambda one: replace(one, end=end, done=done))
+
+    def _note(self, name: str, identifier: str, change: Callable[[Started], Started]) -> None:
         with self._writing() as connection:
             row = connection.execute(
                 "SELECT skill FROM started WHERE session = ? AND identifier = ?", (name, identifier)
             ).fetchone()
             if row is None:
                 raise NoInputError(f"{identifier} has not started")
-            data = json.loads(row[0])
-            at_text = instant_text(at)
-            data["done"] = at_text
-            if instant_of(data["end"]) > at:
-                data["end"] = at_text
+            changed = json.dumps(asdict(change(started_of(row[0]))), default=instant_text)
             connection.execute(
                 "UPDATE started SET skill = ? WHERE session = ? AND identifier = ?",
-                (json.dumps(data), name, identifier),
+                (changed, name, identifier),
             )
 
 

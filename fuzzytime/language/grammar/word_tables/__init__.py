@@ -113,8 +113,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
         },
         conversation={
-            name: frozenset(speech.words("conversation", name))
-            for name in ("dropping", "last", "next", "all", "when")
+            name.text: frozenset(speech.words("conversation", name.text))
+            for name, _ in speech.rows("conversation")
         },
         foreign=frozenset(form[0] for form in speech.words("foreign")),
         function_words=function_words,

@@ -1,0 +1,146 @@
+"""Questions about the plan, answered in a line or two: what comes next, when, for how long."""
+
+from dataclasses import replace
+
+from rich.text import Text
+
+from fuzzytime.language import About, content_words
+from fuzzytime.times import format_duration, seconds_between
+from fuzzytime_cli.render import plain, wrapped
+from fuzzytime_cli.repl.naming import entry_of
+from fuzzytime_cli.repl.scene import Reply, Scene, is_waiting, number_of, position_of, said
+
+LONG = 300.0
+"""Seconds from which on it is said when something is done."""
+
+MOST = 5
+"""How many occurrences a question is answered with."""
+
+
+def coming(scene: Scene) -> Reply:
+    """Say what is going on, and what comes next."""
+    running = scene.conversation.running(scene.now)
+    lines = [
+        Text(f"running: {plain(one.identifier)} {plain(one.name)}, until {one.done:%H:%M:%S}")
+        for one in running
+    ]
+    schedule = scene.plan.schedule
+    planned = sorted(
+        (start, position)
+        for position, start in enumerate(schedule.start_times)
+        if not schedule.rejected[position] and is_waiting(scene, scene.plan.skills[position])
+    )
+    lines += [_start(scene, position) for _, position in planned[:1]]
+    meant = [scene.plan.skills[position].identifier for _, position in planned[:1]]
+    meant += [one.identifier for one in running]
+    return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said("nothing is planned")
+
+
+def when(scene: Scene, about: About) -> Reply:
+    """Say when that is planned which all of some words name, or when all is over."""
+    if about.everything:
+        return _over(scene)
+    positions = _positions(scene, about.names)
+    schedule = scene.plan.schedule
+    positions.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
+    lines = [
+        Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {one.done:%H:%M:%S}")
+        for one in scene.conversation.running(scene.now)
+        if about.names and about.names <= content_words(one.name)
+    ]
+    lines += [_start(scene, position) for position in positions[:MOST]]
+    if len(positions) > MOST:
+        lines.append(Text(f"and {len(positions) - MOST} more times"))
+    if not lines:
+        return _nothing(about.names)
+    return replace(Reply(tuple(lines)), focus=_focus(scene, positions))
+
+
+def lasting(scene: Scene, about: About) -> Reply:
+    """Say how long that takes which some words name."""
+    positions = _positions(scene, about.names)
+    lines = []
+    for position in positions[:MOST]:
+        interpreted = scene.plan.skills[position]
+        skill = interpreted.skill
+        whole = format_duration(skill.time_until_done)
+        by_itself = 0.0 < skill.duration < skill.time_until_done
+        hands = f", hands for {format_duration(skill.duration)}" if by_itself else ""
+        assumed = " (assumed)" if interpreted.duration.assumed else ""
+        name = f"{plain(interpreted.identifier)} {plain(skill.name)}"
+        lines.append(Text(f"{name}: {whole}{hands}{assumed}"))
+    if not lines:
+        return _nothing(about.names)
+    return replace(Reply(tuple(lines)), focus=_focus(scene, positions))
+
+
+def why(scene: Scene, about: About) -> Reply:
+    """Say why that starts when it does which some words name, and nothing more."""
+    from fuzzytime_cli.formats.reasons import why_sentences
+
+    positions = _positions(scene, about.names)
+    if not positions:
+        entry = entry_of(scene, about.names)
+        if entry is not None:
+            position_of(scene, str(entry.number))  # what is running, or over, says so
+        return _nothing(about.names)
+    name = scene.plan.skills[positions[0]].identifier
+    sentences = [*why_sentences(scene.plan, positions[0]), f":why {name} shows words, rules and curve."]
+    heading = f"{plain(name)} {plain(scene.plan.skills[positions[0]].skill.name)}"
+    lines = [line for sentence in sentences for line in wrapped(f"  {sentence}", scene.width, 6)]
+    return Reply((Text(heading, style="bold"), *lines), focus=_focus(scene, positions))
+
+
+def _nothing(names: frozenset[str]) -> Reply:
+    return said(
+        f"nothing that is planned is about {' '.join(sorted(names))}" if names else "nothing is planned"
+    )
+
+
+def _focus(scene: Scene, positions: list[int]) -> int | None:
+    return number_of(scene.plan.skills[positions[0]].identifier) if positions else None
+
+
+def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
+    """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
+    skills = [(place, one) for place, one in enumerate(scene.plan.skills) if is_waiting(scene, one)]
+    if names:
+        return [position for position, one in skills if names <= content_words(one.skill.name)]
+    entry = entry_of(scene, names)
+    return [
+        position
+        for position, one in skills
+        if entry is not None and one.wish.identifier == f"s{entry.number}"
+    ]
+
+
+def _over(scene: Scene) -> Reply:
+    """Say when the last of all is done."""
+    schedule = scene.plan.schedule
+    ends = [
+        scene.plan.instant(one.done)
+        for position, one in enumerate(schedule.skills)
+        if not schedule.rejected[position]
+    ]
+    ends += [one.done for one in scene.conversation.running(scene.now)]
+    if not ends:
+        return said("nothing is planned")
+    last = max(ends)
+    day = "" if last.date() == scene.now.date() else f"{last:%a} "
+    left = max(0.0, seconds_between(scene.now, last))
+    return said(f"all is done at {day}{last:%H:%M}, in {format_duration(left)}")
+
+
+def _start(scene: Scene, position: int) -> Text:
+    interpreted, schedule = scene.plan.skills[position], scene.plan.schedule
+    name = f"{plain(interpreted.identifier)} {plain(interpreted.skill.name)}"
+    if schedule.rejected[position]:
+        return Text(f"{name}: rejected (:why {plain(interpreted.identifier)} tells)")
+    instant, done = (
+        scene.plan.instant(schedule.start_times[position]),
+        scene.plan.instant(schedule.skills[position].done),
+    )
+    day = "" if instant.date() == scene.now.date() else f"{instant:%a} "
+    over = f", done at {done:%H:%M}" if interpreted.skill.time_until_done >= LONG else ""
+    left = max(0.0, seconds_between(scene.now, instant))
+    return Text(f"{name}: at {day}{instant:%H:%M}, in {format_duration(left)}{over}")

@@ -1,0 +1,95 @@
+"""What words mean of what was asked for: an instruction, a skill that is running, one that is over."""
+
+from typing import NoReturn
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import content_words
+from fuzzytime_cli.repl.scene import Scene, number_of
+from fuzzytime_cli.session import Entry, Started
+
+FEW = 2
+"""Words that are repeated at most."""
+
+
+def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
+    """Give the latest entry that all of some words name; without words the one that was spoken of last."""
+    running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
+    latest = scene.conversation.state.entries[::-1]
+    to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
+    # What only tells of others ("the lunch takes 20 minutes") is meant last.
+    entries = [*to_do, *(entry for entry in latest if entry not in to_do)]
+    if not names:
+        spoken_of = (entry for entry in entries if entry.number == scene.focus)
+        return next(spoken_of, None) or next(iter(entries), None)
+    skills: dict[str, frozenset[str]] = {}
+    for interpreted in scene.plan.skills:
+        name = interpreted.wish.identifier
+        known = content_words(interpreted.skill.name) | _verb(interpreted.operation)
+        skills[name] = skills.get(name, frozenset()) | known
+    own = (entry for entry in entries if names <= content_words(entry.text))
+    # "It" in its words is what it is called by.
+    by_name = (e for e in entries if names <= skills.get(f"s{e.number}", frozenset()) | content_words(e.text))
+    return next(own, None) or next(by_name, None)
+
+
+def _verb(operation: object) -> frozenset[str]:
+    lemma = getattr(operation, "lemma", None)
+    return frozenset({lemma}) if lemma else frozenset()
+
+
+def called(scene: Scene, number: int) -> str | None:
+    """Give the identifier of an instruction's first skill in the plan; None where none is planned."""
+    found = (one.identifier for one in scene.plan.skills if one.wish.identifier == f"s{number}")
+    return next(found, None)
+
+
+def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
+    """Give the skill that is running and that all of some words name; without words the only one.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing is named, and several are running.
+    """
+    running = scene.conversation.running(scene.now)
+    if names:
+        return next((one for one in reversed(running) if names <= _words(scene, one)), None)
+    if len(running) > 1:
+        spoken_of = next((one for one in running if number_of(one.identifier) == scene.focus), None)
+        # Who has their hands free again means what they were at.
+        at_work = [one for one in running if one.end > scene.now]
+        if spoken_of is None and len(at_work) != 1:
+            names_of = ", ".join(f"{one.name} ({one.identifier})" for one in running)
+            raise FuzzytimeError(f"several are running: say which: {names_of}")
+        return spoken_of or at_work[0]
+    return running[0] if running else None
+
+
+def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
+    """Give what has started and is named by all of some words, the latest last; without words all."""
+    known = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    begun = scene.conversation.store.started(scene.conversation.name)
+    return sorted(
+        (one for one in begun if one.identifier.partition(".")[0] in known and names <= _words(scene, one)),
+        key=lambda one: one.done,
+    )
+
+
+def _words(scene: Scene, one: Started) -> frozenset[str]:
+    number = number_of(one.identifier)
+    texts = (entry.text for entry in scene.conversation.state.entries if entry.number == number)
+    return content_words(one.name) | content_words(next(texts, ""))
+
+
+def unknown(names: frozenset[str]) -> NoReturn:
+    """Say that nothing is meant.
+
+    Raises
+    ------
+    FuzzytimeError
+        Always.
+    """
+    if not names:
+        raise FuzzytimeError("nothing is planned yet")
+    what = " ".join(sorted(names)) if len(names) <= FEW else "that"
+    raise FuzzytimeError(f"nothing that is planned is about {what} (:list shows what is)")

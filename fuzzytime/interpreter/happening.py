@@ -1,0 +1,70 @@
+"""What happens by itself, where it was said to, and what keeps who speaks from all else."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.remarks import problem_of
+from fuzzytime.interpreter.request import Request
+from fuzzytime.satisfaction import Rectangle
+from fuzzytime.skills import Busy
+from fuzzytime.times import instant_after
+
+SURE = 0.999
+"""The satisfaction from which on a start is as said."""
+
+
+def happening(interpretation: Interpretation) -> Interpretation:
+    """Keep what happens where it was said to: it gives way to nobody's work."""
+    return replace(interpretation, skills=tuple(map(_where_it_happens, interpretation.skills)))
+
+
+def _where_it_happens(one: Interpreted) -> Interpreted:
+    if one.skill.duration or not _is_stated(one):
+        return one
+    one = replace(one, skill=replace(one.skill, happens=True))
+    time = one.skill.preferred
+    if time is None or not all(part.anchor is None for part in one.requirements):
+        return one
+    if time < 0 or float(one.skill.satisfaction(time)) < SURE:
+        return one
+    return replace(one, skill=replace(one.skill, satisfaction=Rectangle(time, time)))
+
+
+def _is_stated(interpreted: Interpreted) -> bool:
+    return interpreted.operation is not None and interpreted.operation.stated
+
+
+def attended(interpretation: Interpretation, request: Request) -> tuple[tuple[Interpreted, Busy], ...]:
+    """Give when who speaks is taken: "I have a meeting from two to four" is no wish, and gives way to none.
+
+    Of several agents the first speaks, unless the wish says which.
+    """
+    found = []
+    for interpreted in interpretation.skills:
+        operation, start = interpreted.operation, interpreted.skill.preferred
+        if operation is not None and operation.attended and start is not None:
+            end = start + interpreted.skill.time_until_done
+            speaker = interpreted.wish.agent or (1 if request.agents > 1 else None)
+            if max(start, 0.0) < end:
+                found.append((interpreted, Busy(max(start, 0.0), end, interpreted.skill.name, speaker)))
+    return tuple(found)
+
+
+def clashes(appointments: Sequence[tuple[Interpreted, Busy]], request: Request) -> list[Problem]:
+    """Say of appointments that overlap: nobody can be at both, and a plan gives way to each of them."""
+    told: dict[tuple[str, str], Problem] = {}
+    for position, (one, mine) in enumerate(appointments):
+        for other in (*request.busy, *(taken for _, taken in appointments[:position])):
+            same = mine.agent == other.agent or None in {mine.agent, other.agent}
+            pair = (mine.what, other.what)
+            if same and mine.start < other.end and other.start < mine.end and pair not in told:
+                names = " and ".join(_span(taken, request) for taken in (other, mine))
+                message = f"{names} overlap"
+                told[pair] = problem_of(one.wish, ProblemKind.NOTE, message, identifier=one.identifier)
+    return list(told.values())
+
+
+def _span(taken: Busy, request: Request) -> str:
+    start, end = (instant_after(request.now, time) for time in (taken.start, taken.end))
+    return f"{taken.what or 'an appointment'} ({start:%H:%M} to {end:%H:%M})"

@@ -1,0 +1,63 @@
+"""What is said about wishes, as a value."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class AboutKind(StrEnum):
+    """What is said of them."""
+
+    DROP = "drop"
+    MOVE = "move"
+    DELAY = "delay"
+    SWAP = "swap"
+    UNDO = "undo"
+    REDO = "redo"
+    DONE = "done"
+    MORE = "more"
+    LATE = "late"
+    NEXT = "next"
+    ALL = "all"
+    WHEN = "when"
+    LASTING = "lasting"
+    WHY = "why"
+    CLOCK = "clock"
+    SUPPOSE = "suppose"
+    ANSWER = "answer"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class About:
+    """What is said about something asked for.
+
+    Parameters
+    ----------
+    kind
+        What is said.
+    names
+        The words that name what is meant; none for what was spoken of last.
+    others
+        The words that name the second one, of what is swapped.
+    everything
+        Whether all is meant that is left to do.
+    both
+        Whether the two that are left are meant.
+    time
+        The new time, or what comes before or after it, as it would be said with what is to be done.
+    by
+        Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
+    text
+        What is supposed: "what if I call mum at six" has "call mum at six".
+    certain
+        Whether nothing else can be meant; where it can, what names nothing that was asked for is a wish.
+    """
+
+    kind: AboutKind
+    names: frozenset[str] = frozenset()
+    others: frozenset[str] = frozenset()
+    everything: bool = False
+    both: bool = False
+    time: str = ""
+    by: float | None = None
+    text: str = ""
+    certain: bool = False

@@ -1,0 +1,217 @@
+"""Orders that are about wishes: "cancel the call", "push everything back by ten minutes", "swap the two"."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import TO, Said
+from fuzzytime.language.finding import find_times
+from fuzzytime.language.grammar.lexicon import longest_match
+
+DIRECTIONS = ("later", "earlier")
+REFERRED = ("last", "everything")
+FOR = "for"
+DOING = "do"
+BETWEEN = frozenset({"and", "with", "for"})
+"""Words between the two that are swapped."""
+
+
+def change(said: Said) -> About | None:
+    """Read an order about wishes; None where it may be a wish itself."""
+    return (
+        _undone(said)
+        or _swapped(said)
+        or _dropped(said)
+        or _ordered(said)
+        or _corrected(said)
+        or _delayed(said)
+        or _moved(said)
+    )
+
+
+def _undone(said: Said) -> About | None:
+    for kind, name in ((AboutKind.UNDO, "undoing"), (AboutKind.REDO, "redoing")):
+        rest = said.after(name)
+        if rest is not None and _is_last(rest):
+            return About(kind=kind, certain=True)
+    form = longest_match(said.words, 0, {(first[0],) for first in said.table("undoing") if len(first) == 2})
+    particle = {first[1] for first in said.table("undoing") if len(first) == 2}
+    if (
+        form is not None
+        and said.forms[-1] in particle
+        and _is_last(said.until(len(said.words) - 1).behind(1))
+    ):
+        # "Take that back"
+        return About(kind=AboutKind.UNDO, certain=True)
+    return None
+
+
+def _is_last(said: Said) -> bool:
+    """Whether nothing is named but what was said last."""
+    return not said.words or said.is_in("last")
+
+
+def _swapped(said: Said) -> About | None:
+    rest = said.after("swapping")
+    if rest is None:
+        return None
+    rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in {("around",), ("over",)} else rest
+    if not rest.words or rest.is_in("both"):
+        return About(kind=AboutKind.SWAP, both=True, certain=True)
+    joint = next((place for place, word in enumerate(rest.forms) if word in BETWEEN), 0)
+    one, other = rest.until(joint), rest.behind(joint + 1)
+    if not joint or not other.words:
+        return None
+    return About(kind=AboutKind.SWAP, names=_named(one), others=_named(other))
+
+
+def _named(said: Said) -> frozenset[str]:
+    return frozenset() if said.is_in("last") else said.names
+
+
+def _dropped(said: Said) -> About | None:
+    rest = said.after("clearing")
+    if rest is not None and (rest.is_in("everything") or (not rest.words and len(said.words) > 1)):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    rest = said.after("dropping")
+    if rest is None or rest.has_time:
+        return None
+    if rest.is_in("everything"):
+        return About(kind=AboutKind.DROP, everything=True, certain=True)
+    if rest.is_in("both"):
+        return About(kind=AboutKind.DROP, both=True, certain=True)
+    if _is_last(rest):
+        return About(kind=AboutKind.DROP, certain=True)
+    return About(kind=AboutKind.DROP, names=rest.names) if rest.names else None
+
+
+def _ordered(said: Said) -> About | None:
+    """Read what is wished to come first, or beside another: "do the soup first", "do it after the call"."""
+    if said.forms[:1] != (DOING,) or len(said.words) < 3:
+        return None
+    for place in range(2, len(said.words)):
+        thing, rest = said.until(place).behind(1), said.behind(place)
+        if rest.is_in("first"):
+            return About(kind=AboutKind.MOVE, names=_named(thing), time="right now")
+        new = rest.without("instead")[0]
+        if (by := _by(new)) is not None and not by[1].words:
+            return About(kind=AboutKind.DELAY, names=_named(thing), by=by[0])
+        if (time := new.as_time()) and (thing.names or _is_last(thing)):
+            # Who has dishes to do, and says so again, may mean others.
+            again = "" if new.words != rest.words else DOING
+            return About(kind=AboutKind.MOVE, names=_named(thing), time=time, text=again)
+        beside = rest.beside()
+        if beside is not None and beside[1].names:
+            return About(kind=AboutKind.MOVE, names=_named(thing), time=beside[0], others=beside[1].names)
+    return None
+
+
+def _corrected(said: Said) -> About | None:
+    place = 0
+    while place < len(said.words):
+        form = longest_match(said.words, place, said.lexicon.corrections)
+        if form is None and said.forms[place] != ",":
+            break
+        place += len(form) if form is not None else 1
+    rest = said.behind(place)
+    delayed = _by(rest)
+    if delayed is not None and not delayed[1].words:
+        # "Ten minutes later", "no, make it ten minutes earlier"
+        return About(kind=AboutKind.DELAY, by=delayed[0], certain=True)
+    if place == 0 or not rest.words or (place == 1 and said.forms[0] == "wait"):
+        # "Wait ten minutes" is an order
+        return None
+    thing, is_said, new = rest.text.rpartition(" is ")
+    if is_said:
+        # "Actually, the dentist is at half past four"
+        time = Said(new, said.now, said.lexicon).as_time()
+        names = Said(thing, said.now, said.lexicon).names
+        return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
+    time = rest.as_time()
+    return About(kind=AboutKind.MOVE, time=time, certain=True) if time else change(rest)
+
+
+def _by(said: Said) -> tuple[float, Said] | None:
+    """Give by how much something is to be later, below 0 for earlier, and the rest; None without either."""
+    rest, directions = said.without(*DIRECTIONS)
+    found = rest.length() if directions else None
+    if found is None:
+        return None
+    return -found.seconds if "earlier" in directions else found.seconds, found.rest
+
+
+def _delayed(said: Said) -> About | None:
+    """Read what is moved by a length, or only back or forward: "push the call back by ten minutes"."""
+    delaying = said.after("delaying")
+    rest = delaying if delaying is not None else said.behind(1)
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    if delaying is not None and not rest.words:
+        return About(kind=AboutKind.DELAY, certain=True)
+    if not rest.words or not rest.is_one or any(f" {joint}" in f" {rest.text.lower()}" for joint in TO):
+        return None
+    thing, directions = rest.without(*DIRECTIONS)
+    found = thing.length()
+    if found is None:
+        if thing.has_time or (delaying is None and not directions):
+            return None
+    elif delaying is None and (
+        found.joint == FOR or not (directions or said.forms[0] in said.lexicon.moving)
+    ):
+        # "Put the meat back for ten minutes"
+        return None
+    named, referred = (thing if found is None else found.rest).without(*REFERRED)
+    if not named.names and not referred and (delaying is None or named.words):
+        return None
+    everything = "everything" in referred and not named.names
+    by = None if found is None else -found.seconds if "earlier" in directions else found.seconds
+    # Who pushes a table back says no length of time.
+    certain = everything or delaying is not None or (found is not None and found.joint == "by")
+    names = frozenset() if everything else named.names
+    return About(kind=AboutKind.DELAY, names=names, everything=everything, by=by, certain=certain)
+
+
+def _moved(said: Said) -> About | None:
+    delaying = said.after("delaying")
+    if delaying is None and said.forms[:1] and said.forms[0] not in said.lexicon.rescheduling:
+        return None
+    behind = (delaying or said.behind(1)).text
+    joint = next((to for to in TO if f" {to}" in f" {behind.lower()}"), "")
+    if not joint:
+        return _moved_at(said, behind) if delaying is not None else _moved_beside(said)
+    place = f" {behind.lower()}".rfind(f" {joint}")
+    thing = Said(behind[:place].rstrip(), said.now, said.lexicon)
+    new = Said(behind[place:].strip(), said.now, said.lexicon)
+    if not thing.words:
+        return None
+    names = _named(thing)
+    if thing.is_in("everything"):
+        return About(kind=AboutKind.MOVE, everything=True, certain=True)
+    if not names and not _is_last(thing):
+        return None
+    if time := new.as_time():
+        return About(kind=AboutKind.MOVE, names=names, time=time)
+    beside = Said(new.text[len(joint) :], said.now, said.lexicon).beside()
+    if beside is None:
+        return None
+    return About(kind=AboutKind.MOVE, names=names, time=beside[0], others=beside[1].names)
+
+
+def _moved_beside(said: Said) -> About | None:
+    """Read what something is moved behind, or in front of: "move the call after the soup"."""
+    if said.forms[0] not in said.lexicon.moving:
+        return None
+    for place in range(2, len(said.words)):
+        thing, beside = said.until(place).behind(1), said.behind(place).beside()
+        if beside is not None and thing.names and beside[1].names:
+            return About(kind=AboutKind.MOVE, names=thing.names, time=beside[0], others=beside[1].names)
+    return None
+
+
+def _moved_at(said: Said, behind: str) -> About | None:
+    """Read a new time that stands without a word between: "postpone the call tomorrow"."""
+    found = find_times(behind, said.now, said.lexicon).requirements[-1:]
+    if not found:
+        return None
+    first = found[0].span[0]
+    thing = Said(behind[:first].rstrip(), said.now, said.lexicon)
+    time = Said(behind[first:], said.now, said.lexicon).as_time()
+    names = _named(thing)
+    return About(kind=AboutKind.MOVE, names=names, time=time) if time and (names or thing.words) else None

@@ -1,0 +1,102 @@
+"""Questions about the plan: "what's next?", "how long until dinner?", "why so late?"."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.sentence.references import content_words
+
+CLOCK = frozenset({"time"})
+"""What "what's the time" asks for."""
+
+
+def question(said: Said) -> About | None:
+    """Read a question about the plan; None where it is none."""
+    return _supposed(said) or _why(said) or _when(said) or _lasting(said) or _open(said)
+
+
+def _names(said: Said) -> frozenset[str]:
+    """Give what a question is about: its words but for those that name nothing."""
+    return said.names - content_words(" ".join(word for form in said.table("filling") for word in form))
+
+
+def _supposed(said: Said) -> About | None:
+    rest = said.after("supposing")
+    if rest is None or not rest.words:
+        return None
+    if rest.forms[0] in {"i", "we"}:
+        rest = rest.behind(1)
+    return About(kind=AboutKind.SUPPOSE, text=rest.text, certain=True) if rest.words else None
+
+
+def _why(said: Said) -> About | None:
+    rest = said.after("why")
+    names = frozenset() if rest is None else _names(rest.without("last")[0])
+    if rest is None or (names and _asks_for_something(said)):
+        return None
+    return About(kind=AboutKind.WHY, names=names, certain=True)
+
+
+def _asks_for_something(said: Said) -> bool:
+    """Whether what looks like a question is a suggestion: "why don't you stir the soup?"."""
+    return any(said.forms[: len(form)] == form for form in said.lexicon.questions["suggesting"])
+
+
+def _when(said: Said) -> About | None:
+    rest = said.after("when")
+    if rest is None or not rest.words:
+        return None
+    if said.forms[0] == "when" and rest.forms[0] not in _helping(said):
+        # "When the rice is done, stir" is a clause.
+        return None
+    if any(form == rest.forms[-len(form) :] for form in said.table("everything")) or _is_over(rest):
+        return About(kind=AboutKind.WHEN, everything=True, certain=True)
+    if rest.is_in("moment") and said.forms[0] != "when":
+        return About(kind=AboutKind.CLOCK, certain=True)
+    names = _names(rest)
+    about_it = not names and any(form in said.table("last") for form in _pieces(rest))
+    return About(kind=AboutKind.WHEN, names=names, certain=True) if names or about_it else None
+
+
+def _helping(said: Said) -> frozenset[str]:
+    questions = said.lexicon.questions
+    return frozenset(form[0] for form in questions["helping"] | questions["stating"])
+
+
+def _is_over(said: Said) -> bool:
+    """Whether who speaks asks when all is over: "when will I be done"."""
+    rest, found = said.without("finished", "speaker", "everything")
+    return "finished" in found and "speaker" in found and not _names(rest)
+
+
+def _pieces(said: Said) -> list[tuple[str, ...]]:
+    return [(word,) for word in said.forms]
+
+
+def _lasting(said: Said) -> About | None:
+    rest = said.after("lasting")
+    if rest is not None and not rest.words:
+        return About(kind=AboutKind.NEXT, certain=True)
+    if rest is None or not rest.words or rest.forms[0] not in _helping(said):
+        return None
+    return About(kind=AboutKind.LASTING, names=_names(rest), certain=True)
+
+
+def _open(said: Said) -> About | None:
+    """Read a question about what comes next, or about everything."""
+    asking = said.after("what") or said.after("showing")
+    if asking is None:
+        return None
+    rest = asking.names
+    if rest - _words(said, "filling") == CLOCK and said.after("what") is not None:
+        return About(kind=AboutKind.CLOCK, certain=True)
+    plan, open_ = (_words(said, name) for name in ("plan", "open"))
+    filling = _words(said, "filling")
+    if rest & plan and rest <= plan | open_ | filling | _words(said, "everything"):
+        return About(kind=AboutKind.ALL, certain=True)
+    nexts = {word.text for word in asking.words} & {form[0] for form in said.table("open")}
+    if said.after("what") is not None and (nexts or rest & _words(said, "doing")) and rest <= open_ | filling:
+        return About(kind=AboutKind.NEXT, certain=True)
+    return None
+
+
+def _words(said: Said, name: str) -> frozenset[str]:
+    return content_words(" ".join(word for form in said.table(name) for word in form))

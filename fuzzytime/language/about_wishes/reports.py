@@ -1,0 +1,90 @@
+"""Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
+
+from fuzzytime.language.about_wishes.about import About, AboutKind
+from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.sentence.references import EMPTY, PRONOUNS
+
+SPEAKERS = frozenset({"i", "we"})
+PAST = frozenset({"VBN", "VBD"})
+BEING = frozenset({"is", "are", "'s", "'re"})
+WITH = "with"
+
+
+def report(said: Said) -> About | None:
+    """Read how it goes; None where it may be a wish."""
+    return _late(said) or _more(said) or _finished(said)
+
+
+def _late(said: Said) -> About | None:
+    found = said.length()
+    left, tables = (said if found is None else found.rest).without("late", "speaker")
+    if "late" in tables and "speaker" in tables and not left.names:
+        return About(kind=AboutKind.LATE, by=None if found is None else found.seconds, certain=True)
+    return None
+
+
+def _more(said: Said) -> About | None:
+    """Read for how much longer something goes on: "five more minutes", "the soup needs another minute"."""
+    without, tables = said.without("more")
+    found = without.length() if "more" in tables and said.is_one else None
+    if found is None:
+        return None
+    named, parts = found.rest.without("needing", "last")
+    certain = not named.names or "needing" in parts
+    return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+
+
+def _finished(said: Said) -> About | None:
+    rest = said
+    while taken := rest.opens_with("speaker"):
+        rest = rest.behind(taken)
+    over = rest.opens_with("finished")
+    if over:
+        # "Done", "I'm done with the soup", "finished the soup"
+        thing = rest.behind(over)
+        with_it = thing.forms[:1] == (WITH,)
+        thing = thing.behind(1) if with_it else thing
+        having = with_it or not thing.words or rest.opens_with("having")
+        if not having or thing.has_time:
+            return None
+        names = frozenset() if thing.is_in("last") else thing.names
+        return About(kind=AboutKind.DONE, names=names, certain=True)
+    for place, word in enumerate(said.forms):
+        subject, mark, being = word.partition("'")
+        state = said.behind(place + 1)
+        if (mark + being if mark else word) in BEING and _is_over(state):
+            # "The soup is ready", "it's done"
+            thing = said.until(place)
+            owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
+            names = frozenset() if owner.is_in("last") else owner.names
+            if owner.has_time or any(
+                len(form) == 1 and form[0] in owner.forms for form in said.lexicon.clauses
+            ):
+                # "Serve the rice after the soup is done"
+                return None
+            # "Check that the soup is ready" is no report.
+            named = len(owner.words) < 2 or owner.forms[0] in EMPTY
+            return About(kind=AboutKind.DONE, names=names, certain=named)
+    return None
+
+
+def _is_over(state: Said) -> bool:
+    left, tables = state.without("finished", "speaker")
+    return "finished" in tables and not left.words
+
+
+def reported(reading: Reading) -> Operation | None:
+    """Give what somebody tells to have done: "I've fed the cat", "we called mum"; None without one."""
+    if len(reading.instructions) != 1:
+        return None
+    (instruction,) = reading.instructions
+    operation = instruction.operation
+    if operation is None or operation.stated or instruction.requirements:
+        return None
+    place = next((n for n, token in enumerate(reading.tokens) if token.span == operation.span), None)
+    if place is None or reading.tokens[place].tag not in PAST:
+        return None
+    parts = [token for token in reading.tokens if token.head == place]
+    speaks = any(part.relation == "nsubj" and part.text.lower() in SPEAKERS for part in parts)
+    return operation if speaks and operation.object not in PRONOUNS else None

@@ -1,0 +1,175 @@
+"""A line of a conversation with its words, and the times, lengths and names in it."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from datetime import datetime
+from functools import cached_property
+
+from fuzzytime.language.finding import find_times
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS
+from fuzzytime.language.sentence.references import content_words
+from fuzzytime.requirement import Constraint, TimeRequirement, Unit
+
+Form = tuple[str, ...]
+
+TO = ("back to ", "forward to ", "to ", "back until ", "until ", "till ")
+"""Words between what is moved and the time that it is moved to."""
+
+CLOCKED = frozenset({Unit.HOUR, Unit.MINUTE, Unit.SECOND})
+"""The grains of clock times."""
+
+BESIDE = frozenset({"after", "before"})
+"""The clauses that say beside what something comes."""
+
+LONGEST = 24
+"""Words of a line in which a length is looked for."""
+
+
+FOR = "for "
+
+
+@dataclass(frozen=True)
+class Length:
+    """A length of time in seconds, the word in front of it ("by", "for") if any, and the rest of the line."""
+
+    seconds: float
+    joint: str
+    rest: "Said"
+
+
+@dataclass(frozen=True)
+class Said:
+    """A line without what opens and ends it.
+
+    ``now`` is when it is said, ``words`` are those of ``text``.
+    """
+
+    text: str
+    now: datetime
+    lexicon: Lexicon
+
+    @cached_property
+    def words(self) -> Sequence[Word]:
+        """The words."""
+        return words_of(self.text)
+
+    @cached_property
+    def forms(self) -> Form:
+        """The words as forms of the tables."""
+        return tuple(word.text for word in self.words)
+
+    def behind(self, place: int) -> "Said":
+        """Give what stands from a word on."""
+        text = self.text[self.words[place].start :] if place < len(self.words) else ""
+        return Said(text, self.now, self.lexicon)
+
+    def until(self, place: int) -> "Said":
+        """Give what stands before a word."""
+        text = self.text[: self.words[place].start] if place < len(self.words) else self.text
+        return Said(text.rstrip(" ,"), self.now, self.lexicon)
+
+    def table(self, name: str) -> frozenset[Form]:
+        """Give a table of what is said in a conversation."""
+        return self.lexicon.conversation[name]
+
+    @cached_property
+    def is_one(self) -> bool:
+        """Whether it is one clause, as far as its marks tell."""
+        return not {",", ".", ";"} & set(self.forms)
+
+    def is_in(self, name: str) -> bool:
+        """Whether it is, whole, an entry of a table; nothing at all is one where "" is."""
+        return self.forms in self.table(name)
+
+    def opens_with(self, name: str) -> int:
+        """Give how many words an entry of a table has with which it begins; 0 for none."""
+        return len(longest_match(self.words, 0, self.table(name)) or ()) if self.words else 0
+
+    def after(self, name: str) -> "Said | None":
+        """Give what stands behind an entry of a table with which it begins; None where it does not."""
+        taken = self.opens_with(name)
+        return self.behind(taken) if taken else None
+
+    def without(self, *names: str) -> tuple["Said", frozenset[str]]:
+        """Leave out every entry of some tables, and say of which tables there were any."""
+        place, kept, found = 0, [], set[str]()
+        while place < len(self.words):
+            matched = {name: longest_match(self.words, place, self.table(name)) for name in names}
+            longest = max(matched, key=lambda name: len(matched[name] or ()))
+            form = matched[longest]
+            if form:
+                found.add(longest)
+                place += len(form)
+            else:
+                word = self.words[place]
+                kept.append(self.text[word.start : word.end])
+                place += 1
+        return Said(" ".join(kept), self.now, self.lexicon), frozenset(found)
+
+    @cached_property
+    def names(self) -> frozenset[str]:
+        """Give the words that name something."""
+        courteous = {form[0] for form in self.lexicon.courtesies}
+        return content_words(self.text) - courteous
+
+    # -- times and lengths ----------------------------------------------------------------------------------
+
+    @cached_property
+    def has_time(self) -> bool:
+        """Whether there is any time in it."""
+        return bool(self._times)
+
+    def length(self) -> "Length | None":
+        """Give the first length of time in it; None for none, and where it is part of another time."""
+        if any(part.constraint is not Constraint.FOR for part in self._times):
+            return None
+        for place, word in enumerate(self.words[:LONGEST]):
+            tail = self.text[word.start :]
+            for part in find_times(FOR + tail, self.now, self.lexicon).requirements[:1]:
+                whole = part.constraint is Constraint.FOR and part.span[0] == 0
+                if whole and part.number is not None and part.unit is not None:
+                    before = self.until(place)
+                    joint = before.forms[-1] if before.forms[-1:] in {("by",), ("for",), ("about",)} else ""
+                    front = before.until(len(before.words) - 1) if joint else before
+                    rest = f"{front.text} {tail[part.span[1] - len(FOR) :].strip()}".strip()
+                    seconds = part.number * UNIT_SECONDS[part.unit]
+                    return Length(seconds, joint, Said(rest, self.now, self.lexicon))
+        return None
+
+    @cached_property
+    def _times(self) -> tuple[TimeRequirement, ...]:
+        return find_times(self.text, self.now, self.lexicon).requirements
+
+    def as_time(self) -> str:
+        """Give it as a new time, as that would be said with what is to be done; empty where it is none."""
+        joint = next((to for to in TO if self.text.lower().startswith(to)), "")
+        bare = self.text[len(joint) :]
+        tried = (bare, f"at {bare}", f"for {bare}")
+        found = [(text, part) for text in tried for part in self._whole(text)]
+        if len(found) > 1 and _lacks_preposition(found[0][1]):
+            found = found[1:]
+        return found[0][0] if found else ""
+
+    def _whole(self, text: str) -> tuple[TimeRequirement, ...]:
+        """Give the time that a text is, whole."""
+        found = find_times(text, self.now, self.lexicon).requirements
+        return found if len(found) == 1 and found[0].span == (0, len(text)) else ()
+
+    def beside(self) -> tuple[str, "Said"] | None:
+        """Give what it comes "before" or "after", and what that is; None where it says neither."""
+        form = longest_match(self.words, 0, self._beside()) if self.words else None
+        if form is None or len(form) == len(self.words):
+            return None
+        return self.text, self.behind(len(form))
+
+    def _beside(self) -> Iterator[Form]:
+        return (form for form, kind in self.lexicon.clauses.items() if kind in BESIDE)
+
+
+def _lacks_preposition(found: TimeRequirement) -> bool:
+    """Whether a time is said as "six", "20 minutes", which want "at" and "for" behind what is to be done."""
+    clock = found.constraint is Constraint.AT and found.grain in CLOCKED and " at " not in found.text
+    length = found.constraint is Constraint.FOR and not found.text.lower().startswith("for ")
+    return found.preposition is None and found.word is None and (clock or length)
