@@ -25,6 +25,9 @@ TAKING = frozenset({"take", "last", "need", "require"})
 ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
 """Persons who may be asked: "everyone clean your desks"."""
 
+SURE_PHASES = PHASES - {"leaves"}
+"""Those of them that are hardly ever things: "rake leaves at nine"."""
+
 DETERMINERS = frozenset({"DT", "PRP$"})
 
 ASKED = frozenset({"you", "that", "which", "who", "what"})
@@ -38,6 +41,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
 
     ``timed`` are the words about time: one stands right behind the verb.
     """
+    tree = _with_phase(tree, timed)
     root = tree.root
     if root is None or root + 1 not in timed:
         return tree
@@ -60,6 +64,31 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
     return Tree(tree.text, tuple(nodes))
+
+
+def _with_phase(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
+    root, nodes = tree.root, tree.nodes
+    found = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
+    verb = next(found, None)
+    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in COUNTABLE:
+        return tree
+    if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
+        # "Check what starts at ten", "take the bus that leaves at ten"
+        return tree
+    turned = [
+        replace(node, head=verb - 1, relation="compound")
+        if p < verb
+        else replace(node, head=verb)
+        if node.head == root
+        else node
+        for p, node in enumerate(nodes)
+    ]
+    turned[verb] = replace(
+        nodes[verb], tag="VBZ", lemma=_singular(nodes[verb].lower), head=verb, relation="ROOT"
+    )
+    turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
+    return Tree(tree.text, tuple(turned))
 
 
 def _is_led_by_plural(tree: Tree, verb: int) -> bool:
