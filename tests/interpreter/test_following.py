@@ -91,3 +91,13 @@ def test_what_is_unloaded_waits_for_the_latest_that_comes() -> None:
     )
     assert starts(made)["s3"] >= "11:00"
     assert starts(made)["s4"] < "11:00"
+
+
+def test_before_they_get_here_is_before_the_latest_who_come() -> None:
+    made = told(["the movers come at 10 am", "strip the beds 30 minutes before they get here"])
+    assert starts(made)["s2"] == "09:30"
+
+
+def test_while_somebody_is_asleep_is_not_while_something_else_is() -> None:
+    made = told(["lunch is at noon", "mop the hall while he is asleep"])
+    assert list(starts(made)) == ["s1"]

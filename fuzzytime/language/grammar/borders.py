@@ -117,7 +117,8 @@ class Borders:
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"
             return True
-        return first == "on" and rest[:1] in (["at"], ["in"], ["during"])
+        # "Put the washing on first"
+        return first == "on" and (rest[:1] in (["at"], ["in"], ["during"]) or rest == ["first"])
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
@@ -133,7 +134,9 @@ class Borders:
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
-        return self.texts[piece.end - 2] == "," and self.around.follower(piece) in SAYING
+        alone = piece.end - piece.start == 1 and piece.start == 0
+        apart = alone or self.texts[piece.end - 2] == ","
+        return apart and self.around.follower(piece) in SAYING and isinstance(piece.value.time, Wall)
 
     def _is_named(self, piece: Piece) -> bool:
         """Whether its preposition names a thing: "the till"."""

@@ -46,6 +46,9 @@ LOOKING = frozenset(
 UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
 """Words before a length of time that make it another thing than how long: "by ten minutes"."""
 
+HELPING = frozenset({"should", "will", "would", "may", "might", "must", "can", "to", "it'll", "that'll"})
+"""Verbs that help the one behind them."""
+
 SPENT = frozenset({"spend", "take"})
 """Verbs that a length of time is the object of, with what is done in it: "spend an hour cleaning"."""
 
@@ -218,7 +221,8 @@ class Judge:
         if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
             # "By half an hour" is no hour.
             return False
-        if said.preposition is None and self.around.before(piece) in UNCOUNTED:
+        lasts = self.texts[piece.start - 1 : piece.start] == ["last"] and self._is_helped(piece.start - 1)
+        if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
         if self._is_ahead(piece.end):
@@ -243,6 +247,10 @@ class Judge:
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_helped(self, place: int) -> bool:
+        """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
+        return place > 0 and self.texts[place - 1] in HELPING
 
     def _is_counting(self, piece: Piece) -> bool:
         """Whether a number without a unit counts units behind it: "in two business days"."""

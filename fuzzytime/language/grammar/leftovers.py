@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
+from fuzzytime.language.grammar.borders import SAYING
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
@@ -54,6 +55,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or around.is_object(start)
                     or (around.before(piece) == "to" and around.names_place(piece))
                     or _is_noun(piece, around)
+                    or _is_title(piece, around)
                     or _is_share(piece, scanned)
                     or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
                     or (around.describes(piece) and around.follower(piece) not in AWAY)
@@ -68,6 +70,14 @@ def _is_share(piece: Piece, scanned: Scanned) -> bool:
     unit = piece.value.unit if isinstance(piece.value, UnitWord) else None
     behind = scanned.words[piece.end].text if piece.end < len(scanned.words) else ""
     return behind == "of" and (unit is Unit.QUARTER or piece.category == "unfinished")
+
+
+def _is_title(piece: Piece, around: Surroundings) -> bool:
+    """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine"."""
+    named = around.follower(piece)
+    known = named in around.lexicon.function_words or around.timely(piece.end)
+    told = named in SAYING
+    return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
 
 
 def _is_compound(piece: Piece, around: Surroundings) -> bool:

@@ -129,7 +129,7 @@ class Anchors:
 
     def _arrival(self, clause: Clause) -> int | None:
         """Give the latest that comes, of whoever "they" are: "before they arrive"."""
-        if clause.verb not in ARRIVING:
+        if clause.verb not in ARRIVING and not clause.is_there:
             return None
         said = [*self.mentions.operations[: self.first], *self.own[: self.position - self.first]]
         for place in range(len(said) - 1, max(-1, len(said) - NEAR), -1):
@@ -180,7 +180,6 @@ class Anchors:
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
             edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
-        halfway = clause.kind == HALFWAY
         anchor = Anchor(
             text=what,
             verb=clause.verb,
@@ -188,8 +187,8 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=halfway or (distance is not None and clause.kind != "within"),
-            share=0.5 if halfway else None,
+            exact=clause.kind == HALFWAY or (distance is not None and clause.kind != "within"),
+            share=0.5 if clause.kind == HALFWAY else None,
         )
         return TimeRequirement(
             text=text,

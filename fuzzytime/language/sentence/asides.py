@@ -14,8 +14,8 @@ from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 OPENING = frozenset({",", "(", "-"})
 BRACKET = "("
-NAMING = frozenset({"which", "that", "this"})
-"""Words for what stands before."""
+NAMING = frozenset({"which", "that", "this", "that'll", "this'll", "it'll", "that'd", "it'd"})
+"""Words for what stands before, some with what helps the verb."""
 
 IT = "it"
 HELPING = frozenset(
@@ -70,7 +70,7 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
         place -= 1
     if place < 1 or words[place].text not in OPENING:
         return None
-    if words[place].text != BRACKET and words[place + 1].text not in NAMING | {IT}:
+    if words[place].text != BRACKET and words[place + 1].text not in NAMING | HELPING | {IT}:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)

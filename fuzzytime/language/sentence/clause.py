@@ -6,6 +6,9 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.requirement import Condition
 
+GETTING = frozenset({"get", "be"})
+THERE = frozenset({"here", "there", "in", "back", "home"})
+
 
 @dataclass(frozen=True, slots=True)
 class Clause:
@@ -29,6 +32,11 @@ class Clause:
     time: Phrase | None = None
     excepted: bool = False
     takes: Duration | None = None
+
+    @property
+    def is_there(self) -> bool:
+        """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
+        return self.verb in GETTING and self.condition is not None and self.condition.word in THERE
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""

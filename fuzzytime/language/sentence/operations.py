@@ -1,7 +1,6 @@
 """What is to be done, by the words below a verb: its object, its place, its particle."""
 
 from collections.abc import Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
@@ -9,7 +8,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
-from fuzzytime.language.sentence.statements import PHASES
+from fuzzytime.language.sentence.statements import FUTURE, PHASES, TAKING, others_do
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -17,7 +16,6 @@ NAMING = ("NN", "DT", "PRP$")
 
 FINITE = frozenset({"VBZ", "VBP", "VBD"})
 PRESENT = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
-FUTURE = frozenset({"will", "'ll", "’ll"})
 
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -31,10 +29,6 @@ IT = "it"
 FIRST_PERSON = frozenset({"i", "we"})
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
-ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
-"""Persons who may be asked: "everyone clean your desks"."""
-
-TAKING = frozenset({"take", "last", "need", "require"})
 GOING = frozenset({"run", "go"})
 """Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
 
@@ -64,7 +58,7 @@ class Reader(Places):
         if subject is not None and (stated or direct is None):
             direct, complement = (
                 subject,
-                complement or (direct if self._is_others_doing(verb, frozenset()) else None),
+                complement or (direct if others_do(self.tree, verb, frozenset(), self.lexicon) else None),
             )
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
@@ -269,7 +263,7 @@ class Reader(Places):
             # "It's going to rain at four"
             return True
         helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
-        if self._is_others_doing(verb, helping):
+        if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
@@ -291,10 +285,3 @@ class Reader(Places):
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
         return told and finite and not rest
-
-    def _is_others_doing(self, verb: int, helping: AbstractSet[str]) -> bool:
-        """Whether somebody who is named does it, and is not asked to: "the kids finish school at three"."""
-        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj") if p < verb]
-        named = subjects[:1] and subjects[0] in self.lexicon.persons - ALL_OF_US
-        finite = self.tree.nodes[verb].tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE
-        return bool(named) and finite and self.tree.nodes[verb].lemma not in self.lexicon.wanting | {"have"}

@@ -61,6 +61,7 @@ BEGINNING = frozenset({"start", "begin", "open", "arrive", "come", "land"})
 ENDING = frozenset({"end", "finish", "close"})
 """What things with a time of their own do: of these verbs a clause is about their start, or their end."""
 
+BE = "be"
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
@@ -230,7 +231,8 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             # "We are at swimming by four. Swimming lasts an hour"
             shared = len(named & known)
         return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
-    same_verb = clause.verb == operation.lemma
+    # "While she is there" names no dinner that is at seven.
+    same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
     if operation.stated and shared and clause.verb in BEGINNING | ENDING:

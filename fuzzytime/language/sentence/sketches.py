@@ -57,7 +57,12 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
     clauses = list(sketch.clauses)
     for place, clause in enumerate(clauses):
         beside = clause.span[1] <= aside.span[0] and not text[clause.span[1] : aside.span[0]].strip()
-        if beside and clause.kind in BECOMING and isinstance(aside.length.said.time, Duration):
+        if (
+            beside
+            and clause.kind in BECOMING
+            and clause.condition
+            and isinstance(aside.length.said.time, Duration)
+        ):
             clauses[place] = replace(clause, takes=aside.length.said.time)
             return replace(sketch, clauses=tuple(clauses))
     lasting = replace(aside.length, said=replace(aside.length.said, constraint=Constraint.FOR))

@@ -3,6 +3,7 @@
 from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.tree import Tree
 
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
@@ -19,6 +20,14 @@ PHASES = frozenset(
 )
 """What things with a time of their own do."""
 
+FUTURE = frozenset({"will", "'ll", "’ll"})
+TAKING = frozenset({"take", "last", "need", "require"})
+ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
+"""Persons who may be asked: "everyone clean your desks"."""
+
+SURE_PHASES = PHASES - {"leaves"}
+"""Those of them that are hardly ever things: "rake leaves at nine"."""
+
 DETERMINERS = frozenset({"DT", "PRP$"})
 
 ASKED = frozenset({"you", "that", "which", "who", "what"})
@@ -32,6 +41,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
 
     ``timed`` are the words about time: one stands right behind the verb.
     """
+    tree = _with_phase(tree, timed)
     root = tree.root
     if root is None or root + 1 not in timed:
         return tree
@@ -54,6 +64,31 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
     return Tree(tree.text, tuple(nodes))
+
+
+def _with_phase(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
+    root, nodes = tree.root, tree.nodes
+    found = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
+    verb = next(found, None)
+    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in COUNTABLE:
+        return tree
+    if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
+        # "Check what starts at ten", "take the bus that leaves at ten"
+        return tree
+    turned = [
+        replace(node, head=verb - 1, relation="compound")
+        if p < verb
+        else replace(node, head=verb)
+        if node.head == root
+        else node
+        for p, node in enumerate(nodes)
+    ]
+    turned[verb] = replace(
+        nodes[verb], tag="VBZ", lemma=_singular(nodes[verb].lower), head=verb, relation="ROOT"
+    )
+    turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
+    return Tree(tree.text, tuple(turned))
 
 
 def _is_led_by_plural(tree: Tree, verb: int) -> bool:
@@ -136,3 +171,20 @@ def _is_statement(tree: Tree, place: int) -> bool:
     if node.relation in SUBJECTS:
         return node.tag in {"VBZ", "NNS"} and _subject(tree, place) is not None
     return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
+
+
+def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon) -> bool:
+    """Whether somebody who is named does it, and is not asked to: "the kids finish school at three".
+
+    ``helping`` are the verbs that help it.
+    """
+    node = tree.nodes[verb]
+    subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
+    if not subjects or node.lemma in lexicon.wanting | {"have"}:
+        return False
+    named = subjects[0].lower in lexicon.persons - ALL_OF_US
+    if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
+        # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
+        named = named or subjects[0].lower not in lexicon.machines
+    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
+    return named and finite
