@@ -9,6 +9,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan
 from fuzzytime.times import seconds_between
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, moves
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
@@ -100,9 +101,9 @@ def _ends(move: Move, now: datetime) -> list[str]:
     """Give where a skill was and is, as finely as the two differ; empty where it was or is not planned."""
     instants = [instant for instant in (move.before, move.after) if instant is not None]
     apart = abs(seconds_between(instants[0], instants[-1]))
-    form = "%H:%M:%S" if 0 < apart < MINUTE else "%H:%M"
+    clock = Clock(now, with_seconds=True) if 0 < apart < MINUTE else Clock.to_minutes(now)
     return [
-        "" if instant is None else f"{instant:{form if instant.date() == now.date() else f'%a {form}'}}"
+        "" if instant is None else clock.of(seconds_between(now, instant))
         for instant in (move.before, move.after)
     ]
 
