@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from fuzzytime.satisfaction import Floats, Interval
+from fuzzytime.satisfaction import EVERYWHERE, Floats, Interval
 from fuzzytime.scheduling.problem import Job
 
 SAMPLES = 100
@@ -73,7 +73,8 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
             front.members += last.members
             front.offsets += [offset + length for offset in last.offsets]
             front.low, front.high = max(front.low, last.low - length), min(front.high, last.high - length)
-            front.start = best_start(jobs, front)
+            # Of two convex costs the best of their sum lies between the best of each.
+            front.start = best_start(jobs, front, Interval(last.start - length, front.start))
     round_blocks(jobs, blocks)
     starts = np.empty(len(jobs))
     for block in blocks:
@@ -122,9 +123,9 @@ def _length(jobs: Sequence[Job], block: Block) -> float:
     return block.offsets[-1] + jobs[block.members[-1]].duration
 
 
-def best_start(jobs: Sequence[Job], block: Block) -> float:
+def best_start(jobs: Sequence[Job], block: Block, within: Interval = EVERYWHERE) -> float:
     """Minimise the cost of a block over its start: the earliest best one of ever finer samples."""
-    low, high = block.low, block.high
+    low, high = max(block.low, within.low), min(block.high, within.high)
     if high <= low:
         return low
     pairs = [(jobs[member], offset) for member, offset in zip(block.members, block.offsets, strict=True)]
