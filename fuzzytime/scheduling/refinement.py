@@ -128,7 +128,7 @@ class GridSearch(ABC):
         # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
         step, enough = step_for(problem, self.first_slots), self.left_over
-        if bytes_for(problem, step) > watch.limits.memory:
+        if watch.is_over() or bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)
         prices = prices_from(problem, grid, self.best)
@@ -153,6 +153,8 @@ class GridSearch(ABC):
             relaxation = Relaxation(problem, grid, best, prices)
             relaxation.improve(best, STEPS, enough, watch, rounds=1)
             self.lower = relaxation.lower
+            if watch.is_over():
+                return relaxation
             self.follow(relaxation)
             if self.best.cost < best:
                 relaxation.fix(self.best.cost)

@@ -100,7 +100,8 @@ class Relaxation:
             rounds -= 1
             left = upper - self.lower
             self._multipliers.improve(upper, steps, watch)
-            self.fix(upper)
+            if not watch.is_over():
+                self.fix(upper)
 
     def reduced_costs(self) -> list[Floats]:
         """Give for each lane, for each arc, what a schedule with it costs at least."""
