@@ -1,14 +1,15 @@
 """Questions about the plan, answered in a line or two: what comes next, when, for how long."""
 
-from dataclasses import replace
+from datetime import datetime
 
 from rich.text import Text
 
 from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import entry_of
-from fuzzytime_cli.repl.scene import Reply, Scene, is_waiting, number_of, position_of, said
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, said, waiting
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
@@ -25,13 +26,10 @@ def coming(scene: Scene) -> Reply:
         for one in running
     ]
     schedule = scene.plan.schedule
-    planned = sorted(
-        (start, position)
-        for position, start in enumerate(schedule.start_times)
-        if not schedule.rejected[position] and is_waiting(scene, scene.plan.skills[position])
-    )
-    lines += [_start(scene, position) for _, position in planned[:1]]
-    meant = [scene.plan.skills[position].identifier for _, position in planned[:1]]
+    left = (place for place, _ in waiting(scene) if not schedule.rejected[place])
+    planned = sorted(left, key=lambda place: (schedule.start_times[place], place))[:1]
+    lines += [_start(scene, position) for position in planned]
+    meant = [scene.plan.skills[position].identifier for position in planned]
     meant += [one.identifier for one in running]
     return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said("nothing is planned")
 
@@ -51,9 +49,7 @@ def when(scene: Scene, about: About) -> Reply:
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
         lines.append(Text(f"and {len(positions) - MOST} more times"))
-    if not lines:
-        return _nothing(about.names)
-    return replace(Reply(tuple(lines)), focus=_focus(scene, positions))
+    return _reply(scene, about, lines, positions)
 
 
 def lasting(scene: Scene, about: About) -> Reply:
@@ -69,9 +65,7 @@ def lasting(scene: Scene, about: About) -> Reply:
         assumed = " (assumed)" if interpreted.duration.assumed else ""
         name = f"{plain(interpreted.identifier)} {plain(skill.name)}"
         lines.append(Text(f"{name}: {whole}{hands}{assumed}"))
-    if not lines:
-        return _nothing(about.names)
-    return replace(Reply(tuple(lines)), focus=_focus(scene, positions))
+    return _reply(scene, about, lines, positions)
 
 
 def why(scene: Scene, about: About) -> Reply:
@@ -91,6 +85,11 @@ def why(scene: Scene, about: About) -> Reply:
     return Reply((Text(heading, style="bold"), *lines), focus=_focus(scene, positions))
 
 
+def _reply(scene: Scene, about: About, lines: list[Text], positions: list[int]) -> Reply:
+    """Answer with some lines about skills; without lines say that nothing is meant."""
+    return Reply(tuple(lines), focus=_focus(scene, positions)) if lines else _nothing(about.names)
+
+
 def _nothing(names: frozenset[str]) -> Reply:
     return said(
         f"nothing that is planned is about {' '.join(sorted(names))}" if names else "nothing is planned"
@@ -103,15 +102,10 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    skills = [(place, one) for place, one in enumerate(scene.plan.skills) if is_waiting(scene, one)]
     if names:
-        return [position for position, one in skills if names <= content_words(one.skill.name)]
+        return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)
-    return [
-        position
-        for position, one in skills
-        if entry is not None and one.wish.identifier == f"s{entry.number}"
-    ]
+    return [] if entry is None else [position for position, _ in waiting(scene, entry.number)]
 
 
 def _over(scene: Scene) -> Reply:
@@ -125,10 +119,8 @@ def _over(scene: Scene) -> Reply:
     ends += [one.done for one in scene.conversation.running(scene.now)]
     if not ends:
         return said("nothing is planned")
-    last = max(ends)
-    day = "" if last.date() == scene.now.date() else f"{last:%a} "
-    left = max(0.0, seconds_between(scene.now, last))
-    return said(f"all is done at {day}{last:%H:%M}, in {format_duration(left)}")
+    left = seconds_between(scene.now, max(ends))
+    return said(f"all is done at {_at(scene, max(ends))}, in {format_duration(max(0.0, left))}")
 
 
 def _start(scene: Scene, position: int) -> Text:
@@ -140,7 +132,10 @@ def _start(scene: Scene, position: int) -> Text:
         scene.plan.instant(schedule.start_times[position]),
         scene.plan.instant(schedule.skills[position].done),
     )
-    day = "" if instant.date() == scene.now.date() else f"{instant:%a} "
-    over = f", done at {done:%H:%M}" if interpreted.skill.time_until_done >= LONG else ""
+    over = f", done at {_at(scene, done)}" if interpreted.skill.time_until_done >= LONG else ""
     left = max(0.0, seconds_between(scene.now, instant))
-    return Text(f"{name}: at {day}{instant:%H:%M}, in {format_duration(left)}{over}")
+    return Text(f"{name}: at {_at(scene, instant)}, in {format_duration(left)}{over}")
+
+
+def _at(scene: Scene, instant: datetime) -> str:
+    return Clock.to_minutes(scene.now).of(seconds_between(scene.now, instant))

@@ -1,5 +1,6 @@
 """Commands of the conversation that give what is asked for another time: later, earlier, each other's."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from rich.text import Text
@@ -15,14 +16,17 @@ from fuzzytime_cli.repl.scene import (
     Scene,
     begun_of,
     ended_line,
-    is_waiting,
     number_and_rest,
     number_of,
     step,
+    waiting,
 )
 from fuzzytime_cli.session import Entry, State
 
 ALL = "all"
+
+Waiting = Sequence[tuple[int, Interpreted]]
+"""Skills that have not started, with their places in the plan."""
 
 
 def delay(scene: Scene, text: str) -> Reply:
@@ -41,13 +45,14 @@ def delay(scene: Scene, text: str) -> Reply:
         changes = {"moved_by": moved_by, "moved_to": to}
         reply = step(scene, _what(number, by), lambda state: state.with_another(number, **changes))
         return replace(reply, lines=(*ended_line(scene, begun), *reply.lines))
-    if not _skills(scene, number):
+    mine = waiting(scene, number)
+    if not mine:
         raise FuzzytimeError(f"nothing of instruction {number} is planned")
-    if _follows(scene, number):
+    if _follows(scene, mine, waiting(scene)):
         raise FuzzytimeError(
             f"instruction {number} follows another one's time: move that, or use :edit {number}"
         )
-    moved = _moved(scene, entry, by)
+    moved = _moved(scene, entry, by, mine)
     return step(scene, _what(number, by), lambda state: _with(state, (moved,)))
 
 
@@ -57,13 +62,13 @@ def _what(number: int | str, by: float) -> str:
 
 def _all_later(scene: Scene, by: float) -> Reply:
     """Move everything that has not started; what is told to happen then stays, and is named."""
-    entries, stays = [], []
+    entries, stays, left = [], [], waiting(scene)
     for entry in scene.conversation.state.entries:
-        skills = _skills(scene, entry.number)
-        if any(one.operation is not None and one.operation.stated for one in skills):
-            stays.append(f"{entry.number} ({skills[0].skill.name})")
-        elif skills and not _follows(scene, entry.number):
-            entries.append(_moved(scene, entry, by))
+        mine = [(place, one) for place, one in left if one.wish.identifier == f"s{entry.number}"]
+        if any(one.operation is not None and one.operation.stated for _, one in mine):
+            stays.append(f"{entry.number} ({mine[0][1].skill.name})")
+        elif mine and not _follows(scene, mine, left):
+            entries.append(_moved(scene, entry, by, mine))
     if not entries:
         raise FuzzytimeError("nothing is left that could be moved")
     reply = step(scene, _what(ALL, by), lambda state: _with(state, tuple(entries)))
@@ -71,29 +76,18 @@ def _all_later(scene: Scene, by: float) -> Reply:
     return replace(reply, lines=(Text(plain(told)), *reply.lines)) if stays else reply
 
 
-def _skills(scene: Scene, number: int) -> list[Interpreted]:
-    skills = (one for one in scene.plan.skills if one.wish.identifier == f"s{number}")
-    return [one for one in skills if is_waiting(scene, one)]
+def _follows(scene: Scene, mine: Waiting, left: Waiting) -> bool:
+    """Whether some skills have no time of their own but follow others that are left: they move along."""
+    places = {place for place, _ in left}
+    bound = {entry.second for entry in scene.plan.schedule.task.precedences if entry.first in places}
+    return all(place in bound and not _has_time(one) for place, one in mine)
 
 
-def _follows(scene: Scene, number: int) -> bool:
-    """Whether an instruction has no time of its own but follows another that waits: it moves along."""
-    waiting = [one.identifier for one in _skills(scene, number)]
-    bound = {
-        entry.second
-        for entry in scene.plan.schedule.task.precedences
-        if is_waiting(scene, scene.plan.skills[entry.first])
-    }
-
-    def follows(position: int, one: Interpreted) -> bool:
-        own = any(part.anchor is None or part.anchor.target is None for part in one.requirements)
-        return position in bound and not own
-
-    mine = [(place, one) for place, one in enumerate(scene.plan.skills) if one.identifier in waiting]
-    return all(follows(place, one) for place, one in mine)
+def _has_time(one: Interpreted) -> bool:
+    return any(part.anchor is None or part.anchor.target is None for part in one.requirements)
 
 
-def _moved(scene: Scene, entry: Entry, by: float) -> Entry:
+def _moved(scene: Scene, entry: Entry, by: float, mine: Waiting) -> Entry:
     """Give an entry moved by some seconds, from where it is planned.
 
     Raises
@@ -101,15 +95,13 @@ def _moved(scene: Scene, entry: Entry, by: float) -> Entry:
     FuzzytimeError
         If it would have to start before now.
     """
-    schedule, waiting = scene.plan.schedule, _skills(scene, entry.number)
+    schedule = scene.plan.schedule
     starts = [
-        scene.plan.instant(schedule.start_times[position])
-        for position, one in enumerate(scene.plan.skills)
-        if one in waiting and not schedule.rejected[position]
+        scene.plan.instant(schedule.start_times[place]) for place, _ in mine if not schedule.rejected[place]
     ]
     to = instant_after(starts[0], by) if len(starts) == 1 else None
     if to is not None and to < scene.now:
-        name = plain(waiting[0].skill.name)
+        name = plain(mine[0][1].skill.name)
         raise FuzzytimeError(f"{name} would have to start at {to:%H:%M}, which is over")
     return replace(entry, moved_by=entry.moved_by + by, moved_to=to)
 
@@ -128,7 +120,7 @@ def swap(scene: Scene, text: str) -> Reply:
         raise FuzzytimeError(f"two numbers must follow, such as: :swap 1 2, got {text.strip()!r}")
     one, other = (scene.conversation.state.entry(number) for number in numbers)
     for entry in (one, other):
-        if not _skills(scene, entry.number):
+        if not waiting(scene, entry.number):
             raise FuzzytimeError(f"nothing of instruction {entry.number} is left to do")
     language = scene.conversation.interpreter.language
     times = [_time_of(entry, language) for entry in (one, other)]
@@ -147,8 +139,7 @@ def swap(scene: Scene, text: str) -> Reply:
 
 
 def _name(scene: Scene, entry: Entry) -> str:
-    skills = _skills(scene, entry.number)
-    return plain(skills[0].skill.name if skills else entry.text)
+    return plain(next((one.skill.name for _, one in waiting(scene, entry.number)), entry.text))
 
 
 def _time_of(entry: Entry, language: Language) -> TimeRequirement | None:

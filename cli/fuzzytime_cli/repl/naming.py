@@ -24,17 +24,14 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     skills: dict[str, frozenset[str]] = {}
     for interpreted in scene.plan.skills:
         name = interpreted.wish.identifier
-        known = content_words(interpreted.skill.name) | _verb(interpreted.operation)
+        operation = interpreted.operation
+        verb = frozenset() if operation is None else frozenset({operation.lemma})
+        known = content_words(interpreted.skill.name) | verb
         skills[name] = skills.get(name, frozenset()) | known
     own = (entry for entry in entries if names <= content_words(entry.text))
     # "It" in its words is what it is called by.
     by_name = (e for e in entries if names <= skills.get(f"s{e.number}", frozenset()) | content_words(e.text))
     return next(own, None) or next(by_name, None)
-
-
-def _verb(operation: object) -> frozenset[str]:
-    lemma = getattr(operation, "lemma", None)
-    return frozenset({lemma}) if lemma else frozenset()
 
 
 def called(scene: Scene, number: int) -> str | None:

@@ -111,16 +111,20 @@ def position_of(scene: Scene, text: str) -> int:
 
 def begun_of(scene: Scene, number: int) -> Started | None:
     """Give the skill of an instruction that has started, the last if several have; None if one has not."""
-    if any(number_of(one.wish.identifier) == number for one in scene.plan.skills if is_waiting(scene, one)):
+    if waiting(scene, number):
         return None
     begun = scene.conversation.store.started(scene.conversation.name)
     return next((one for one in reversed(begun) if number_of(one.identifier) == number), None)
 
 
-def is_waiting(scene: Scene, one: Interpreted) -> bool:
-    """Whether a skill of the plan has not started since."""
-    begun = scene.conversation.store.started(scene.conversation.name)
-    return one.identifier not in {started.identifier for started in begun}
+def waiting(scene: Scene, number: int | None = None) -> list[tuple[int, Interpreted]]:
+    """Give the skills that have not started, with their places in the plan: an instruction's, or all."""
+    begun = {one.identifier for one in scene.conversation.store.started(scene.conversation.name)}
+    return [
+        (place, one)
+        for place, one in enumerate(scene.plan.skills)
+        if one.identifier not in begun and (number is None or one.wish.identifier == f"s{number}")
+    ]
 
 
 def ended_line(scene: Scene, begun: Started) -> tuple[Text, ...]:

@@ -139,27 +139,26 @@ def _seconds(length: float) -> str:
 
 def _progress(scene: Scene, about: About) -> str | None:
     """Give the command that says how a skill goes: one that is running, or that need not start any more."""
-    one = running_one(scene, about.names)
     longer = about.kind is AboutKind.MORE
+
+    def line(identifier: str) -> str:
+        return f":more {identifier} {_length(about)}" if longer else f":done {identifier}"
+
+    one = running_one(scene, about.names)
     if one is not None:
-        return f":more {one.identifier} {_length(about)}" if longer else f":done {one.identifier}"
+        return line(one.identifier)
+    last = next(reversed(all_called(scene, about.names)), None)
+    if last is not None and longer:
+        return line(last.identifier)
     if not about.names:
-        ended = all_called(scene, about.names)
-        if longer and ended:
-            return f":more {ended[-1].identifier} {_length(about)}"
-        last = f"; the last, {ended[-1].name}, was done at {ended[-1].done:%H:%M}" if ended else ""
-        raise FuzzytimeError(f"nothing is running{last}: say what, such as: the soup is done")
+        told = "" if last is None else f"; the last, {last.name}, was done at {last.done:%H:%M}"
+        raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
     entry = entry_of(scene, about.names)
     planned = None if entry is None else called(scene, entry.number)
-    ended = all_called(scene, about.names)
-    if planned is not None and not (longer and ended):
-        if longer and not about.certain:
-            return None
-        return f":more {planned} {_length(about)}" if longer else f":done {planned}"
-    if ended and longer:
-        return f":more {ended[-1].identifier} {_length(about)}"
-    if ended:
-        raise FuzzytimeError(f"{ended[-1].name} was done at {ended[-1].done:%H:%M}")
+    if planned is not None:
+        return None if longer and not about.certain else line(planned)
+    if last is not None:
+        raise FuzzytimeError(f"{last.name} was done at {last.done:%H:%M}")
     return unknown(about.names) if about.certain else None
 
 

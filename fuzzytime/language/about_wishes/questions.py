@@ -15,7 +15,7 @@ def question(said: Said) -> About | None:
 
 def _names(said: Said) -> frozenset[str]:
     """Give what a question is about: its words but for those that name nothing."""
-    return said.names - content_words(" ".join(word for form in said.table("filling") for word in form))
+    return said.names - _words(said, "filling")
 
 
 def _supposed(said: Said) -> About | None:
@@ -52,7 +52,7 @@ def _when(said: Said) -> About | None:
     if rest.is_in("moment") and said.forms[0] != "when":
         return About(kind=AboutKind.CLOCK, certain=True)
     names = _names(rest)
-    about_it = not names and any(form in said.table("last") for form in _pieces(rest))
+    about_it = not names and any((word,) in said.table("last") for word in rest.forms)
     return About(kind=AboutKind.WHEN, names=names, certain=True) if names or about_it else None
 
 
@@ -65,10 +65,6 @@ def _is_over(said: Said) -> bool:
     """Whether who speaks asks when all is over: "when will I be done"."""
     rest, found = said.without("finished", "speaker", "everything")
     return "finished" in found and "speaker" in found and not _names(rest)
-
-
-def _pieces(said: Said) -> list[tuple[str, ...]]:
-    return [(word,) for word in said.forms]
 
 
 def _lasting(said: Said) -> About | None:

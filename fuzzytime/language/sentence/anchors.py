@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.references import (
     PRONOUNS,
     Mentions,
     best_of,
+    comes,
     content_words,
     is_done_with,
     waits_for,
@@ -131,12 +132,13 @@ class Anchors:
         """Give the latest that comes, of whoever "they" are: "before they arrive"."""
         if clause.verb not in ARRIVING and not clause.is_there:
             return None
-        said = [*self.mentions.operations[: self.first], *self.own[: self.position - self.first]]
-        for place in range(len(said) - 1, max(-1, len(said) - NEAR), -1):
-            operation = said[place]
-            if operation is not None and operation.stated and operation.lemma in ARRIVING:
-                return place
-        return None
+        return next((place for place, happening in self._just_before() if comes(happening)), None)
+
+    def _just_before(self) -> Iterator[tuple[int, Operation]]:
+        for place in range(self.position - 1, max(-1, self.position - NEAR), -1):
+            operation = self._operation(place)
+            if operation is not None:
+                yield place, operation
 
     def _given(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
         for place in self.mentions.named_by(clause, range(self.first), backwards=True):
@@ -149,7 +151,7 @@ class Anchors:
 
     def done_with(self, thing: str | None) -> int | None:
         """Give the latest instruction before it that is about a thing; None for none, and for a person."""
-        words = content_words((thing or "").split()[-1] if thing else None) - PRONOUNS
+        words = content_words(thing.split()[-1] if thing else None) - PRONOUNS
         if not words or words & self.lexicon.persons:
             return None
         for place in range(self.position - 1, self.first - 1, -1):
@@ -224,9 +226,8 @@ class Anchors:
         operation = self._operation(self.position)
         if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
             return None
-        for place in range(self.position - 1, max(-1, self.position - NEAR), -1):
-            happening = self._operation(place)
-            if happening is not None and waits_for(operation, happening):
+        for place, happening in self._just_before():
+            if waits_for(operation, happening):
                 anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
                 return _only(requirement, anchor, Constraint.BETWEEN)
         return None

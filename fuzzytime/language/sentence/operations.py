@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.actions import SUBJECTS, Action
+from fuzzytime.language.sentence.actions import ARE, SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.statements import FUTURE, PHASES, TAKING, others_do
@@ -15,7 +15,6 @@ NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
 FINITE = frozenset({"VBZ", "VBP", "VBD"})
-PRESENT = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -266,7 +265,7 @@ class Reader(Places):
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
-        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= PRESENT)
+        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
         goes = self.tree.nodes[verb].lower in PHASES or (lasts and self.tree.nodes[verb].lemma in GOING)
