@@ -37,6 +37,12 @@ def oclock(hour: Integer) -> Clock | None:
     return Clock(hour.value % 24, full_day=hour.value > 12) if hour.value <= 24 else None
 
 
+@grammar.rule("unfinished", "<integer> o'clock|oclock", "<integer> <meridiem>")
+def no_such_hour(hour: Integer, half: Half | None = None) -> bool | None:
+    """25 o'clock, 27 pm: no day has such an hour."""
+    return True if hour.value > 24 else None
+
+
 @grammar.rule("clock", "o|oh|zero <integer> hundred hours?", weight=0.1)
 def early_hundred(hour: Integer) -> Clock | None:
     """Oh six hundred hours."""
