@@ -34,6 +34,9 @@ FIRST_SLOTS = 1500
 BEAM = 50
 """Sets a block in the first, narrowest beam."""
 
+FAST, SLOW = 0.6, 0.97
+"""To what share the gap falls at least in a round of the search for a bound; and for the highest one."""
+
 LEAST = 0.05
 """Of the gap, the threshold is above the bound at least; where labels fail even so, the gap stays."""
 
@@ -97,6 +100,12 @@ class _Search(GridSearch):
         self._kicked = np.inf
         self._is_solved = False
 
+    @property
+    def worth(self) -> float:
+        """Of few skills, or near the best, labels soon know more than a higher bound."""
+        is_near = self.best.cost - self.lower <= self.enough * self.heaviest
+        return FAST if is_near or len(self.problem.jobs) < MANY else super().worth
+
     def tightened(self, problem: Problem, step: float) -> Problem:
         """Add what some best schedule keeps, where waiting never helps and all is done."""
         jobs = self.problem.jobs
@@ -129,6 +138,8 @@ class _Search(GridSearch):
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
             elif budget < cells:
+                # The highest bound takes long, but less long than many more labels.
+                self._raise(relaxation)
                 budget, width, delta = 4 * budget, 6 * width, delta / 2
                 if searching:
                     self._search_near(relaxation, width)
@@ -139,6 +150,11 @@ class _Search(GridSearch):
             else:
                 return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
+
+    def _raise(self, relaxation: Relaxation) -> None:
+        """Make the bound as high as it goes, or nearly."""
+        relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
+        self.lower = max(self.lower, relaxation.lower)
 
     def _is_doubtful(self) -> bool:
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight

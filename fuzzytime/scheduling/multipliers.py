@@ -3,8 +3,12 @@
 The bound D is concave in the prices λ, and each evaluation gives a plane above it. The next prices are the
 best by all planes so far, less a penalty stiffness/2·|λ − best|² for going far from the best prices yet.
 The dual of that quadratic program is over weights of the planes, and a few dozen exchanges of weight
-between two planes solve it well enough: the method needs promising prices, not the most promising ones. The
-stiffness rises when evaluations disappoint and falls when they please.
+between two planes solve it well enough: the method needs promising prices, not the most promising ones.
+
+Everything depends on the stiffness. It falls with each step that makes the bound higher and rises with each
+that was too long; and where the planes promise little, it may be what keeps the promise small: only planes
+that promise little however loose the penalty end the search. Stiffness that rose ten times faster than it
+fell ended it far below the highest bound, where prices had a long way to go.
 
 Kiwiel, Proximity control in bundle methods for convex nondifferentiable minimization, Math. Programming 46
 (1990) 105-122.
@@ -28,6 +32,20 @@ FIRST_REACH = 3.0
 
 PROMISE = 0.02
 """The search ends where the planes promise less than this share of what is left to prove."""
+
+RISE = 0.1
+"""Prices become the best if the bound rises by this share of what was promised; else the planes learn."""
+
+LOOSER = 0.7
+"""The stiffness changes so where prices become the best …"""
+
+STIFFER = 1.4
+"""… and so where a step was too long."""
+
+MUCH_LOOSER = 0.3
+"""… and so where little is promised, up to `LOOSENED` times in a row."""
+
+LOOSENED = 8
 
 SMALLEST = 1e-6
 
@@ -67,31 +85,37 @@ class Multipliers:
         steepness = float(gradient[inner] @ gradient[inner])
         self._stiffness = max(steepness, 1.0) / max(upper - self.lower, SMALLEST) / FIRST_REACH
 
-    def improve(self, upper: float, steps: int, watch: Stopwatch) -> None:
-        """Take steps until the planes promise little, the bound reaches a known cost, or time is over."""
-        run = 0  # of successes, or of failures where negative
+    def improve(self, upper: float, steps: int, watch: Stopwatch) -> bool:
+        """Take steps until the planes promise little, the bound reaches a known cost, or time is over.
+
+        Tells whether nothing is promised any more.
+        """
         for _ in range(steps):
-            point = self._proposal()
-            promise = float((self._levels + self._gradients @ point).min()) - self.lower
-            if promise < max(PROMISE * (upper - self.lower), SMALLEST) or watch.is_over():
-                return
+            point, promise = self._promising(max(PROMISE * (upper - self.lower), SMALLEST))
+            if point is None:
+                return True
+            if watch.is_over():
+                return False
             value, gradient = self._bound.evaluate(point)
             self._keep(gradient, value - float(gradient @ point))
-            rise = value - self.lower
-            fitting = 2 * self._stiffness * (1 - rise / promise)
-            if rise > 0.1 * promise:
-                if rise > 0.5 * promise and run > 0:
-                    self._stiffness = max(min(fitting, self._stiffness), self._stiffness / 10)
-                elif run > 3:
-                    self._stiffness /= 2
-                self.prices, self.lower, run = point, value, max(run + 1, 1)
-            else:
-                # How far the new plane lies above D at the best prices tells whether the step was too long.
-                above = value + float(gradient @ (self.prices - point)) - self.lower
-                run = min(run - 1, -1)
-                if above > promise and run < -3:
-                    self._stiffness = min(max(fitting, self._stiffness), 10 * self._stiffness)
-                    run = -1
+            # How far the new plane lies above D at the best prices tells whether the step was too long.
+            above = value + float(gradient @ (self.prices - point)) - self.lower
+            if value - self.lower > RISE * promise:
+                self.prices, self.lower = point, value
+                self._stiffness *= LOOSER
+            elif above > promise:
+                self._stiffness *= STIFFER
+        return False
+
+    def _promising(self, enough: float) -> tuple[Floats | None, float]:
+        """Give prices for which the planes promise enough, and what; None where none is, however loose."""
+        for _ in range(LOOSENED):
+            point = self._proposal()
+            promise = float((self._levels + self._gradients @ point).min()) - self.lower
+            if promise >= enough:
+                return point, promise
+            self._stiffness *= MUCH_LOOSER
+        return None, 0.0
 
     def _proposal(self) -> Floats:
         """Give prices that promise most, less the penalty.

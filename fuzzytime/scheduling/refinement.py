@@ -94,6 +94,12 @@ class GridSearch(ABC):
         self.left = problem  # Where schedules that are better than the best may be.
         self.best, self.lower = best, 0.0
         self.goal = OPTIMAL_GAP * problem.weight
+        self.heaviest = max(job.weight for job in problem.jobs)
+
+    @property
+    def worth(self) -> float:
+        """To what share the gap falls at least in a round of the search for prices, before a program runs."""
+        return 0.9
 
     def tightened(self, problem: Problem, step: float) -> Problem:  # noqa: ARG002 - others need the step
         """Give a problem with what else is known of schedules better than the best: here nothing.
@@ -158,7 +164,7 @@ class GridSearch(ABC):
             self.follow(relaxation)
             if self.best.cost < best:
                 relaxation.fix(self.best.cost)
-            relaxation.improve(self.best.cost, STEPS, enough, watch)
+            relaxation.improve(self.best.cost, STEPS, enough, watch, worth=self.worth)
             self.lower = max(self.lower, relaxation.lower)
             return relaxation
         begun = -math.inf
@@ -179,8 +185,7 @@ class GridSearch(ABC):
     @property
     def left_over(self) -> float:
         """The gap in cost that the relaxation need not close."""
-        heaviest = max(job.weight for job in self.problem.jobs)
-        return min(self.enough * heaviest, ENOUGH_OF_ALL * self.best.cost)
+        return min(self.enough * self.heaviest, ENOUGH_OF_ALL * self.best.cost)
 
     def is_closed(self) -> bool:
         """Tell whether the best schedule is proved to be as good as can be told."""

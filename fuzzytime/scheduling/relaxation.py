@@ -78,7 +78,13 @@ class Relaxation:
         return [float(paths.run(self.prices).cost[-1]) for paths in self._paths]
 
     def improve(
-        self, upper: float, steps: int, enough: float, watch: Stopwatch, rounds: float = math.inf
+        self,
+        upper: float,
+        steps: int,
+        enough: float,
+        watch: Stopwatch,
+        rounds: float = math.inf,
+        worth: float = 0.9,
     ) -> None:
         """Search better prices, and delete the arcs that no schedule below a known cost uses.
 
@@ -94,12 +100,17 @@ class Relaxation:
             Asked before each evaluation.
         rounds
             Deletions at most.
+        worth
+            To what share of itself the gap must fall between two deletions, or the search ends.
         """
-        left = np.inf
-        while enough < upper - self.lower < 0.9 * left and rounds > 0 and not watch.is_over():
+        left, is_highest = np.inf, False
+        while enough < upper - self.lower < worth * left and rounds > 0 and not watch.is_over():
             rounds -= 1
             left = upper - self.lower
-            self._multipliers.improve(upper, steps, watch)
+            if is_highest:
+                # What the search for prices remembers is about arcs that are gone: it begins again.
+                self._multipliers = Multipliers(self, self.prices, upper)
+            is_highest = self._multipliers.improve(upper, steps, watch)
             if not watch.is_over():
                 self.fix(upper)
 
