@@ -7,6 +7,7 @@ from datetime import datetime
 
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
+from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_order import Rows, free_of_circles
@@ -118,7 +119,9 @@ class Interpreter:
                 if reading is not None:
                     self._remark(reading, wish, admitted, problems)
                     gathered.spoken(wish, reading)
-        skills, precedences, unresolved = link(_identified(gathered.skills), gathered.links, self.rulebook)
+        skills, called = by_agents(_identified(gathered.skills), request)
+        problems += called
+        skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)
         order = free_of_circles(gathered.rows.kept(), precedences)
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]

@@ -78,6 +78,8 @@ class Lexicon:
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
         What is called by a number: "robot 3, dock".
+    workers
+        Who or what is called by a number and does something: "robot 3 docks".
     landmarks
         Things on a way: "after the bridge" says where.
     impersonal
@@ -132,6 +134,7 @@ class Lexicon:
     happening: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
+    workers: frozenset[str]
     moving: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]

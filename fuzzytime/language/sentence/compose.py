@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -24,9 +24,8 @@ from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.connectives import anchored_by_connective
 from fuzzytime.language.sentence.contradictions import contradictions
-from fuzzytime.language.sentence.days_apart import HEADED
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
-from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
@@ -176,7 +175,7 @@ class _Composer:
             )
             requirement = grounded.requirement
             if phrase.rule == HEADED and self.draft.heading is not None:
-                requirement = replace(requirement, text=self.draft.heading.text)
+                requirement = replace(requirement, text=self.draft.heading.name)
             requirement = anchors.of_phrase(phrase, requirement)
             requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
@@ -189,6 +188,7 @@ class _Composer:
             self.explained.append(clause.span)
             self.remarks += remarks
             requirements.append(required)
+        requirements += self._headed(sketch, anchors)
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
@@ -221,6 +221,17 @@ class _Composer:
             length_of=told,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
+
+    def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
+        """Give what the clauses of a line above require of an instruction."""
+        heading = self.draft.heading
+        if heading is None:
+            return
+        above = replace(self.draft, text=heading.text, scanned=heading.scanned)
+        for clause in sketch.headed:
+            required, remarks = of_clause(clause, anchors, sketch, above)
+            self.remarks += (replace(remark, span=sketch.part.segment.span) for remark in remarks)
+            yield replace(required, span=(0, 0))
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""

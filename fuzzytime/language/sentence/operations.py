@@ -8,7 +8,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import ARE, SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
-from fuzzytime.language.sentence.statements import FUTURE, PHASES, TAKING, others_do
+from fuzzytime.language.sentence.statements import FUTURE, PHASES, TAKING, others_do, worker_doing
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -52,8 +52,11 @@ class Reader(Places):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        stated, subject = self._is_stated(verb), self._subject(verb)
+        doer = worker_doing(self.tree, verb, self.lexicon)
+        stated, subject = doer is None and self._is_stated(verb), self._subject(verb)
         direct, complement = self.said(whole[:split]), self.said(result)
+        if doer is not None:
+            subject = None
         if subject is not None and (stated or direct is None):
             direct, complement = (
                 subject,
@@ -63,13 +66,15 @@ class Reader(Places):
             # "The coffee should be ready by then"
             direct, complement = subject, direct
         return Operation(
-            verb=node.lower,
+            # "Robot 2 cleans the tank" asks it to clean the tank.
+            verb=node.lower if doer is None else node.lemma,
             lemma=node.lemma,
             span=(node.start, node.end),
             object=direct,
             place=self.said(sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
+            addressee=doer,
             negated=action.negated,
             stated=stated,
             attended=stated and self._is_attended(verb),

@@ -47,7 +47,8 @@ class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
-    ``remarks`` name the times that are none of what is to be done.
+    ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
+    above.
     """
 
     part: Part
@@ -57,6 +58,7 @@ class Sketch:
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
     remarks: tuple[Remark, ...] = ()
+    headed: tuple[Clause, ...] = ()
 
     @property
     def heard(self) -> list[Span]:

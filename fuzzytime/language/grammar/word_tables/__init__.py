@@ -92,6 +92,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
+        workers=frozenset(form[0] for form in speech.words("workers")),
         moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
         rescheduling=frozenset(
             form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
@@ -128,7 +129,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "conversation",
 )  # fmt: skip
 _CALENDAR = (
