@@ -7,6 +7,7 @@ from itertools import chain
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import (
     ARRIVING,
@@ -48,6 +49,9 @@ END = frozenset({"the end", "the very end"})
 COMING_BACK = frozenset({"they", "he", "she", "it"})
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
+
+HOUR = "time"
+"""The end of the name of when a meal is: "lunchtime"."""
 
 WITHIN = "within"
 INTO = "into"
@@ -189,7 +193,9 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=clause.kind == HALFWAY or (distance is not None and clause.kind != "within"),
+            exact=clause.kind == HALFWAY
+            or clause.beside is not None
+            or (distance is not None and clause.kind != "within"),
             share=0.5 if clause.kind == HALFWAY else None,
         )
         return TimeRequirement(
@@ -197,7 +203,7 @@ class Anchors:
             span=clause.span,
             constraint=BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER),
             preposition=clause.marker,
-            fuzziness=() if distance is None else distance.hedges,
+            fuzziness=(clause.beside,) if clause.beside else () if distance is None else distance.hedges,
             number=None if distance is None else distance.number,
             unit=None if distance is None else distance.unit,
             anchor=anchor,
@@ -239,7 +245,12 @@ class Anchors:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
         part = time.part if isinstance(time, Wall) and time.days is None else None
+        if part is not None and not part.meal and part.name.endswith(HOUR):
+            # "Call her at lunchtime"
+            part = replace(part, name=part.name.removesuffix(HOUR), meal=True)
         beside = requirement.text.split()[0].lower() in BESIDE
+        if phrase.said.beside:
+            constraint = Constraint.BEFORE if phrase.said.edge is Bound.START else Constraint.AFTER
         if part is None or not part.meal or part.place:
             return None
         if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
@@ -256,7 +267,10 @@ class Anchors:
             return None
         constraint = Constraint.AT if beside or constraint is None else constraint
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
-        anchor = Anchor(text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0)
+        just = phrase.said.beside and constraint is Constraint.BEFORE
+        anchor = Anchor(
+            text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
+        )
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:

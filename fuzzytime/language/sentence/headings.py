@@ -60,7 +60,7 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
     heard = [*(phrase.span for phrase in phrases), *(clause.span for clause in clauses)]
     if not heard or _says_more(draft, heard) or any(isinstance(p.said.time, TimeWord) for p in phrases):
         return None
-    if not marked and not _is_of_calendar(phrases[0]):
+    if (not marked and not _is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None
     held = tuple(replace(phrase, first=0, end=0, span=(0, 0), rule=HEADED) for phrase in phrases)
     return Heading(draft.text.strip(" :.-*#_"), draft.text, draft.scanned, held, clauses)
@@ -81,13 +81,21 @@ def _says_more(draft: Draft, heard: Sequence[Span]) -> bool:
 
 
 def _is_of_calendar(phrase: Phrase) -> bool:
-    """Whether a time alone is a day or a part of one, and not a meal, which may be what happens then."""
+    """Whether a time alone is a day or a part of one."""
     time = phrase.said.time
     if not isinstance(time, Wall) or time.clock is not None or phrase.said.constraint is not None:
         return False
     if time.days is not None:
         return not time.weak
-    return time.part is not None and not time.part.meal and not time.part.place
+    return time.part is not None
+
+
+def _is_meal(phrase: Phrase) -> bool:
+    """Whether a time may as well be a thing: "Dinner:"."""
+    time = phrase.said.time
+    if not isinstance(time, Wall) or time.days is not None or phrase.said.preposition is not None:
+        return False
+    return time.clock is None and time.part is not None and time.part.meal
 
 
 def _on_day(heading: Heading, above: Heading | None) -> Heading:

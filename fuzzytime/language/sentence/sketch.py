@@ -112,6 +112,9 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     spans = (*heard, *left_out, *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
+    clauses = [
+        replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
+    ]
     a, b = operation.span
     return Sketch(
         part=part,
@@ -206,12 +209,18 @@ def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> 
     if phrase.rule == DATED:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    first, end = (place - part.offset for place in phrase.span)
+    return _reference_at(part, phrase.span, action, lexicon)
+
+
+def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
+    """Give which moment words in a stretch are about, by the verb nearest above them."""
+    first, end = (place - part.offset for place in span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):
             if above == action.place:
                 return action.reference
-            if part.tree.nodes[above].is_verb:
+            inside = first <= part.tree.nodes[above].start < end
+            if part.tree.nodes[above].is_verb and not inside:
                 return reference_of(part.tree, above, lexicon) or action.reference
     return action.reference
 
