@@ -119,6 +119,7 @@ class Interpreter:
                 if reading is not None:
                     self._remark(reading, wish, admitted, problems)
                     gathered.spoken(wish, reading)
+        gathered.finish()
         skills, called = by_agents(_identified(gathered.skills), request)
         problems += called
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)

@@ -234,7 +234,7 @@ class _Tie:
         if named is not None or not math.isfinite(expected):
             return named
         beside = self.beside
-        return expected + self.moment + self.lag + (0.0 if beside is None else beside.best.high)
+        return expected + self.moment + self.lag + (0.0 if beside is None else min(0.0, beside.best.high))
 
     def _satisfaction(self) -> SatisfactionFunction:
         """Let ψ follow the target's, where that is timed."""

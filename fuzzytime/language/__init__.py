@@ -19,9 +19,10 @@ from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import comes, content_words, shares_thing
+from fuzzytime.language.sentence.references import ENDING, comes, content_words, shares_thing
 
 __all__ = [
+    "ENDING",
     "About",
     "AboutKind",
     "Instruction",

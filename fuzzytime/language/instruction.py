@@ -92,7 +92,10 @@ class Instruction:
         a target none so far is meant.
     time_of
         The instruction whose time is told, as in "it should be done by eight": then nothing more is to be
-        done.
+        done. Without a target all that was asked for before is meant.
+    way
+        How many seconds it takes to go where it is done, None where nothing was said: of the instruction
+        that ``length_of`` means, if there is one.
     """
 
     span: Span
@@ -103,6 +106,7 @@ class Instruction:
     fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
     length_of: Anchor | None = None
     time_of: Anchor | None = None
+    way: float | None = None
 
 
 class RemarkKind(StrEnum):

@@ -18,11 +18,13 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
+from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
-from fuzzytime.language.sentence.connectives import anchored_by_connective
+from fuzzytime.language.sentence.connectives import anchored_by_connective, within_after
 from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
@@ -40,7 +42,7 @@ from fuzzytime.language.sentence.references import (
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
 
 def composed(
@@ -110,6 +112,8 @@ class _Composer:
             follows = sketch.part.segment.connective == "then"
             self.moment = replace(self.moment, listed=listed, follows=follows)
             instructions.append(self._instruction(sketch, self.first + place, operations))
+        if not sketches:
+            instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
         tokens, strict = self._tokens()
@@ -122,6 +126,22 @@ class _Composer:
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
+        )
+
+    def _told_alone(self, aside: Aside) -> Instruction:
+        """Give the length that is all that a line tells, of the instruction before it."""
+        said, length = self.draft.text[slice(*aside.span)], aside.length.said.time
+        told = Anchor(text=said.strip(" .,!"), target=self.first - 1 if self.first else None)
+        self.remarks += unknown_length(told, aside.span)
+        times = ground_all((aside.length,), self.draft.text, self.moment)
+        seconds = length.seconds if isinstance(length, Duration) else None
+        return Instruction(
+            span=aside.span,
+            operation=None,
+            requirements=times.requirements,
+            duration=None if aside.way else seconds,
+            length_of=told,
+            way=seconds if aside.way else None,
         )
 
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
@@ -197,6 +217,7 @@ class _Composer:
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
+        requirements = within_after(requirements)
         requirements.sort(key=lambda requirement: requirement.span)
         self.remarks += contradictions(requirements)
         operation, duration = (
@@ -219,6 +240,7 @@ class _Composer:
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
+            way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
 

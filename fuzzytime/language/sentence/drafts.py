@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
-from fuzzytime.language.sentence.asides import Aside, asides_of, without_asides
+from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_other, without_asides
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments import segments_of
 from fuzzytime.language.sentence.statements import as_statement, with_worker
+from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
@@ -110,7 +111,7 @@ def drafted(
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
-        asides.append(asides_of(scanned, lexicon))
+        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)

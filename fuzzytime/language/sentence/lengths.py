@@ -9,6 +9,11 @@ from fuzzytime.language.sentence.references import ALL, PRONOUNS
 from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
+WHOLE = frozenset({"everything", "all"})
+US = frozenset({"we", "i"})
+"""Who says of all that there is to do when it must be over."""
+
+OVER = frozenset({"done", "finished", "through", "to", "be", "have", "need", "got"})
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
 
@@ -33,24 +38,37 @@ def length_of(
 def time_of(
     operation: Operation | None, requirements: Sequence[TimeRequirement], text: str, anchors: Anchors
 ) -> Anchor | None:
-    """Give the instruction of which another says when it must be done, and nothing else; None without one."""
-    if operation is None or operation.negated or not requirements or anchors.position == 0:
+    """Give the instruction of which another says when it must be done, and nothing else; None without one.
+
+    The anchor has no target where all that was asked for is meant: "everything must be done by six".
+    """
+    if operation is None or operation.negated or not requirements:
         return None
-    if any(part.constraint not in DONE or part.anchor is not None for part in requirements):
+    if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
     if text.split(maxsplit=1)[0].lower() == operation.verb:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
+    words = text.lower().split()
     if anchors.lexicon.results.isdisjoint(said):
         return None
-    if text.split(maxsplit=1)[0].lower() in PRONOUNS | ALL:
-        target: int | None = anchors.position - 1
+    if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in US and OVER.issuperset(said)):
+        # "We must be finished by six"
+        return Anchor(text=text, object=operation.object)
+    if words[0] in PRONOUNS | ALL:
+        asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
+        target: int | None = next(asked, None)
     else:
         target = anchors.lasting(operation.object, text).target if operation.object else None
     if target is None or target >= anchors.position or not anchors.is_asked(target):
         return None
     return Anchor(text=text, object=operation.object, target=target)
+
+
+def _may_bound(part: TimeRequirement) -> bool:
+    """Whether it is a time, or before something that was told: "before the guests come"."""
+    return part.anchor is None or (part.constraint is Constraint.BEFORE and not part.anchor.exact)
 
 
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:

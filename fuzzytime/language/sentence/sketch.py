@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.judging import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
+    Duration,
     Edge,
     Offset,
     Phrase,
@@ -48,7 +49,7 @@ class Sketch:
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
     ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
-    above.
+    above, ``way`` is how long it takes to go there.
     """
 
     part: Part
@@ -59,6 +60,7 @@ class Sketch:
     parameters: tuple["FuzzyParameter", ...] = ()
     remarks: tuple[Remark, ...] = ()
     headed: tuple[Clause, ...] = ()
+    way: Duration | None = None
 
     @property
     def heard(self) -> list[Span]:

@@ -54,6 +54,10 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
 
 
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
+    if aside.way:
+        return replace(
+            sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None
+        )
     clauses = list(sketch.clauses)
     for place, clause in enumerate(clauses):
         beside = clause.span[1] <= aside.span[0] and not text[clause.span[1] : aside.span[0]].strip()
