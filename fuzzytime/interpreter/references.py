@@ -157,7 +157,9 @@ class _Tie:
         if not self.anchor.exact or self.anchor.lag or self.requirement.constraint is not Constraint.BEFORE:
             return None
         if self.requirement.fuzziness:
-            return self._as(at=FAR, preposition=None).shifted(-FAR)
+            # A hedge on a distance is as wide as that is long, one beside a moment as wide as ever.
+            far = FAR if self.requirement.reference is Reference.START else self.this.skill.time_until_done
+            return self._as(at=far, preposition=None).shifted(-far)
         if self.requirement.reference is not Reference.FINISH:
             return None
         early = self._as(at=FAR, preposition=None, hedge=JUST_BEFORE)

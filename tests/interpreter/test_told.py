@@ -95,3 +95,18 @@ def test_what_happens_gives_way_to_nothing_that_should_come_before_it() -> None:
     made = told(["call mum at 7 pm", "It must be done before the guests come", "the guests come at 6 pm"])
     assert starts(made) == {"s3": "18:00"}
     assert notes(made) == ["call mum: its time does not go together with 'the guests come'"]
+
+
+def test_a_meal_under_a_day_is_the_one_that_was_told() -> None:
+    made = told(["Thursday:", "lunch break at one for half an hour", "unload the van after lunch"])
+    assert starts(made) == {"s2": "13:00", "s3": "13:30"}
+
+
+def test_what_is_finished_is_what_is_done() -> None:
+    made = told(["Weld the frame at noon for 10 minutes", "Clean the nozzle once you have finished welding"])
+    assert starts(made)["s2"] == "12:10"
+
+
+def test_lines_of_an_evening_go_on_into_the_night() -> None:
+    made = told(["The interval is at 20:35", "Strike the set when the show is over at ten"])
+    assert starts(made)["s2"] == "22:00"

@@ -6,6 +6,7 @@ from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.clause import Clause
@@ -75,7 +76,7 @@ class Anchors:
 
     ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
     operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
-    where nothing said before is meant.
+    where nothing said before is meant. ``day`` is that of a line above.
     """
 
     position: int
@@ -84,6 +85,7 @@ class Anchors:
     mentions: Mentions
     lexicon: Lexicon
     awaits: bool = False
+    day: Calendar | None = None
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""
@@ -244,7 +246,7 @@ class Anchors:
         if isinstance(time, Offset) and time.anchor is not None:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
-        part = time.part if isinstance(time, Wall) and time.days is None else None
+        part = time.part if isinstance(time, Wall) and time.days in {None, self.day} else None
         if part is not None and not part.meal and part.name.endswith(HOUR):
             # "Call her at lunchtime"
             part = replace(part, name=part.name.removesuffix(HOUR), meal=True)

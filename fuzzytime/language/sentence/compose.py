@@ -18,7 +18,8 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
-from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
 from fuzzytime.language.sentence.asides import Aside
@@ -185,7 +186,9 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, self.first, operations, self.mentions, self.lexicon, self.awaits)
+        anchors = Anchors(
+            position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
+        )
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -243,6 +246,11 @@ class _Composer:
             way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
+
+    def _day(self) -> Calendar | None:
+        """Give the day that a line above names."""
+        day = None if self.draft.heading is None else self.draft.heading.day
+        return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
 
     def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
         """Give what the clauses of a line above require of an instruction."""
