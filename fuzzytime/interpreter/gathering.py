@@ -10,7 +10,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish
-from fuzzytime.language import Instruction, Reading, reported
+from fuzzytime.language import LEAVING, Instruction, Reading, reported
 
 
 @dataclass(slots=True)
@@ -55,6 +55,7 @@ class Gathering:
             self.rows.join(reading, places, self.skills)
             for _, made in places:
                 self.rows.await_arrival(made, self.skills)
+                self.rows.resume(made, self.skills)
 
     def finish(self) -> None:
         """Let all be done by when words said so before anything was asked for."""
@@ -104,6 +105,11 @@ class Gathering:
         """Add the way to where something is done or happens, right before that."""
         meant = range(0) if target is None else self._skills_at(target)
         if instruction.way is None or target is None or not meant:
+            return
+        operation = self.skills[meant[0]].operation
+        if operation is not None and operation.lemma in LEAVING:
+            # "We leave at six, the drive takes an hour"
+            self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
             return
         self.skills.append(self.maker.way(wish, reading, instruction, self.skills[meant[0]], target))
 

@@ -236,7 +236,9 @@ class _Tie:
         if named is not None or not math.isfinite(expected):
             return named
         beside = self.beside
-        return expected + self.moment + self.lag + (0.0 if beside is None else min(0.0, beside.best.high))
+        start = expected + self.moment + self.lag + (0.0 if beside is None else min(0.0, beside.best.high))
+        # Where the target may wait, so may what comes before it.
+        return named if start < 0 and target.preferred is None else start
 
     def _satisfaction(self) -> SatisfactionFunction:
         """Let ψ follow the target's, where that is timed."""

@@ -34,6 +34,7 @@ class Operation:
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
     becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
+    ``again`` says that its object was named before ("bake it").
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
     """
 
@@ -48,6 +49,7 @@ class Operation:
     negated: bool = False
     stated: bool = False
     attended: bool = False
+    again: bool = False
 
     @property
     def phrase(self) -> str:

@@ -70,6 +70,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     taken
         What keeps who speaks from all else: "I have an appointment", "I'm out".
+    frames
+        What goes on around other work, and keeps nobody from it: "my shift is from 7 to 3".
     happening
         What has a time without a verb: "dinner at seven".
     persons, addressing
@@ -132,6 +134,7 @@ class Lexicon:
     citing: frozenset[str]
     taken: frozenset[str]
     happening: frozenset[str]
+    frames: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]

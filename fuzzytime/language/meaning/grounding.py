@@ -35,6 +35,10 @@ CLOSE = timedelta(hours=3)
 EVENING = time(19)
 """From here on, what lines say goes on into the night."""
 
+NIGHT = time(21)
+OVERNIGHT = timedelta(hours=5)
+"""What lines say from then on may lie behind midnight, so long after."""
+
 EARLY = time(4)
 """From here on, who speaks is up early, not late."""
 
@@ -230,6 +234,9 @@ class Grounding:
         """Whether one of some moments follows what was said of an evening on a line before."""
         if self.since is None or not self.carried or self.since.time() < EVENING:
             return False
+        if self.since.time() >= NIGHT:
+            # Who drains it at 22:00 puts it back by 1:30 that night.
+            return any(self.since < moment <= self.since + OVERNIGHT for moment in moments)
         close = self.since + CLOSE
         return any(self.since < moment <= close and moment.date() == self.since.date() for moment in moments)
 

@@ -48,6 +48,12 @@ END = frozenset({"the end", "the very end"})
 """Words for the end of what goes on."""
 
 COMING_BACK = frozenset({"they", "he", "she", "it"})
+SPEAKERS = frozenset({"we", "i", "you"})
+LEAVING = frozenset(
+    ["leave", "go", "drive", "depart", "travel", "walk", "cycle", "ride", "fly", "head", "sail"]
+)
+"""What leads somewhere: who leaves gets there."""
+
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
 
@@ -116,7 +122,7 @@ class Anchors:
             # "Add the hops 15 minutes before the end"
             return self._going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
-        if target is None and condition is not None and condition.subject in COMING_BACK:
+        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS:
             target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
@@ -135,9 +141,15 @@ class Anchors:
         return condition.subject in BACK and condition.word in self.lexicon.results
 
     def _arrival(self, clause: Clause) -> int | None:
-        """Give the latest that comes, of whoever "they" are: "before they arrive"."""
+        """Give the latest that comes, of whoever "they" are: "before they arrive".
+
+        Who speaks comes where the latest journey leads: "when we get there".
+        """
         if clause.verb not in ARRIVING and not clause.is_there:
             return None
+        if clause.condition is not None and clause.condition.subject in SPEAKERS:
+            goes = ((place, one.lemma) for place, one in self._just_before())
+            return next((place for place, lemma in goes if lemma in LEAVING), None)
         return next((place for place, happening in self._just_before() if comes(happening)), None)
 
     def _just_before(self) -> Iterator[tuple[int, Operation]]:

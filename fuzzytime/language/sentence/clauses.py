@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint
 
 BEFORE = "before"
+OTHER = frozenset({"the", "another"})
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
@@ -111,6 +112,9 @@ class _Clauses:
         if bound is not None:
             kind = "within"
         first = place + len(form)
+        if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
+            # "One after the other"
+            return None
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)

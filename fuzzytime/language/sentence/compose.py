@@ -102,7 +102,10 @@ class _Composer:
                 self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
                 thing = resolved_object(sketch.operation, operations, self.mentions, self.first)
                 thing = self._of_front(sketch, operations, place) or thing
-                sketches[place] = replace(sketch, operation=replace(sketch.operation, object=thing))
+                again = thing != sketch.operation.object
+                sketches[place] = replace(
+                    sketch, operation=replace(sketch.operation, object=thing, again=again)
+                )
             else:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)

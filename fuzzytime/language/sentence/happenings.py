@@ -46,7 +46,8 @@ def happening_at(
 ) -> Operation:
     """Give what happens, which a tree's root names beside its time.
 
-    Who speaks takes part in what keeps people from all else, and in what is said from when to when.
+    Who speaks takes part in what keeps people from all else, and in what is said from when to when, unless
+    that goes on around other work.
     """
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
@@ -58,7 +59,8 @@ def happening_at(
         span=(node.start, node.end),
         object=(named or node.text).removesuffix("'s").removesuffix("\u2019s"),
         stated=True,
-        attended=spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening),
+        attended=node.lower not in lexicon.frames
+        and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
     )
 
 

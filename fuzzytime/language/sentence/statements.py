@@ -25,6 +25,8 @@ TAKING = frozenset({"take", "last", "need", "require"})
 ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
 """Persons who may be asked: "everyone clean your desks"."""
 
+OTHERS = frozenset({"he", "she"})
+
 SURE_PHASES = PHASES - {"leaves"}
 """Those of them that are hardly ever things: "rake leaves at nine"."""
 
@@ -173,6 +175,11 @@ def _is_statement(tree: Tree, place: int) -> bool:
     return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
 
 
+def _has_thing(tree: Tree, verb: int) -> bool:
+    """Whether somebody has something, and not to do it: "Tom has his break at ten"."""
+    return bool(tree.children(verb, "dobj")) and not tree.children(verb, "xcomp", "ccomp")
+
+
 def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon) -> bool:
     """Whether somebody who is named does it, and is not asked to: "the kids finish school at three".
 
@@ -180,9 +187,9 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
     """
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
-    if not subjects or node.lemma in lexicon.wanting | {"have"}:
+    if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
-    named = subjects[0].lower in lexicon.persons - ALL_OF_US
+    named = subjects[0].lower in (lexicon.persons | OTHERS) - ALL_OF_US
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines

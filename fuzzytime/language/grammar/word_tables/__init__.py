@@ -105,6 +105,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
         happening=frozenset(form[0] for form in speech.words("happening")),
+        frames=frozenset(form[0] for form in speech.words("frames")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -130,7 +131,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "conversation",
+    "happening", "frames", "conversation",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
