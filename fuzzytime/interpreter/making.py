@@ -321,7 +321,8 @@ def _from_to(instruction: Instruction) -> Instruction:
     for place, part in enumerate(requirements):
         if part.preposition != "between" or part.earliest is None or part.latest is None:
             continue
-        if operation.stated or (part.text.lower().startswith("from ") and part.reference is Reference.START):
+        ends = part.text.lower().startswith("from ") or part.text[:1].isdigit()
+        if operation.stated or (ends and part.reference is Reference.START):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)

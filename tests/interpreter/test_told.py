@@ -110,3 +110,38 @@ def test_what_is_finished_is_what_is_done() -> None:
 def test_lines_of_an_evening_go_on_into_the_night() -> None:
     made = told(["The interval is at 20:35", "Strike the set when the show is over at ten"])
     assert starts(made)["s2"] == "22:00"
+
+
+def test_a_length_told_of_what_goes_on_is_none_of_what_is_repeated_in_it() -> None:
+    made = told(["put the sausages on at 9 am, turn them every 4 minutes, they take about 15 minutes"])
+    assert starts(made) == {"s1": "09:00", "s1.2": "09:04", "s1.3": "09:08", "s1.4": "09:12"}
+
+
+def test_the_same_said_again_with_a_length_tells_that() -> None:
+    made = told(["soak the seeds at 8 am, they have to soak for 3 hours"])
+    assert [(one.skill.name, one.skill.time_until_done) for one in made.skills] == [("soak the seeds", 10800)]
+
+
+def test_the_end_is_that_of_what_goes_on() -> None:
+    made = told(["The exam begins at 9 am and lasts 90 minutes", "Collect the papers at the end"])
+    assert starts(made)["s2"] == "10:30"
+
+
+def test_what_is_over_is_what_was_told_before() -> None:
+    made = told(["The film is at 8 pm and lasts two hours", "Tidy up when it is over"])
+    assert starts(made)["s2"] == "22:00"
+
+
+def test_what_has_to_be_done_is_what_was_asked_before() -> None:
+    made = told(["Put out the papers, has to be done before the students come in at 8:45 am"])
+    assert [part.text for part in made.skills[0].requirements] == ["before the students come in at 8:45 am"]
+
+
+def test_them_that_are_told_something_are_people() -> None:
+    made = told(["Put out the papers", "Tell them to wait"])
+    assert made.skills[1].skill.name.startswith("tell them")
+
+
+def test_a_noun_at_a_time_and_after_another_happens() -> None:
+    made = told(["Incision at 8:00 am", "Soundcheck 9:30-10:30", "Dinner for the band after soundcheck"])
+    assert starts(made) == {"s1": "08:00", "s2": "09:30", "s3": "10:30"}

@@ -83,3 +83,8 @@ def test_what_says_no_time_heads_nothing(line: str) -> None:
     *_, eggs = _times(line, "boil the eggs at 8 pm")
     assert [part.text for part in eggs] == ["at 8 pm"]
     assert [part.text for part in _times(line, "boil the eggs")[-1]] == []
+
+
+def test_a_day_may_head_lines_with_more_words() -> None:
+    (mow,) = _times("Friday in the garden:", "mow the lawn")
+    assert [part.text for part in mow] == ["Friday in the garden"]

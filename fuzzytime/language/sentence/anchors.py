@@ -30,8 +30,12 @@ FIRST = frozenset({"before", "until", "by the time"})
 BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
 """Clauses that are neither before nor after alone."""
 
+AT_THE_END = "at the end"
+"""The time word that is about the end of what goes on."""
+
 ORDERING = {
     "afterwards": Constraint.AFTER,
+    AT_THE_END: Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
     "meanwhile": Constraint.AT,
@@ -114,8 +118,10 @@ class Anchors:
         if self._is_done_soon(clause):
             # "Add the carrots an hour before it's done"
             return self._going_on()
-        happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
-        if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
+        over = condition is not None and condition.word in self.lexicon.results
+        over = over and condition is not None and condition.subject in BACK
+        happens = (over or clause.verb in BEGINNING | ENDING) and last >= 0 and self._is_stated(last)
+        if (clause.is_event or happens) and (over or (clause.object or "").lower() in BACK) and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
         if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
@@ -228,6 +234,12 @@ class Anchors:
         operation = self._operation(target)
         return operation is not None and not operation.stated
 
+    def is_same_as_before(self, operation: Operation) -> bool:
+        """Whether the instruction before asks for the very same."""
+        before = self._operation(self.position - 1) if self.position else None
+        same = before is not None and not before.stated and before.lemma == operation.lemma
+        return same and before is not None and before.object == operation.object
+
     def _operation(self, target: int) -> Operation | None:
         place = target - self.first
         return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
@@ -296,7 +308,8 @@ class Anchors:
         if isinstance(time, TimeWord) and time.word in ORDERING and self.position > 0:
             constraint = ORDERING[time.word]
             edge = Edge.END if constraint is Constraint.AFTER else Edge.START
-            anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
+            target = self._going_on() if time.word == AT_THE_END else self.position - 1
+            anchor = Anchor(text=requirement.text, target=target, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
         if phrase.said.preposition == HALFWAY and self.position > 0:
             anchor = Anchor(text=requirement.text, target=self._going_on(), share=0.5, exact=True)

@@ -58,7 +58,11 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
     else:
         phrases, clauses = draft.phrases, ()
     heard = [*(phrase.span for phrase in phrases), *(clause.span for clause in clauses)]
-    if not heard or _says_more(draft, heard) or any(isinstance(p.said.time, TimeWord) for p in phrases):
+    if not heard or any(isinstance(p.said.time, TimeWord) for p in phrases):
+        return None
+    # As in "Saturday in the garden:", where more than the day is named.
+    titled = marked and sketch.operation is None and any(p.said.is_day for p in phrases)
+    if _says_more(draft, heard) and not titled:
         return None
     if (not marked and not _is_of_calendar(phrases[0])) or any(map(_is_meal, phrases)):
         return None

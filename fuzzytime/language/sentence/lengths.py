@@ -13,6 +13,9 @@ WHOLE = frozenset({"everything", "all"})
 US = frozenset({"we", "i"})
 """Who says of all that there is to do when it must be over."""
 
+OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
+"""How words begin that leave out what they are about: "has to be done before six"."""
+
 OVER = frozenset({"done", "finished", "through", "to", "be", "have", "need", "got"})
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
@@ -25,10 +28,14 @@ def length_of(
 
     The anchor has no target where no instruction so far is meant.
     """
-    if operation is None or not operation.stated or not requirements:
+    if operation is None or not requirements:
         return None
     if any(part.constraint is not Constraint.FOR for part in requirements):
         return None
+    if not operation.stated:
+        # "Soak the seeds, they have to soak for three hours"
+        same = operation.again and anchors.is_same_as_before(operation)
+        return Anchor(text=text, target=anchors.position - 1) if same else None
     anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
     if anchor is None or (operation.lemma in GOING and anchor.target is None):
         return None
@@ -46,7 +53,7 @@ def time_of(
         return None
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    if text.split(maxsplit=1)[0].lower() == operation.verb:
+    if text.split(maxsplit=1)[0].lower() == operation.verb and text.lower().split()[:2] not in OBLIGED:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
@@ -56,7 +63,7 @@ def time_of(
     if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in US and OVER.issuperset(said)):
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
-    if words[0] in PRONOUNS | ALL:
+    if words[0] in PRONOUNS | ALL or words[:2] in OBLIGED:
         asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         target: int | None = next(asked, None)
     else:

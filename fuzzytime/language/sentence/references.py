@@ -16,6 +16,7 @@ PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "on
 ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
 """Words for all that is meant, whatever that is."""
 
+PEOPLE = frozenset({"them"})
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 EMPTY = frozenset(
@@ -62,6 +63,9 @@ ENDING = frozenset({"end", "finish", "close"})
 """What things with a time of their own do: of these verbs a clause is about their start, or their end."""
 
 BE = "be"
+GOING_ON = frozenset({"on", "going", "running", "open"})
+"""What is said of what goes on."""
+
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
@@ -259,7 +263,9 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
-    if operation.stated and shared and clause.verb in BEGINNING | ENDING:
+    word = None if clause.condition is None else clause.condition.word
+    goes_on = clause.verb == BE and word in GOING_ON and clause.kind == "while"
+    if operation.stated and shared and (goes_on or clause.verb in BEGINNING | ENDING):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared
     if shared and clause.verb == "go" and operation.lemma in PUTTING:
@@ -296,6 +302,9 @@ def resolved_object(
     Neither stands for a person: in "call mum, then wash it", it is something else.
     """
     if operation.object is None or operation.object.lower() not in PRONOUNS:
+        return operation.object
+    if operation.lemma in mentions.lexicon.addressing and operation.object.lower() in PEOPLE:
+        # "Tell them when to stop"
         return operation.object
     several = operation.object.lower() in SEVERAL
     near = Mentions(mentions.lexicon)

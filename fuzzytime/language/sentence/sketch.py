@@ -100,7 +100,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         phrases=tuple(kept),
         clauses=tuple(clauses),
         references=(None,) * len(kept),
-        operation=_happening(draft, part, kept, lexicon),
+        operation=_happening(draft, part, kept, clauses, lexicon),
         remarks=tuple(excepted),
     )
     if named.operation is not None or part.segment.verbless:
@@ -151,12 +151,15 @@ def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     return Remark(RemarkKind.POLICY, phrase.span, message)
 
 
-def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
-    """Give what happens at a time, where no verb says what is to be done."""
+def _happening(
+    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause], lexicon: Lexicon
+) -> Operation | None:
+    """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
-    if part.segment.verbless or root is None or not phrases or not happens(part.tree, phrases, lexicon):
+    timed = phrases or clauses
+    if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
         return None
-    spans = (*(phrase.span for phrase in phrases), *draft.unfinished)
+    spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))

@@ -44,6 +44,9 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
     found = list(sketches)
     for aside in draft.asides:
         before = [sketch.part for sketch in found if sketch.part.segment.span[0] < aside.span[0]]
+        if len(before) > 1 and _is_repeated(found[len(before) - 1]):
+            # "Put the sausages on, turn them every 4 minutes, they take 15 minutes"
+            before.pop()
         for place, sketch in enumerate(found):
             if before and sketch.part is before[-1]:
                 segment = sketch.part.segment
@@ -51,6 +54,10 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
                 part = replace(sketch.part, segment=replace(segment, span=span))
                 found[place] = replace(_with_aside(sketch, aside, draft.scanned.text), part=part)
     return found
+
+
+def _is_repeated(sketch: Sketch) -> bool:
+    return any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases)
 
 
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
