@@ -62,7 +62,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     said = said or [
         p
         for p in nodes
-        if p == nodes[-1] == verb + 1 and tree.nodes[p].relation == "prep" and not tree.children(p)
+        if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
     ]
     if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
         starts = node.lemma in STARTING

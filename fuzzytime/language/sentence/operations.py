@@ -62,7 +62,7 @@ class Reader(Places):
             subject = None
         if direct is None and not stated:
             direct = self._due(verb)
-        elif stated and subject is None and node.lemma in TAKING:
+        elif stated and subject is None and node.lemma in TAKING and not self.tree.children(verb, "xcomp"):
             # "It needs an hour in the oven"
             direct = None
         if subject is not None and (stated or direct is None):
