@@ -50,7 +50,8 @@ class Interpreter:
             for name, row in tables.prepositions.items()
             if name not in shipped.prepositions
         }
-        return cls(with_words(language, tables.words, hedges, prepositions), rulebook)
+        clauses = {name: row.model for name, row in tables.clauses.items() if name not in shipped.clauses}
+        return cls(with_words(language, tables.words, hedges, prepositions, clauses), rulebook)
 
     def skill(
         self,

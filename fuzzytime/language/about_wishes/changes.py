@@ -114,7 +114,7 @@ def _corrected(said: Said) -> About | None:
     delayed = _by(rest)
     if delayed is not None and not delayed[1].words:
         # "Ten minutes later", "no, make it ten minutes earlier"
-        return About(kind=AboutKind.DELAY, by=delayed[0], certain=True)
+        return About(kind=AboutKind.DELAY, by=delayed[0], corrects=place > 0, certain=True)
     if place == 0 or not rest.words or (place == 1 and said.forms[0] == "wait"):
         # "Wait ten minutes" is an order
         return None
@@ -125,7 +125,7 @@ def _corrected(said: Said) -> About | None:
         names = Said(thing, said.now, said.lexicon).names
         return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
     time = rest.as_time()
-    return About(kind=AboutKind.MOVE, time=time, certain=True) if time else change(rest)
+    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True) if time else change(rest)
 
 
 def _by(said: Said) -> tuple[float, Said] | None:
