@@ -388,3 +388,35 @@ def test_why_of_what_is_running_says_so() -> None:
     talk.say("stir the soup for 20 minutes")
     talk.wait(minutes=5)
     assert talk.say("why is the soup so early?") == "s1 stir the soup has started, and is running until 09:20"
+
+
+def test_a_part_of_the_day_is_a_new_time() -> None:
+    about = about_wishes("can you move the parcel to the afternoon?", NOW, shipped_lexicon())
+    assert about is not None
+    assert (about.kind, about.time) == (AboutKind.MOVE, "in the afternoon")
+
+
+def test_earlier_alone_is_asked_back() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    assert talk.say("do it earlier").startswith("by how much?")
+
+
+def test_what_was_forgotten_may_be_kept() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    talk.say("forget the call")
+    talk.say("no wait, keep it")
+    assert talk.entries == ["call mum at six pm"]
+
+
+def test_who_must_leave_is_told_when() -> None:
+    talk = Talk()
+    talk.say("dentist at 11 am, it's 20 minutes away")
+    assert "at 10:40" in talk.say("when do I have to leave?")
+
+
+def test_why_not_at_another_time_is_about_what_is_named() -> None:
+    talk = Talk()
+    talk.say("pick up the parcel at noon")
+    assert "pick up the parcel" in talk.say("why can't I pick up the parcel at eleven?")

@@ -8,11 +8,16 @@ from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.naming import entry_of, running_one
+from fuzzytime_cli.repl.naming import FEW, entry_of, running_one
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, said, waiting
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
+
+LEAVING = frozenset({"leave", "go", "set", "off", "out", "head"})
+"""Words for going somewhere, whatever that is called."""
+
+GOING = LEAVING | {"travel", "drive", "depart"}
 
 SOON = 90.0
 """Seconds below which it is said to the second how long it is until a start."""
@@ -98,9 +103,8 @@ def _reply(scene: Scene, about: About, lines: list[Text], positions: list[int]) 
 
 
 def _nothing(names: frozenset[str]) -> Reply:
-    return said(
-        f"nothing that is planned is about {' '.join(sorted(names))}" if names else "nothing is planned"
-    )
+    what = " ".join(sorted(names)) if len(names) <= FEW else "that"
+    return said(f"nothing that is planned is about {what}" if names else "nothing is planned")
 
 
 def _focus(scene: Scene, positions: list[int]) -> int | None:
@@ -109,6 +113,10 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
+    if names and names <= LEAVING:
+        # "When do I have to leave?"
+        going = ((place, one.operation) for place, one in waiting(scene))
+        return [place for place, operation in going if operation is not None and operation.lemma in GOING]
     if names:
         return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)

@@ -239,7 +239,7 @@ def _supposed(scene: Scene, text: str) -> Reply:
 
 
 def _supposable(scene: Scene, about: About) -> str | None:
-    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP}
+    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE}
     return _command(scene, about) if about.kind in changing else None
 
 
