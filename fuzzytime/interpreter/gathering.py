@@ -10,7 +10,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish
-from fuzzytime.language import Instruction, Reading, reported
+from fuzzytime.language import LEAVING, Instruction, Reading, reported
 
 
 @dataclass(slots=True)
@@ -22,6 +22,7 @@ class Gathering:
     rows: Rows
     skills: list[Interpreted] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
+    ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
 
     def direct(self, wish: DirectWish) -> None:
         """Add the skill of a wish without words."""
@@ -34,19 +35,36 @@ class Gathering:
         for instruction in reading.instructions:
             if instruction.length_of is not None:
                 places.append((instruction, self._lengthened(instruction)))
-            elif (place := self._timed_by(instruction)) is not None:
-                self.skills[place] = self.maker.timed(self.skills[place], instruction, wish.given)
-                places.append((instruction, range(place, place + 1)))
+                self._go_there(wish, reading, instruction, instruction.length_of.target)
+            elif instruction.time_of is not None and not any(map(_is_asked, self.skills)):
+                # "Everything must be done by six", said before anything is asked for.
+                self.ahead.append((wish, instruction))
+                places.append((instruction, range(0)))
+            elif (timed := self._timed_by(instruction)) is not None:
+                for place in timed:
+                    self._time(place, instruction, wish)
+                places.append((instruction, timed[-1:]))
             else:
                 step = without_now(instruction) if listed and self.rows.begun else instruction
                 places.append((step, self._made(wish, reading, step)))
                 if listed:
                     self.rows.add(self.skills, places[-1][1])
+                self._go_there(wish, reading, instruction, len(self.links.instructions))
             self.links.instructions.append(places[-1][1])
         if not listed:
             self.rows.join(reading, places, self.skills)
             for _, made in places:
                 self.rows.await_arrival(made, self.skills)
+                self.rows.resume(made, self.skills)
+
+    def finish(self) -> None:
+        """Let all be done by when words said so before anything was asked for."""
+        for wish, instruction in self.ahead:
+            if not any(map(_is_asked, self.skills)):
+                what = "says when all must be done, and nothing is asked for"
+                self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
+            for place in range(len(self.skills)):
+                self._time(place, instruction, wish)
 
     def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
@@ -58,11 +76,47 @@ class Gathering:
         self.skills += made
         return range(first, len(self.skills))
 
-    def _timed_by(self, instruction: Instruction) -> int | None:
-        """Give the skill of which an instruction tells when it must be done: "it must be done by six"."""
+    def _timed_by(self, instruction: Instruction) -> range | None:
+        """Give the skills of which an instruction tells when they must be done: "it must be done by six"."""
         told = instruction.time_of
-        meant = range(0) if told is None or told.target is None else self.links.skills_of(told.target)
-        return meant[0] if len(meant) == 1 and isinstance(self.skills[meant[0]].wish, SpokenWish) else None
+        if told is None:
+            return None
+        if told.target is None:
+            return range(len(self.skills))
+        meant = self.links.skills_of(told.target)
+        return meant if len(meant) == 1 and isinstance(self.skills[meant[0]].wish, SpokenWish) else None
+
+    def _time(self, place: int, instruction: Instruction, wish: SpokenWish) -> None:
+        """Let a skill be done by when an instruction tells, unless it was asked for later than that."""
+        made = self.skills[place]
+        if not _is_asked(made):
+            return
+        timed = self.maker.timed(made, instruction, wish.given)
+        if timed.skill.satisfaction.support.empty and not made.skill.satisfaction.support.empty:
+            said = " ".join(part.text for part in instruction.requirements)
+            message = f"{made.skill.name} is asked for later than {said!r}, and keeps its time"
+            self.problems.append(problem_of(wish, ProblemKind.NOTE, message, instruction.span))
+            return
+        self.skills[place] = timed
+
+    def _go_there(
+        self, wish: SpokenWish, reading: Reading, instruction: Instruction, target: int | None
+    ) -> None:
+        """Add the way to where something is done or happens, right before that."""
+        meant = range(0) if target is None else self._skills_at(target)
+        if instruction.way is None or target is None or not meant:
+            return
+        operation = self.skills[meant[0]].operation
+        if operation is not None and operation.lemma in LEAVING:
+            # "We leave at six, the drive takes an hour"
+            self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
+            return
+        self.skills.append(self.maker.way(wish, reading, instruction, self.skills[meant[0]], target))
+
+    def _skills_at(self, target: int) -> range:
+        if target < len(self.links.instructions):
+            return self.links.skills_of(target)
+        return range(len(self.skills) - 1, len(self.skills)) if self.skills else range(0)
 
     def _lengthened(self, instruction: Instruction) -> range:
         """Let skills go on for as long as an instruction tells ("it takes an hour"), and give their places.
@@ -76,6 +130,11 @@ class Gathering:
         for place in meant:
             self.skills[place] = self.maker.lasting(self.skills[place], length)
         return meant
+
+
+def _is_asked(made: Interpreted) -> bool:
+    """Whether words ask for something to be done."""
+    return made.operation is not None and not made.operation.stated and isinstance(made.wish, SpokenWish)
 
 
 def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -> Problem:

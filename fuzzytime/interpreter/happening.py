@@ -1,13 +1,14 @@
 """What happens by itself, where it was said to, and what keeps who speaks from all else."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.interpreter.request import Request
 from fuzzytime.satisfaction import Rectangle
-from fuzzytime.skills import Busy
+from fuzzytime.skills import Busy, Precedence
 from fuzzytime.times import instant_after
 
 SURE = 0.999
@@ -15,8 +16,49 @@ SURE = 0.999
 
 
 def happening(interpretation: Interpretation) -> Interpretation:
-    """Keep what happens where it was said to: it gives way to nobody's work."""
-    return replace(interpretation, skills=tuple(map(_where_it_happens, interpretation.skills)))
+    """Keep what happens where it was said to: it gives way to nobody's work.
+
+    What is tied to such a moment has its own time by that.
+    """
+    skills = list(map(_where_it_happens, interpretation.skills))
+    fixed = {place: one.skill.satisfaction.best.low for place, one in enumerate(skills) if _is_fixed(one)}
+    kept = [_tied(entries, skills, fixed) for entries in (interpretation.precedences, interpretation.order)]
+    return replace(interpretation, skills=tuple(skills), precedences=tuple(kept[0]), order=tuple(kept[1]))
+
+
+def _is_fixed(one: Interpreted) -> bool:
+    """Whether it happens at a moment that is known."""
+    support = one.skill.satisfaction.support
+    return one.skill.happens and support.low == support.high
+
+
+def _tied(
+    entries: Sequence[Precedence], skills: list[Interpreted], fixed: Mapping[int, float]
+) -> list[Precedence]:
+    """Put what must come before or after what has its moment where that allows; give the entries left."""
+    left = []
+    for entry in entries:
+        if (entry.first in fixed) is (entry.second in fixed):
+            left.append(entry)
+            continue
+        if entry.first in fixed:
+            done = fixed[entry.first] + skills[entry.first].skill.time_until_done
+            place, window = entry.second, Rectangle(done + entry.minimum_lag, done + entry.maximum_lag)
+        else:
+            place, start = entry.first, fixed[entry.second] - skills[entry.first].skill.time_until_done
+            window = Rectangle(start - entry.maximum_lag, start - entry.minimum_lag)
+        event = entry.first if place == entry.second else entry.second
+        skills[place] = _inside(skills[place], window, skills[event])
+    return left
+
+
+def _inside(one: Interpreted, window: Rectangle, event: Interpreted) -> Interpreted:
+    """Give a skill that starts in a window, because of what happens."""
+    function = both(one.skill.satisfaction, window)
+    reason = one.reason
+    if not reason and function.support.empty and not one.skill.satisfaction.support.empty:
+        reason = f"its time does not go together with {event.skill.name!r}"
+    return replace(one, skill=replace(one.skill, satisfaction=function), reason=reason)
 
 
 def _where_it_happens(one: Interpreted) -> Interpreted:

@@ -90,7 +90,8 @@ class Row:
 class Rows:
     """The lists of a request: all of it where its order holds, else each numbered list.
 
-    ``arrived`` gives for each word the latest that comes which it names.
+    ``arrived`` gives for each word the latest that comes which it names, ``latest`` for each thing the latest
+    that is to be done with it.
     """
 
     in_order: bool
@@ -98,6 +99,7 @@ class Rows:
     number: int | None = None
     precedences: list[Precedence] = field(default_factory=list)
     arrived: dict[str, int] = field(default_factory=dict)
+    latest: dict[str, int] = field(default_factory=dict)
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
@@ -129,6 +131,19 @@ class Rows:
                 one, other = (Step(place, skills[place]) for place in (before[0], after[0]))
                 if other.ordered and not other.timed:
                     self.precedences.append(one.precedence(other))
+
+    def resume(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
+        """Let what is done with "it" follow what was asked for of the same thing before."""
+        operation = skills[made[0]].operation if made else None
+        if operation is None or operation.object is None or operation.stated:
+            return
+        before = self.latest.get(operation.object)
+        if operation.again and before is not None and len(made) == 1:
+            one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
+            if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
+                self.precedences.append(one.precedence(other))
+        if not any(map(_repeats, (skills[place] for place in made))):
+            self.latest[operation.object] = made[-1]
 
     def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""
@@ -213,6 +228,12 @@ def _repeats(interpreted: Interpreted) -> bool:
 
 def _is_anchored(part: TimeRequirement) -> bool:
     return part.anchor is not None and part.anchor.target is not None
+
+
+def _may_follow(part: TimeRequirement) -> bool:
+    """Whether words leave open what something comes after: they name no other, or one that comes later."""
+    later = part.anchor is not None and part.constraint is Constraint.BEFORE and not part.anchor.exact
+    return later or not _is_anchored(part)
 
 
 def _is_behind(part: TimeRequirement) -> bool:

@@ -7,6 +7,7 @@ from datetime import datetime
 
 from fuzzytime.context import Context
 from fuzzytime.errors import InstructionError
+from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_order import Rows, free_of_circles
@@ -49,7 +50,8 @@ class Interpreter:
             for name, row in tables.prepositions.items()
             if name not in shipped.prepositions
         }
-        return cls(with_words(language, tables.words, hedges, prepositions), rulebook)
+        clauses = {name: row.model for name, row in tables.clauses.items() if name not in shipped.clauses}
+        return cls(with_words(language, tables.words, hedges, prepositions, clauses), rulebook)
 
     def skill(
         self,
@@ -118,7 +120,10 @@ class Interpreter:
                 if reading is not None:
                     self._remark(reading, wish, admitted, problems)
                     gathered.spoken(wish, reading)
-        skills, precedences, unresolved = link(_identified(gathered.skills), gathered.links, self.rulebook)
+        gathered.finish()
+        skills, called = by_agents(_identified(gathered.skills), request)
+        problems += called
+        skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)
         order = free_of_circles(gathered.rows.kept(), precedences)
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]

@@ -10,8 +10,8 @@ from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.waits import with_waits
-from fuzzytime.language import Instruction, Operation, Reading
-from fuzzytime.requirement import Constraint, Reference, TimeRequirement
+from fuzzytime.language import ENDING, Instruction, Operation, Reading
+from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -19,6 +19,9 @@ from fuzzytime.times import seconds_between
 
 ATTEND = "attend"
 """The row of durations for what happens, by its name."""
+
+RIGHT_THEN = "exactly"
+"""How near what somebody goes to follows the way there."""
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
@@ -204,6 +207,9 @@ class Maker:
             # What happens by itself needs nobody's hands: "the guests arrive at six".
             if length is not None:
                 return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
+            if operation.lemma in ENDING:
+                # "The shift ends at two": that is a moment.
+                return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
             known = self._happening(operation) or (table if table.known else None)
             if known is None:
                 return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
@@ -241,6 +247,41 @@ class Maker:
             duration = replace(duration, hands_on=min(duration.hands_on, alone))
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
+
+    def way(
+        self, wish: SpokenWish, reading: Reading, instruction: Instruction, to: Interpreted, target: int
+    ) -> Interpreted:
+        """Make the skill of going where something is done or happens, in time for that."""
+        told, length = to.operation, instruction.way or 0.0
+        attended = told is not None and told.attended
+        operation = Operation(
+            verb="travel",
+            lemma="travel",
+            span=instruction.span,
+            object=f"the way to {to.skill.name}" if attended else None,
+            complement=None if attended else f"to {to.skill.name}",
+            stated=attended,
+            attended=attended,
+        )
+        anchor = Anchor(text=to.skill.name, target=target, edge=Edge.START, exact=True)
+        before = TimeRequirement(
+            text=f"in time for {to.skill.name}",
+            span=instruction.span,
+            constraint=Constraint.BEFORE,
+            reference=Reference.FINISH,
+            reference_said=True,
+            fuzziness=(RIGHT_THEN,),
+            anchor=anchor,
+        )
+        going = replace(
+            instruction,
+            operation=operation,
+            duration=length,
+            requirements=(before,),
+            length_of=None,
+            way=None,
+        )
+        return self._one(wish, reading, going, (before,))
 
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
         """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""
@@ -280,7 +321,8 @@ def _from_to(instruction: Instruction) -> Instruction:
     for place, part in enumerate(requirements):
         if part.preposition != "between" or part.earliest is None or part.latest is None:
             continue
-        if operation.stated or (part.text.lower().startswith("from ") and part.reference is Reference.START):
+        ends = part.text.lower().startswith("from ") or part.text[:1].isdigit()
+        if operation.stated or (ends and part.reference is Reference.START):
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)

@@ -117,6 +117,8 @@ def scheduled(
         task = task_of(interpretation, request)
         left = replace(limits, seconds=max(0.0, over - limits.clock()))
         schedule = solve(task, solver=solver, threshold=threshold, limits=left, hints=hints)
+        # What was found under a stricter order holds under a looser one, where no time is left for more.
+        hints = list(schedule.start_times)
         looser = loosened(interpretation, schedule.rejected)
         if looser is interpretation:
             break

@@ -14,11 +14,15 @@ from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import problem_of
-from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval, SatisfactionFunction
 from fuzzytime.skills import Precedence
 from fuzzytime.spelling import suggestion
+
+JUST_BEFORE = "just before"
+FAR = 86400.0
+"""A time far enough from now for words beside it to have all their width."""
 
 
 @dataclass(slots=True)
@@ -144,11 +148,34 @@ class _Tie:
             return self.anchor.share * skill.time_until_done
         return {Edge.START: 0.0, Edge.FREE: skill.duration, Edge.END: skill.time_until_done}[self.anchor.edge]
 
+    @property
+    def beside(self) -> SatisfactionFunction | None:
+        """ψ of when this one is over, from the moment that it is to be right before; None elsewhere.
+
+        What is to be ready when something begins may be ready at that very moment.
+        """
+        if not self.anchor.exact or self.anchor.lag or self.requirement.constraint is not Constraint.BEFORE:
+            return None
+        if self.requirement.fuzziness:
+            # A hedge on a distance is as wide as that is long, one beside a moment as wide as ever.
+            far = FAR if self.requirement.reference is Reference.START else self.this.skill.time_until_done
+            return self._as(at=far, preposition=None).shifted(-far)
+        if self.requirement.reference is not Reference.FINISH:
+            return None
+        early = self._as(at=FAR, preposition=None, hedge=JUST_BEFORE)
+        return early.shifted(-early.best.high)
+
+    @property
+    def lag(self) -> float:
+        """Seconds from the moment that is measured from to the start that is wished for."""
+        ends = self.requirement.reference is Reference.FINISH or self.beside is not None
+        return self.anchor.lag - (self.this.skill.time_until_done if ends else 0.0)
+
     def allowed(self) -> Interval:
         """Give the interval of x."""
         if self.anchor.exact:
             leeway = self._leeway()
-            return Interval(self.anchor.lag + leeway.low, self.anchor.lag + leeway.high)
+            return Interval(self.lag + leeway.low, self.lag + leeway.high)
         match self.requirement.constraint:
             case Constraint.BEFORE:
                 return Interval(-math.inf, self.anchor.lag - self.this.skill.time_until_done)
@@ -161,18 +188,26 @@ class _Tie:
 
     def _leeway(self) -> Interval:
         """Give how far from the lag is acceptable: as far as "in" that time from now would be."""
+        if (beside := self.beside) is not None:
+            return beside.support
         distance = abs(self.anchor.lag)
-        as_from_now = replace(
+        inside = self._as(at=distance, preposition="in").acceptable()
+        return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
+
+    def _as(self, *, at: float, preposition: str | None, hedge: str = "") -> SatisfactionFunction:
+        """Give ψ of the same words, or of a hedge instead, for a time so many seconds from now."""
+        said = replace(
             self.requirement,
             constraint=Constraint.AT,
-            preposition="in",
-            t_spec=distance,
-            earliest=distance,
-            latest=distance,
+            preposition=preposition,
+            fuzziness=(hedge,) if hedge else self.requirement.fuzziness,
+            reference=Reference.START,
+            t_spec=at,
+            earliest=at,
+            latest=at,
             anchor=None,
         )
-        inside = self.rulebook.resolve(as_from_now, Context.empty).satisfaction.acceptable()
-        return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
+        return self.rulebook.resolve(said, Context.empty).satisfaction
 
     def precedence(self, target: int, this: int) -> Precedence:
         """Give the interval of x as lags from the one that comes first being done to the other's start."""
@@ -200,14 +235,20 @@ class _Tie:
         )
         if named is not None or not math.isfinite(expected):
             return named
-        return expected + self.moment + self.anchor.lag
+        beside = self.beside
+        start = expected + self.moment + self.lag + (0.0 if beside is None else min(0.0, beside.best.high))
+        # Where the target may wait, so may what comes before it.
+        return named if start < 0 and target.preferred is None else start
 
     def _satisfaction(self) -> SatisfactionFunction:
         """Let ψ follow the target's, where that is timed."""
         if all(requirement.anchor is not None for requirement in self.target.requirements):
             return self.this.skill.satisfaction
         leeway = self.allowed()
-        follows = self.target.skill.satisfaction.shifted(self.moment + self.anchor.lag)
+        if (beside := self.beside) is not None and self.target.skill.preferred is not None:
+            moved = beside.shifted(self.target.skill.preferred + self.moment + self.lag)
+            return both(self.this.skill.satisfaction, moved)
+        follows = self.target.skill.satisfaction.shifted(self.moment + self.lag)
         own = self.this.skill.satisfaction
         alone = len([r for r in self.this.requirements if r.anchor is None]) == 0
         factor = (

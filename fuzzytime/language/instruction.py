@@ -34,6 +34,7 @@ class Operation:
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
     becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
+    ``again`` says that its object was named before ("bake it").
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
     """
 
@@ -48,6 +49,7 @@ class Operation:
     negated: bool = False
     stated: bool = False
     attended: bool = False
+    again: bool = False
 
     @property
     def phrase(self) -> str:
@@ -92,7 +94,10 @@ class Instruction:
         a target none so far is meant.
     time_of
         The instruction whose time is told, as in "it should be done by eight": then nothing more is to be
-        done.
+        done. Without a target all that was asked for before is meant.
+    way
+        How many seconds it takes to go where it is done, None where nothing was said: of the instruction
+        that ``length_of`` means, if there is one.
     """
 
     span: Span
@@ -103,6 +108,7 @@ class Instruction:
     fuzzy_parameters: tuple["FuzzyParameter", ...] = ()
     length_of: Anchor | None = None
     time_of: Anchor | None = None
+    way: float | None = None
 
 
 class RemarkKind(StrEnum):

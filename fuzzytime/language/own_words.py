@@ -20,6 +20,7 @@ def with_words(
     words: Iterable[str],
     hedges: Iterable[str] = (),
     prepositions: Mapping[str, Constraint | None] | None = None,
+    clauses: Mapping[str, str] | None = None,
 ) -> Language:
     """Give a language that understands more words about time.
 
@@ -35,6 +36,8 @@ def with_words(
         Words that say how exactly a time is meant, in front of it or behind.
     prepositions
         Words in front of a time, and how they bind it; None for beside it, as "at" does.
+    clauses
+        Words that begin a clause, and of which kind it is: when, while or until.
 
     >>> language = with_words(Language.shipped(), ["anon"])
     >>> language.read("Call mum anon").instructions[0].requirements[0].word
@@ -49,7 +52,11 @@ def with_words(
     more = dict(entries)
     for entry in new:
         more[entry.words[0]] = (*more.get(entry.words[0], ()), entry)
-    return replace(language, lexicon=replace(language.lexicon, entries=more)) if new else language
+    markers = {form_of(name): kind for name, kind in (clauses or {}).items()}
+    if not new and markers.keys() <= language.lexicon.clauses.keys():
+        return language
+    lexicon = replace(language.lexicon, entries=more, clauses={**markers, **language.lexicon.clauses})
+    return replace(language, lexicon=lexicon)
 
 
 def _words(words: Iterable[str]) -> Iterator[Entry]:

@@ -109,7 +109,7 @@ class Language:
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        drafts = under_headings(self._drafts(list(texts)))
+        drafts = under_headings(self._drafts(list(texts)), self.lexicon)
         since: float | None = None
         given_since = []
         for draft in drafts:

@@ -9,6 +9,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.scheduling.alone import best_alone
 from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.clash import clash_of
+from fuzzytime.scheduling.expected import expected_starts
 from fuzzytime.scheduling.limits import Limits, Stopwatch
 from fuzzytime.scheduling.local_search import LocalSearch
 from fuzzytime.scheduling.objectives import DEFAULT, Objective
@@ -69,6 +70,7 @@ def solve(
     if hints and len(hints) != len(task.skills):
         raise FuzzytimeError(f"hints must be one for each of {len(task.skills)} skills, got {len(hints)}")
     watch = Stopwatch(limits or Limits())
+    hints = hints or expected_starts(task)
     if threshold == 0:
         quick = _scheduled(task, LocalSearch(), threshold, watch.share(0.3), objectives, hints)
         if any(quick.rejected):

@@ -20,7 +20,7 @@ def test_steps_follow_one_another_where_asked() -> None:
 
 
 def test_plain_lines_are_free() -> None:
-    assert not told(RECIPE).interpretation.order
+    assert not told(["chop the onions", "wash the rice", "set the table"]).interpretation.order
 
 
 def test_a_numbered_list_says_that_its_order_holds() -> None:
@@ -129,3 +129,15 @@ def test_what_is_planned_again_without_a_step_shares_the_time(monkeypatch: pytes
     told([*lines, "send a report at 6 pm"], in_order=True, limits=limits)
     assert len(given) > 1
     assert all(later < earlier for earlier, later in pairwise([limits.seconds, *given]))
+
+
+def test_what_is_done_with_it_follows_what_was_asked_of_it() -> None:
+    lines = ["wipe the table", "assemble the lasagne at 9 am", "bake it for 35 minutes", "it has to rest"]
+    at = starts(told(lines))
+    assert at["s1"] == "07:00"
+    assert at["s2"] < at["s3"] < at["s4"]
+
+
+def test_its_own_time_says_when_something_is_done_with_it() -> None:
+    at = starts(told(["serve the soup at noon", "heat it at 11 am", "before that, salt it"]))
+    assert at["s3"] < at["s2"] == "11:00"

@@ -1,11 +1,11 @@
-"""Days on lines of their own, which hold for the lines below."""
+"""Times on lines of their own, which hold for the lines below."""
 
 from datetime import datetime
 
 import pytest
 
 from fuzzytime.language import Language, RemarkKind
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement
 
 pytestmark = pytest.mark.model
 
@@ -44,3 +44,47 @@ def test_a_day_that_nothing_follows_is_a_time_alone() -> None:
 def test_what_a_day_above_holds_for_is_said() -> None:
     heading, _ = Language.shipped().read_all([("Friday", NOW), ("mow the lawn", NOW)])
     assert [remark.kind for remark in heading.remarks] == [RemarkKind.POLICY]
+
+
+def test_bounds_and_lengths_below_a_day_are_on_that_day() -> None:
+    load, back, make = _times(
+        "Friday:", "load the boxes, about two hours", "return the van by 6 pm", "make the bed in the morning"
+    )
+    assert [part.earliest for part in load if part.text == "Friday"] == [2 * DAY - 9 * 3600]
+    assert [(part.text, part.latest) for part in back] == [
+        ("Friday", 3 * DAY - 9 * 3600),
+        ("by 6 pm", 2 * DAY + 9 * 3600),
+    ]
+    assert [part.latest for part in make] == [2 * DAY + 3 * 3600]
+
+
+def test_a_part_of_the_day_is_of_the_day_above_it() -> None:
+    vacuum, dentist = _times("Friday:", "Morning:", "vacuum the hall", "dentist at 9")
+    assert [(part.text, part.latest) for part in vacuum] == [("Friday, Morning", 2 * DAY + 3 * 3600)]
+    assert dentist[0].earliest == 2 * DAY
+
+
+def test_a_clause_holds_for_the_lines_below_it() -> None:
+    _, flowers, bake = _times(
+        "The guests come at 6 pm", "Today, before the guests come:", "buy flowers", "- bake a cake"
+    )
+    for said in (flowers, bake):
+        assert [part.constraint for part in said] == [Constraint.BETWEEN, Constraint.BEFORE]
+        assert [part.anchor.target for part in said if part.anchor is not None] == [0]
+
+
+def test_a_length_that_is_told_has_no_day() -> None:
+    _, length = _times("Friday:", "bake the bread", "It takes an hour")[:2]
+    assert [part.constraint for part in length] == [Constraint.FOR]
+
+
+@pytest.mark.parametrize("line", ["Pancakes:", "Robot 1:", "Dinner:", "Lunch"])
+def test_what_says_no_time_heads_nothing(line: str) -> None:
+    *_, eggs = _times(line, "boil the eggs at 8 pm")
+    assert [part.text for part in eggs] == ["at 8 pm"]
+    assert [part.text for part in _times(line, "boil the eggs")[-1]] == []
+
+
+def test_a_day_may_head_lines_with_more_words() -> None:
+    (mow,) = _times("Friday in the garden:", "mow the lawn")
+    assert [part.text for part in mow] == ["Friday in the garden"]

@@ -63,3 +63,16 @@ def test_hedges_and_prepositions_of_ones_own_are_understood() -> None:
 def test_tables_without_words_of_their_own_leave_the_language_as_it_is() -> None:
     shipped = Interpreter.shipped()
     assert Interpreter.joining(shipped.language, shipped.rulebook).language is shipped.language
+
+
+@pytest.mark.model
+def test_what_begins_a_clause_may_be_ones_own() -> None:
+    language = with_words(Language.shipped(), [], clauses={"by such time as": "when", "when": "until"})
+    boil, serve = language.read_all(
+        [("boil the rice", NOW), ("serve it by such time as the rice is done", NOW)]
+    )
+    assert boil.remarks == ()
+    (requirement,) = serve.instructions[0].requirements
+    assert requirement.preposition == "by such time as"
+    assert requirement.anchor is not None
+    assert requirement.anchor.target == 0

@@ -37,9 +37,10 @@ SENTENCES = (
 WORDS = [
     word
     for word in entries("word")
-    # "Whenever" before a verb begins a clause.
+    # "Whenever" before a verb begins a clause, "then" what follows.
     if word.value.constraint not in {Constraint.EVERY, Constraint.FOR}
     and word.words not in Lexicon.shipped().clauses
+    and word.words != ("then",)
 ]
 OF_NUMBERS = {"less than", "more than", "some"}
 """Hedges that stand beside numbers only: nobody says "more than at noon"."""

@@ -317,3 +317,106 @@ def test_of_several_times_none_is_guessed() -> None:
     talk = Talk()
     talk.say("feed the cat at 10 am and the dog at 11 am")
     assert "several times" in talk.say("no, make it noon")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "I haven't started yet",
+        "haven't started the soup",
+        "we have not begun",
+        "I didn't start with the soup",
+    ],
+)
+def test_what_has_not_begun_is_heard(line: str) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert about is not None
+    assert about.kind is AboutKind.UNSTARTED
+    assert about.names <= {"soup"}
+
+
+@pytest.mark.parametrize(
+    ("line", "kind"),
+    [
+        ("that's wrong", AboutKind.WRONG),
+        ("I can't do that now", AboutKind.UNABLE),
+        ("too early", AboutKind.UNABLE),
+        ("come back later", AboutKind.ANSWER),
+    ],
+)
+def test_protests_and_farewells_are_no_wishes(line: str, kind: AboutKind) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert about is not None
+    assert about.kind is kind
+
+
+def test_what_has_not_begun_is_planned_anew() -> None:
+    talk = Talk()
+    talk.say("stir the soup for 20 minutes")
+    talk.wait(minutes=5)
+    answer = talk.say("I haven't started yet")
+    assert "no longer running: stir the soup" in answer
+    assert talk.start("s2") == talk.now
+    assert talk.say("I haven't started the call") == "nothing is running"
+
+
+def test_no_corrects_what_was_told_and_no_answer() -> None:
+    talk = Talk()
+    talk.say("make the salad in an hour")
+    talk.say("call mum at six pm")
+    assert "make the salad" in talk.say("what's next?")
+    assert ":edit 2 call mum at half past six" in talk.say("no, half past six")
+
+
+def test_a_protest_is_asked_back() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    assert talk.say("that's wrong").startswith("what is meant instead?")
+    assert talk.say("I can't do that now").startswith("when then?")
+    assert talk.entries == ["call mum at six pm"]
+
+
+def test_how_long_it_is_until_then_is_in_minutes() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    talk.now += timedelta(seconds=1)
+    assert "in 9 h, done at" in talk.say("what's next?")
+
+
+def test_why_of_what_is_running_says_so() -> None:
+    talk = Talk()
+    talk.say("stir the soup for 20 minutes")
+    talk.wait(minutes=5)
+    assert talk.say("why is the soup so early?") == "s1 stir the soup has started, and is running until 09:20"
+
+
+def test_a_part_of_the_day_is_a_new_time() -> None:
+    about = about_wishes("can you move the parcel to the afternoon?", NOW, shipped_lexicon())
+    assert about is not None
+    assert (about.kind, about.time) == (AboutKind.MOVE, "in the afternoon")
+
+
+def test_earlier_alone_is_asked_back() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    assert talk.say("do it earlier").startswith("by how much?")
+
+
+def test_what_was_forgotten_may_be_kept() -> None:
+    talk = Talk()
+    talk.say("call mum at six pm")
+    talk.say("forget the call")
+    talk.say("no wait, keep it")
+    assert talk.entries == ["call mum at six pm"]
+
+
+def test_who_must_leave_is_told_when() -> None:
+    talk = Talk()
+    talk.say("dentist at 11 am, it's 20 minutes away")
+    assert "at 10:40" in talk.say("when do I have to leave?")
+
+
+def test_why_not_at_another_time_is_about_what_is_named() -> None:
+    talk = Talk()
+    talk.say("pick up the parcel at noon")
+    assert "pick up the parcel" in talk.say("why can't I pick up the parcel at eleven?")

@@ -8,11 +8,19 @@ from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
-from fuzzytime_cli.repl.naming import entry_of
+from fuzzytime_cli.repl.naming import FEW, entry_of, running_one
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, said, waiting
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
+
+LEAVING = frozenset({"leave", "go", "set", "off", "out", "head"})
+"""Words for going somewhere, whatever that is called."""
+
+GOING = LEAVING | {"travel", "drive", "depart"}
+
+SOON = 90.0
+"""Seconds below which it is said to the second how long it is until a start."""
 
 MOST = 5
 """How many occurrences a question is answered with."""
@@ -73,6 +81,10 @@ def why(scene: Scene, about: About) -> Reply:
     from fuzzytime_cli.formats.reasons import why_sentences
 
     positions = _positions(scene, about.names)
+    begun = running_one(scene, about.names) if about.names and not positions else None
+    if begun is not None:
+        name = f"{plain(begun.identifier)} {plain(begun.name)}"
+        return said(f"{name} has started, and is running until {_at(scene, begun.done)}")
     if not positions:
         entry = entry_of(scene, about.names)
         if entry is not None:
@@ -91,9 +103,8 @@ def _reply(scene: Scene, about: About, lines: list[Text], positions: list[int]) 
 
 
 def _nothing(names: frozenset[str]) -> Reply:
-    return said(
-        f"nothing that is planned is about {' '.join(sorted(names))}" if names else "nothing is planned"
-    )
+    what = " ".join(sorted(names)) if len(names) <= FEW else "that"
+    return said(f"nothing that is planned is about {what}" if names else "nothing is planned")
 
 
 def _focus(scene: Scene, positions: list[int]) -> int | None:
@@ -102,6 +113,10 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
+    if names and names <= LEAVING:
+        # "When do I have to leave?"
+        going = ((place, one.operation) for place, one in waiting(scene))
+        return [place for place, operation in going if operation is not None and operation.lemma in GOING]
     if names:
         return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)
@@ -119,8 +134,7 @@ def _over(scene: Scene) -> Reply:
     ends += [one.done for one in scene.conversation.running(scene.now)]
     if not ends:
         return said("nothing is planned")
-    left = seconds_between(scene.now, max(ends))
-    return said(f"all is done at {_at(scene, max(ends))}, in {format_duration(max(0.0, left))}")
+    return said(f"all is done at {_at(scene, max(ends))}, in {_until(scene, max(ends))}")
 
 
 def _start(scene: Scene, position: int) -> Text:
@@ -133,8 +147,13 @@ def _start(scene: Scene, position: int) -> Text:
         scene.plan.instant(schedule.skills[position].done),
     )
     over = f", done at {_at(scene, done)}" if interpreted.skill.time_until_done >= LONG else ""
+    return Text(f"{name}: at {_at(scene, instant)}, in {_until(scene, instant)}{over}")
+
+
+def _until(scene: Scene, instant: datetime) -> str:
+    """Give how long it is until then; in whole minutes, as clock times are, where it is some."""
     left = max(0.0, seconds_between(scene.now, instant))
-    return Text(f"{name}: at {_at(scene, instant)}, in {format_duration(left)}{over}")
+    return format_duration(60.0 * round(left / 60.0) if left >= SOON else left)
 
 
 def _at(scene: Scene, instant: datetime) -> str:

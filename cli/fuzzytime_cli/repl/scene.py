@@ -37,7 +37,7 @@ class Scene:
     """What a command works with: the conversation, the plan on the screen, the moment, the screen's width.
 
     Where ``tried`` is given, steps are not taken: what they would lead to is put there. ``focus`` is the
-    instruction that was spoken of last.
+    instruction that was spoken of last, ``told_last`` the one that was told or changed last.
     """
 
     conversation: Conversation
@@ -47,6 +47,7 @@ class Scene:
     unicode: bool = True
     tried: list[State] | None = None
     focus: int | None = None
+    told_last: int | None = None
 
 
 def said(text: str) -> Reply:

@@ -11,11 +11,17 @@ from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
 from fuzzytime_cli.repl.commands import command_of
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
-from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of
 from fuzzytime_cli.session import Entry
 
 HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
 """What tells how it went, which :undo does not take back."""
+
+ASKED_BACK = {
+    AboutKind.WRONG: "what is meant instead? Say: no, at six (or: undo that)",
+    AboutKind.UNABLE: "when then? Say: push it back by half an hour (or: make it six; forget it)",
+}
+"""What is answered to a protest."""
 
 
 def reply_about(scene: Scene, words: str) -> Reply | None:
@@ -65,6 +71,8 @@ def _told(scene: Scene, words: str) -> Reply | None:
 
 def _taken(scene: Scene, about: About) -> Reply | None:
     """Run the command that is meant; None where the words may be a wish of their own."""
+    if about.kind in ASKED_BACK:
+        raise FuzzytimeError(ASKED_BACK[about.kind])
     line = _command(scene, about)
     if line is None:
         return None
@@ -97,6 +105,13 @@ def _command(scene: Scene, about: About) -> str | None:
             return _late(scene, about)
         case AboutKind.SWAP:
             return _swap(scene, about)
+        case AboutKind.UNSTARTED:
+            return _unstarted(scene, about)
+    return _changing(scene, about)
+
+
+def _changing(scene: Scene, about: About) -> str | None:
+    """Give the command that drops, moves or delays what is meant."""
     if about.everything and about.kind is AboutKind.MOVE:
         raise FuzzytimeError(
             "one at a time, such as: move the call to six; or: push everything back by an hour"
@@ -105,6 +120,8 @@ def _command(scene: Scene, about: About) -> str | None:
         return ":drop all" if about.kind is AboutKind.DROP else f":delay all {_length(about)}"
     if about.both:
         raise FuzzytimeError("one at a time, such as: forget the call")
+    if about.corrects and scene.told_last is not None:
+        scene = replace(scene, focus=scene.told_last)
     entry = entry_of(scene, about.names)
     if entry is None:
         return unknown(about.names) if about.certain else None
@@ -162,6 +179,26 @@ def _progress(scene: Scene, about: About) -> str | None:
     return unknown(about.names) if about.certain else None
 
 
+def _unstarted(scene: Scene, about: About) -> str:
+    """Give the command that plans anew what was taken to have started.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing that is meant has started, or which of several is not said.
+    """
+    one = running_one(scene, about.names)
+    if one is None:
+        entry = entry_of(scene, about.names)
+        planned = None if entry is None else called(scene, entry.number)
+        raise FuzzytimeError(
+            f"{planned} is still planned" if planned and about.names else "nothing is running"
+        )
+    number = number_of(one.identifier)
+    text = next(entry.text for entry in scene.conversation.state.entries if entry.number == number)
+    return f":edit {number} {text}"
+
+
 def _late(scene: Scene, about: About) -> str:
     """Give the command that keeps who is late from everything for so long."""
     if about.by is None:
@@ -202,7 +239,7 @@ def _supposed(scene: Scene, text: str) -> Reply:
 
 
 def _supposable(scene: Scene, about: About) -> str | None:
-    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP}
+    changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE}
     return _command(scene, about) if about.kind in changing else None
 
 

@@ -34,7 +34,7 @@ class Turns:
     """A conversation going on: the plan on the screen, the question put, what was told, and what is news.
 
     ``asks`` says that somebody is there to answer: then an ambiguous time is asked about, once. ``focus`` is
-    the instruction that was spoken of last.
+    the instruction that was spoken of last, ``told_last`` the one that who types spoke of, and no answer.
     """
 
     conversation: Conversation
@@ -47,6 +47,7 @@ class Turns:
     news: list[Started] = field(default_factory=list)
     told: set[Problem] = field(default_factory=set)
     focus: int | None = None
+    told_last: int | None = None
 
     def opened(self, now: datetime) -> list[Line]:
         """Greet: the schedule of a session that goes on, or what to do in a new one."""
@@ -79,6 +80,7 @@ class Turns:
                 reply = reply_about(self._scene(now), words) or self._instruction(words, now)
             self.focus = reply.focus if reply.focus is not None else self.focus
             if reply.changed:
+                self.told_last = reply.focus if reply.focus is not None else self.told_last
                 reply = replace(reply, lines=(*reply.lines, *self._redrawn(now)))
             reply = replace(reply, lines=(*self._told_news(), *reply.lines))
             if self.pending is not None:
@@ -114,7 +116,9 @@ class Turns:
         plan = self.plan if self.plan is not None else self._refresh(now)
         # What starts now has started before anything is said of it.
         self.news += self.conversation.note_started(plan, now)
-        return Scene(self.conversation, plan, now, self.width, self.unicode, focus=self.focus)
+        return Scene(
+            self.conversation, plan, now, self.width, self.unicode, focus=self.focus, told_last=self.told_last
+        )
 
     def _refresh(self, now: datetime) -> Plan:
         """Plan from a moment on: what has started by then stays."""

@@ -16,6 +16,9 @@ class AboutKind(StrEnum):
     DONE = "done"
     MORE = "more"
     LATE = "late"
+    UNSTARTED = "unstarted"
+    UNABLE = "unable"
+    WRONG = "wrong"
     NEXT = "next"
     ALL = "all"
     WHEN = "when"
@@ -48,6 +51,8 @@ class About:
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
         What is supposed: "what if I call mum at six" has "call mum at six".
+    corrects
+        Whether it corrects what was said before ("no, half past six"), whatever was answered since.
     certain
         Whether nothing else can be meant; where it can, what names nothing that was asked for is a wish.
     """
@@ -60,4 +65,5 @@ class About:
     time: str = ""
     by: float | None = None
     text: str = ""
+    corrects: bool = False
     certain: bool = False

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.lexicon import longest_match
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
 FOR = "for"
+KEEPING = frozenset({"keep", "leave"})
+"""What is said of what was dropped or changed, for it to stay as it was."""
+
 DOING = "do"
 BETWEEN = frozenset({"and", "with", "for"})
 """Words between the two that are swapped."""
@@ -91,6 +94,9 @@ def _ordered(said: Said) -> About | None:
         if rest.is_in("first"):
             return About(kind=AboutKind.MOVE, names=_named(thing), time="right now")
         new = rest.without("instead")[0]
+        if new.words and not new.without(*DIRECTIONS)[0].words and _is_last(thing):
+            # "Do it earlier": by how much is not said
+            return About(kind=AboutKind.DELAY, certain=True)
         if (by := _by(new)) is not None and not by[1].words:
             return About(kind=AboutKind.DELAY, names=_named(thing), by=by[0])
         if (time := new.as_time()) and (thing.names or _is_last(thing)):
@@ -111,10 +117,13 @@ def _corrected(said: Said) -> About | None:
             break
         place += len(form) if form is not None else 1
     rest = said.behind(place)
+    if place and rest.forms[:1] and rest.forms[0] in KEEPING and _is_last(rest.behind(1)):
+        # "No wait, keep it"
+        return About(kind=AboutKind.UNDO, certain=True)
     delayed = _by(rest)
     if delayed is not None and not delayed[1].words:
         # "Ten minutes later", "no, make it ten minutes earlier"
-        return About(kind=AboutKind.DELAY, by=delayed[0], certain=True)
+        return About(kind=AboutKind.DELAY, by=delayed[0], corrects=place > 0, certain=True)
     if place == 0 or not rest.words or (place == 1 and said.forms[0] == "wait"):
         # "Wait ten minutes" is an order
         return None
@@ -125,7 +134,7 @@ def _corrected(said: Said) -> About | None:
         names = Said(thing, said.now, said.lexicon).names
         return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
     time = rest.as_time()
-    return About(kind=AboutKind.MOVE, time=time, certain=True) if time else change(rest)
+    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True) if time else change(rest)
 
 
 def _by(said: Said) -> tuple[float, Said] | None:

@@ -15,7 +15,8 @@ def question(said: Said) -> About | None:
 
 def _names(said: Said) -> frozenset[str]:
     """Give what a question is about: its words but for those that name nothing."""
-    return said.names - _words(said, "filling")
+    times = {*said.lexicon.numbers, "at", "am", "pm"}
+    return frozenset(name for name in said.names - _words(said, "filling") - times if not name.isdigit())
 
 
 def _supposed(said: Said) -> About | None:

@@ -27,7 +27,7 @@ def about_wishes(text: str, now: datetime, lexicon: Lexicon) -> About | None:
     said = _without_courtesies(whole)
     if not said.words or not set(whole.without("answering")[0].forms) - MARKS:
         return About(kind=AboutKind.ANSWER, certain=True)
-    return question(said) or change(_without_request(said)) or report(said)
+    return question(said) or change(_without_request(said)) or change(said) or report(said)
 
 
 def _without_request(said: Said) -> Said:

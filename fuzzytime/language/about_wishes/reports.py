@@ -9,11 +9,12 @@ SPEAKERS = frozenset({"i", "we"})
 PAST = frozenset({"VBN", "VBD"})
 BEING = frozenset({"is", "are", "'s", "'re"})
 WITH = "with"
+ON = "on"
 
 
 def report(said: Said) -> About | None:
     """Read how it goes; None where it may be a wish."""
-    return _late(said) or _more(said) or _finished(said)
+    return _late(said) or _more(said) or _unstarted(said) or _finished(said) or _protest(said)
 
 
 def _late(said: Said) -> About | None:
@@ -33,6 +34,30 @@ def _more(said: Said) -> About | None:
     named, parts = found.rest.without("needing", "last")
     certain = not named.names or "needing" in parts
     return About(kind=AboutKind.MORE, names=named.names, by=found.seconds, certain=certain)
+
+
+def _unstarted(said: Said) -> About | None:
+    """Read what has not begun: "I haven't started yet", "I haven't started the soup"."""
+    rest = said
+    while not rest.opens_with("unstarted") and (taken := rest.opens_with("speaker")):
+        rest = rest.behind(taken)
+    thing = rest.after("unstarted")
+    if thing is None or thing.has_time:
+        return None
+    thing = thing.without("yet")[0]
+    # "With the soup", "on the soup"
+    thing = thing.behind(1) if thing.forms[:1] in {(WITH,), (ON,)} else thing
+    names = frozenset() if not thing.words or thing.is_in("last") else thing.names
+    return About(kind=AboutKind.UNSTARTED, names=names, certain=True)
+
+
+def _protest(said: Said) -> About | None:
+    """Read that something is wrong, or cannot be done: "that's not right", "I can't do that now"."""
+    for kind in (AboutKind.WRONG, AboutKind.UNABLE):
+        rest = said.after(kind.value)
+        if rest is not None and not rest.without("yet", "first", "last")[0].words:
+            return About(kind=kind, certain=True)
+    return None
 
 
 def _finished(said: Said) -> About | None:

@@ -146,7 +146,9 @@ class Said:
         """Give it as a new time, as that would be said with what is to be done; empty where it is none."""
         joint = next((to for to in TO if self.text.lower().startswith(to)), "")
         bare = self.text[len(joint) :]
-        tried = (bare, f"at {bare}", f"for {bare}")
+        # "Move it to the afternoon"
+        inside = (f"in {bare}",) if bare.lower().startswith("the ") else ()
+        tried = (*inside, bare, f"at {bare}", f"for {bare}")
         found = [(text, part) for text in tried for part in self._whole(text)]
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]

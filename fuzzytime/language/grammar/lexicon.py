@@ -70,6 +70,8 @@ class Lexicon:
         Nouns that a length of time before them is about: "a ten minute walk".
     taken
         What keeps who speaks from all else: "I have an appointment", "I'm out".
+    frames
+        What goes on around other work, and keeps nobody from it: "my shift is from 7 to 3".
     happening
         What has a time without a verb: "dinner at seven".
     persons, addressing
@@ -78,6 +80,8 @@ class Lexicon:
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
         What is called by a number: "robot 3, dock".
+    workers
+        Who or what is called by a number and does something: "robot 3 docks".
     landmarks
         Things on a way: "after the bridge" says where.
     impersonal
@@ -130,8 +134,10 @@ class Lexicon:
     citing: frozenset[str]
     taken: frozenset[str]
     happening: frozenset[str]
+    frames: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
+    workers: frozenset[str]
     moving: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]

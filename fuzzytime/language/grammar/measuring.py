@@ -14,6 +14,10 @@ BEHIND_VERBS = frozenset(
 )
 """Words that may follow a verb, and hardly a noun that is counted."""
 
+STATING = (["is"], ["are"], ["was"], ["runs"], ["goes"])
+OWNED = frozenset({"my", "your", "our", "his", "her", "their", "the", "a"})
+"""Words around what is no verb."""
+
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
@@ -77,6 +81,9 @@ class Measures:
         if self.texts[piece.start] not in {"by", "from", "up"}:
             return False
         following = self.texts[place + 1 : piece.start + 1]
+        if following[:1] in STATING or (place and self.texts[place - 1] in OWNED):
+            # "My shift is from 7 to 3": a thing, and no verb.
+            return False
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
 
     def is_amount(self, place: int) -> bool:

@@ -204,6 +204,10 @@ class Goal:
     hedges: tuple[str, ...] = ()
 
 
+ON = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.EVERY})
+"""How a day binds on which something is to be done."""
+
+
 @dataclass(frozen=True, slots=True)
 class Said:
     """A temporal specification: how which time binds.
@@ -220,6 +224,15 @@ class Said:
     edge: Edge = Edge.START
     beside: bool = False
     lasting: Duration | None = None
+
+    @property
+    def is_day(self) -> bool:
+        """Whether it is a day, a part of one, or a repetition of days, without a clock time."""
+        time = self.time
+        if isinstance(time, Repeat):
+            timed = any(wall.clock is not None for wall in time.walls)
+            return bool(time.walls) and not timed and time.starting is None and time.until is None
+        return isinstance(time, Wall) and time.clock is None and not time.weak and self.constraint in ON
 
 
 @dataclass(frozen=True, slots=True)

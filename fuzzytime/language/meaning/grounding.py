@@ -1,6 +1,6 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import date, datetime, time, timedelta
 from itertools import islice
@@ -31,6 +31,13 @@ FOLLOWING = timedelta(hours=6)
 
 CLOSE = timedelta(hours=3)
 """The same where another text said that clock time, as lines need not be in the order of the day."""
+
+EVENING = time(19)
+"""From here on, what lines say goes on into the night."""
+
+NIGHT = time(21)
+OVERNIGHT = timedelta(hours=5)
+"""What lines say from then on may lie behind midnight, so long after."""
 
 EARLY = time(4)
 """From here on, who speaks is up early, not late."""
@@ -207,7 +214,10 @@ class Grounding:
         named = wall.days is not None
         plausible = [moment for moment in moments if self._is_plausible(moment, ahead=named)]
         chosen = (plausible or moments)[0]
-        if self.since is not None and chosen < self.since:
+        if self.since is not None and self._is_late(moments):
+            # "The interval is at 20:35", "strike the set at ten": that evening, however late.
+            chosen = next(moment for moment in moments if self.since < moment)
+        elif self.since is not None and chosen < self.since:
             # "Open it at eight and close it at nine": the nine that follows.
             # Of "at eight, twelve and five", none is at night only because another is in the evening.
             known = plausible if self.listed or self.carried else moments
@@ -219,6 +229,16 @@ class Grounding:
             chosen = next(iter(follows), chosen)
         choices = tuple(moments) if len(moments) > 1 else ()
         return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+    def _is_late(self, moments: Sequence[datetime]) -> bool:
+        """Whether one of some moments follows what was said of an evening on a line before."""
+        if self.since is None or not self.carried or self.since.time() < EVENING:
+            return False
+        if self.since.time() >= NIGHT:
+            # Who drains it at 22:00 puts it back by 1:30 that night.
+            return any(self.since < moment <= self.since + OVERNIGHT for moment in moments)
+        close = self.since + CLOSE
+        return any(self.since < moment <= close and moment.date() == self.since.date() for moment in moments)
 
     def _is_plausible(self, moment: datetime, *, ahead: bool) -> bool:
         """Whether people are up, for as long as what is asked for is said to last.

@@ -112,6 +112,10 @@ def _only_is(tree: Tree, root: int) -> bool:
 def says_how_things_are(tree: Tree, verb: int) -> bool:
     """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
     node = tree.nodes[verb]
+    if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
+        # "It's going to be lovely"
+        whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
+        return bool(whose) and whose[0] not in ASKED
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
     if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in ASKED:

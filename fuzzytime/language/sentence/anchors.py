@@ -6,7 +6,9 @@ from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.references import (
     ARRIVING,
@@ -28,8 +30,12 @@ FIRST = frozenset({"before", "until", "by the time"})
 BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
 """Clauses that are neither before nor after alone."""
 
+AT_THE_END = "at the end"
+"""The time word that is about the end of what goes on."""
+
 ORDERING = {
     "afterwards": Constraint.AFTER,
+    AT_THE_END: Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
     "meanwhile": Constraint.AT,
@@ -46,8 +52,17 @@ END = frozenset({"the end", "the very end"})
 """Words for the end of what goes on."""
 
 COMING_BACK = frozenset({"they", "he", "she", "it"})
+SPEAKERS = frozenset({"we", "i", "you"})
+LEAVING = frozenset(
+    ["leave", "go", "drive", "depart", "travel", "walk", "cycle", "ride", "fly", "head", "sail"]
+)
+"""What leads somewhere: who leaves gets there."""
+
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
+
+HOUR = "time"
+"""The end of the name of when a meal is: "lunchtime"."""
 
 WITHIN = "within"
 INTO = "into"
@@ -71,7 +86,7 @@ class Anchors:
 
     ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
     operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
-    where nothing said before is meant.
+    where nothing said before is meant. ``day`` is that of a line above.
     """
 
     position: int
@@ -80,6 +95,7 @@ class Anchors:
     mentions: Mentions
     lexicon: Lexicon
     awaits: bool = False
+    day: Calendar | None = None
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""
@@ -102,15 +118,17 @@ class Anchors:
         if self._is_done_soon(clause):
             # "Add the carrots an hour before it's done"
             return self._going_on()
-        happens = clause.verb in BEGINNING | ENDING and last >= 0 and self._is_stated(last)
-        if (clause.is_event or happens) and (clause.object or "").lower() in BACK and last >= 0:
+        over = condition is not None and condition.word in self.lexicon.results
+        over = over and condition is not None and condition.subject in BACK
+        happens = (over or clause.verb in BEGINNING | ENDING) and last >= 0 and self._is_stated(last)
+        if (clause.is_event or happens) and (over or (clause.object or "").lower() in BACK) and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
         if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
             # "Add the hops 15 minutes before the end"
             return self._going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
-        if target is None and condition is not None and condition.subject in COMING_BACK:
+        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS:
             target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
@@ -129,9 +147,15 @@ class Anchors:
         return condition.subject in BACK and condition.word in self.lexicon.results
 
     def _arrival(self, clause: Clause) -> int | None:
-        """Give the latest that comes, of whoever "they" are: "before they arrive"."""
+        """Give the latest that comes, of whoever "they" are: "before they arrive".
+
+        Who speaks comes where the latest journey leads: "when we get there".
+        """
         if clause.verb not in ARRIVING and not clause.is_there:
             return None
+        if clause.condition is not None and clause.condition.subject in SPEAKERS:
+            goes = ((place, one.lemma) for place, one in self._just_before())
+            return next((place for place, lemma in goes if lemma in LEAVING), None)
         return next((place for place, happening in self._just_before() if comes(happening)), None)
 
     def _just_before(self) -> Iterator[tuple[int, Operation]]:
@@ -189,7 +213,9 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=clause.kind == HALFWAY or (distance is not None and clause.kind != "within"),
+            exact=clause.kind == HALFWAY
+            or clause.beside is not None
+            or (distance is not None and clause.kind != "within"),
             share=0.5 if clause.kind == HALFWAY else None,
         )
         return TimeRequirement(
@@ -197,7 +223,7 @@ class Anchors:
             span=clause.span,
             constraint=BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER),
             preposition=clause.marker,
-            fuzziness=() if distance is None else distance.hedges,
+            fuzziness=(clause.beside,) if clause.beside else () if distance is None else distance.hedges,
             number=None if distance is None else distance.number,
             unit=None if distance is None else distance.unit,
             anchor=anchor,
@@ -207,6 +233,12 @@ class Anchors:
         """Whether an instruction asks for something to be done."""
         operation = self._operation(target)
         return operation is not None and not operation.stated
+
+    def is_same_as_before(self, operation: Operation) -> bool:
+        """Whether the instruction before asks for the very same."""
+        before = self._operation(self.position - 1) if self.position else None
+        same = before is not None and not before.stated and before.lemma == operation.lemma
+        return same and before is not None and before.object == operation.object
 
     def _operation(self, target: int) -> Operation | None:
         place = target - self.first
@@ -238,8 +270,13 @@ class Anchors:
         if isinstance(time, Offset) and time.anchor is not None:
             lag = time.direction * time.duration.seconds
             time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
-        part = time.part if isinstance(time, Wall) and time.days is None else None
+        part = time.part if isinstance(time, Wall) and time.days in {None, self.day} else None
+        if part is not None and not part.meal and part.name.endswith(HOUR):
+            # "Call her at lunchtime"
+            part = replace(part, name=part.name.removesuffix(HOUR), meal=True)
         beside = requirement.text.split()[0].lower() in BESIDE
+        if phrase.said.beside:
+            constraint = Constraint.BEFORE if phrase.said.edge is Bound.START else Constraint.AFTER
         if part is None or not part.meal or part.place:
             return None
         if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
@@ -256,7 +293,10 @@ class Anchors:
             return None
         constraint = Constraint.AT if beside or constraint is None else constraint
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
-        anchor = Anchor(text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0)
+        just = phrase.said.beside and constraint is Constraint.BEFORE
+        anchor = Anchor(
+            text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
+        )
         return _only(requirement, anchor, constraint)
 
     def _later(self, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -268,7 +308,8 @@ class Anchors:
         if isinstance(time, TimeWord) and time.word in ORDERING and self.position > 0:
             constraint = ORDERING[time.word]
             edge = Edge.END if constraint is Constraint.AFTER else Edge.START
-            anchor = Anchor(text=requirement.text, target=self.position - 1, edge=edge)
+            target = self._going_on() if time.word == AT_THE_END else self.position - 1
+            anchor = Anchor(text=requirement.text, target=target, edge=edge)
             return _only(replace(requirement, word=None), anchor, constraint)
         if phrase.said.preposition == HALFWAY and self.position > 0:
             anchor = Anchor(text=requirement.text, target=self._going_on(), share=0.5, exact=True)

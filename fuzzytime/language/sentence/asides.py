@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.instruction import Span
+from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 OPENING = frozenset({",", "(", "-"})
@@ -17,7 +17,8 @@ BRACKET = "("
 NAMING = frozenset({"which", "that", "this", "that'll", "this'll", "it'll", "that'd", "it'd"})
 """Words for what stands before, some with what helps the verb."""
 
-IT = "it"
+BACK = frozenset({"it", "they"})
+ENDING = frozenset({".", "!"})
 HELPING = frozenset(
     [
         *("will", "should", "would", "can", "could", "may", "might", "must", "only"),
@@ -33,10 +34,11 @@ PURPOSE = 3
 
 @dataclass(frozen=True, slots=True)
 class Aside:
-    """An aside: its stretch, and the length that it says."""
+    """An aside: its stretch, and the length that it says; ``way`` where that is how long one goes there."""
 
     span: Span
     length: Phrase
+    way: bool = False
 
 
 def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
@@ -46,6 +48,12 @@ def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
     lengths = (p for p in phrases_of(scanned, lexicon) if isinstance(p.said.time, Duration))
     found = (_aside(scanned, phrase) for phrase in lengths)
     return tuple(aside for aside in found if aside is not None)
+
+
+def beside_each_other(some: Sequence[Aside], others: Sequence[Aside]) -> tuple[Aside, ...]:
+    """Give asides and others that stand elsewhere, in order."""
+    apart = (one for one in others if not any(overlap(one.span, other.span) for other in some))
+    return tuple(sorted((*some, *apart), key=lambda aside: aside.span))
 
 
 def without_asides(text: str, asides: Sequence[Aside]) -> str:
@@ -66,11 +74,12 @@ def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
     while place > 0 and words[place].text in HELPING:
         place -= 1
     bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
-    if words[place].text in NAMING or (words[place].text == IT and bracketed):
+    behind = phrase.end == len(words) or words[phrase.end].text in ENDING
+    if words[place].text in NAMING or (words[place].text in BACK and (bracketed or behind)):
         place -= 1
     if place < 1 or words[place].text not in OPENING:
         return None
-    if words[place].text != BRACKET and words[place + 1].text not in NAMING | HELPING | {IT}:
+    if words[place].text != BRACKET and words[place + 1].text not in NAMING | HELPING | BACK:
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)

@@ -18,6 +18,9 @@ NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 REFLEXIVE = ("self", "selves")
 """How pronouns end that are no event: "clean up after yourselves"."""
 
+FINISHING = frozenset({"finish", "stop", "complete"})
+"""Verbs that say of what is done that it is over."""
+
 CONJUNCTIONS = frozenset({"while", "whilst", "as"})
 """Markers behind which something goes on: "during the film" names it."""
 
@@ -40,10 +43,11 @@ class Contents:
         said = self.tree.text[slice(*clause.span)]
         verb = self._verb(nodes)
         if verb is not None:
+            done = self._finished(verb, nodes)
             return replace(
                 clause,
-                verb=self.tree.nodes[verb].lemma,
-                object=self._object(verb, nodes),
+                verb=self.tree.nodes[done].lemma,
+                object=self._object(done, nodes) or self._object(verb, nodes),
                 condition=condition_of(self.tree, verb, nodes, said),
             )
         if clause.kind in STATED:
@@ -64,6 +68,15 @@ class Contents:
         inside = set(nodes)
         tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
         return tops[0] if tops else verbs[0]
+
+    def _finished(self, verb: int, nodes: Sequence[int]) -> int:
+        """Give what is done that a verb says to be over: "once it has finished welding"."""
+        if self.tree.nodes[verb].lemma not in FINISHING:
+            return verb
+        below = (
+            p for p in self.tree.children(verb, "xcomp") if p in nodes and self.tree.nodes[p].tag == "VBG"
+        )
+        return next(below, verb)
 
     def _describes(self, place: int, nodes: Sequence[int]) -> bool:
         """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""

@@ -10,7 +10,7 @@ from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, content_words, resolved_object
 from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.requirement import Condition, Constraint, Reference, TimeRequirement
+from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
 DOERS = frozenset({"you", "i", "we"})
 """Subjects of clauses that refer to what is done, and not to what readings could tell."""
@@ -52,9 +52,28 @@ def of_clause(
             message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
         remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
     requirement = anchors.of_clause(clause, text, what, target)
+    if clause.reference is Reference.FINISH and target is not None:
+        requirement = _ending(requirement, clause, anchors)
     if target is None and requirement.anchor is not None:
         requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
     return referred(requirement, sketch.reference), remarks
+
+
+def _ending(requirement: TimeRequirement, clause: Clause, anchors: Anchors) -> TimeRequirement:
+    """Let what is to be done be over when another begins, or is done: "have it ready when they come"."""
+    anchor = requirement.anchor
+    if anchor is None:
+        return requirement
+    if clause.kind in RESULTING and clause.distance is None and anchor.target is not None:
+        word = None if clause.condition is None else clause.condition.word
+        ends = anchor.edge is Edge.END and (
+            word in anchors.lexicon.results or not anchors.is_asked(anchor.target)
+        )
+        anchor = replace(anchor, edge=Edge.END if ends else Edge.START, exact=True)
+        requirement = replace(requirement, constraint=Constraint.BEFORE, anchor=anchor)
+    return (
+        replace(requirement, reference=Reference.FINISH, reference_said=True) if anchor.exact else requirement
+    )
 
 
 def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Sketch) -> TimeRequirement:

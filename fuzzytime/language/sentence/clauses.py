@@ -15,6 +15,8 @@ from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint
 
+BEFORE = "before"
+OTHER = frozenset({"the", "another"})
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
@@ -110,6 +112,9 @@ class _Clauses:
         if bound is not None:
             kind = "within"
         first = place + len(form)
+        if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
+            # "One after the other"
+            return None
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
@@ -139,16 +144,30 @@ class _Clauses:
             span=(start, content[1]),
             content=content,
             distance=duration,
+            beside=self._beside(form) if kind == BEFORE else None,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
         found = self._denied(self.contents.told(clause, nodes), place)
-        eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
+        happens = found is not None and (_happens(found) or self._is_over(found))
+        eventful = kind in EVENTFUL or (kind == "when" and happens)
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
+
+    def _beside(self, form: tuple[str, ...]) -> str | None:
+        """Give the hedge that a marker is: "just before"."""
+        entries = self.lexicon.entries.get(form[0], ())
+        return next(
+            (entry.value for entry in entries if entry.category == "beside" and entry.words == form), None
+        )
+
+    def _is_over(self, clause: Clause) -> bool:
+        """Whether it says of something that it is done: "when the show is over"."""
+        condition = clause.condition
+        return condition is not None and not condition.negated and condition.word in self.lexicon.results
 
     def _denied(self, clause: Clause | None, place: int) -> Clause | None:
         """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""

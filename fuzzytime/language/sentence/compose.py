@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -18,15 +18,17 @@ from fuzzytime.language.instruction import (
     StrictReading,
     Token,
 )
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
+from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
-from fuzzytime.language.sentence.connectives import anchored_by_connective
+from fuzzytime.language.sentence.connectives import anchored_by_connective, within_after
 from fuzzytime.language.sentence.contradictions import contradictions
-from fuzzytime.language.sentence.days_apart import HEADED
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
-from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.labels import strict_reading
 from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
@@ -41,7 +43,7 @@ from fuzzytime.language.sentence.references import (
 from fuzzytime.language.sentence.sketch import DATED, Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
 
 def composed(
@@ -100,7 +102,10 @@ class _Composer:
                 self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
                 thing = resolved_object(sketch.operation, operations, self.mentions, self.first)
                 thing = self._of_front(sketch, operations, place) or thing
-                sketches[place] = replace(sketch, operation=replace(sketch.operation, object=thing))
+                again = thing != sketch.operation.object
+                sketches[place] = replace(
+                    sketch, operation=replace(sketch.operation, object=thing, again=again)
+                )
             else:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
@@ -111,6 +116,8 @@ class _Composer:
             follows = sketch.part.segment.connective == "then"
             self.moment = replace(self.moment, listed=listed, follows=follows)
             instructions.append(self._instruction(sketch, self.first + place, operations))
+        if not sketches:
+            instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
         tokens, strict = self._tokens()
@@ -123,6 +130,22 @@ class _Composer:
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
+        )
+
+    def _told_alone(self, aside: Aside) -> Instruction:
+        """Give the length that is all that a line tells, of the instruction before it."""
+        said, length = self.draft.text[slice(*aside.span)], aside.length.said.time
+        told = Anchor(text=said.strip(" .,!"), target=self.first - 1 if self.first else None)
+        self.remarks += unknown_length(told, aside.span)
+        times = ground_all((aside.length,), self.draft.text, self.moment)
+        seconds = length.seconds if isinstance(length, Duration) else None
+        return Instruction(
+            span=aside.span,
+            operation=None,
+            requirements=times.requirements,
+            duration=None if aside.way else seconds,
+            length_of=told,
+            way=seconds if aside.way else None,
         )
 
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
@@ -166,7 +189,9 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(position, self.first, operations, self.mentions, self.lexicon, self.awaits)
+        anchors = Anchors(
+            position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
+        )
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -176,7 +201,7 @@ class _Composer:
             )
             requirement = grounded.requirement
             if phrase.rule == HEADED and self.draft.heading is not None:
-                requirement = replace(requirement, text=self.draft.heading.text)
+                requirement = replace(requirement, text=self.draft.heading.name)
             requirement = anchors.of_phrase(phrase, requirement)
             requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
@@ -189,6 +214,7 @@ class _Composer:
             self.explained.append(clause.span)
             self.remarks += remarks
             requirements.append(required)
+        requirements += self._headed(sketch, anchors)
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
@@ -197,6 +223,7 @@ class _Composer:
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
+        requirements = within_after(requirements)
         requirements.sort(key=lambda requirement: requirement.span)
         self.remarks += contradictions(requirements)
         operation, duration = (
@@ -219,8 +246,25 @@ class _Composer:
             repeats=next((g.recurrence for g in times.found if g.recurrence is not None), None),
             fuzzy_parameters=sketch.parameters,
             length_of=told,
+            way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
         )
+
+    def _day(self) -> Calendar | None:
+        """Give the day that a line above names."""
+        day = None if self.draft.heading is None else self.draft.heading.day
+        return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
+
+    def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
+        """Give what the clauses of a line above require of an instruction."""
+        heading = self.draft.heading
+        if heading is None:
+            return
+        above = replace(self.draft, text=heading.text, scanned=heading.scanned)
+        for clause in sketch.headed:
+            required, remarks = of_clause(clause, anchors, sketch, above)
+            self.remarks += (replace(remark, span=sketch.part.segment.span) for remark in remarks)
+            yield replace(required, span=(0, 0))
 
     def _moment(self, sketch: Sketch) -> Moment:
         """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""

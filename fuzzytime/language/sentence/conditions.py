@@ -58,6 +58,12 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     node = tree.nodes[verb]
     predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
     said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
+    # "When it is over": what governs nothing is no preposition.
+    said = said or [
+        p
+        for p in nodes
+        if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
+    ]
     if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
         starts = node.lemma in STARTING
         below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]

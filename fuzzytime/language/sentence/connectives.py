@@ -1,7 +1,12 @@
-"""Orders that a connective says: "then", "meanwhile"."""
+"""Orders that a connective says: "then", "meanwhile"; how soon after another: "then, within ten minutes"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+WITHIN = "within"
 
 
 def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
@@ -18,3 +23,26 @@ def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRe
         preposition=segment.connective,
         anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
     )
+
+
+def within_after(requirements: Sequence[TimeRequirement]) -> list[TimeRequirement]:
+    """Let a length that something is to be done within count from what it is to be done after.
+
+    "Then mount the cover within five minutes" counts from what was done before.
+    """
+    within = [part for part in requirements if part.preposition == WITHIN and part.anchor is None]
+    after = [part for part in requirements if _is_after(part)]
+    if len(within) != 1 or len(after) != 1:
+        return list(requirements)
+    (length,), (behind,) = within, after
+    if length.t_spec is None or behind.anchor is None:
+        return list(requirements)
+    anchor = replace(behind.anchor, lag=behind.anchor.lag + length.t_spec)
+    both = replace(length, constraint=Constraint.BETWEEN, anchor=anchor, t_spec=None, latest=None)
+    return [both if part is length else part for part in requirements if part is not behind]
+
+
+def _is_after(part: TimeRequirement) -> bool:
+    anchor = part.anchor
+    behind = anchor is not None and anchor.target is not None and not anchor.exact
+    return behind and part.constraint is Constraint.AFTER

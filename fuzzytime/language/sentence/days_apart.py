@@ -9,17 +9,21 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.meaning.beside import told_apart
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Offset,
+    Phrase,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.sentence.anchors import ORDERING
 from fuzzytime.language.sentence.drafts import Heading
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
-
-HEADED = "heading"
-"""The rule of a day that a line above says."""
-
-WHEN = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.EVERY})
-"""How a day binds on which something is to be done."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,32 +37,58 @@ class _Day:
 def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
     """Put each time of some instructions on the day that was said for it elsewhere.
 
-    That is in the same sentence, or on a line above, as a heading.
+    That is in the same sentence, or on a line above, as a heading; what has no time has that of its heading.
     """
     placed: list[Sketch] = []
-    above = None if heading is None else _Day(heading.said, Phrase(heading.said, 0, 0, (0, 0), HEADED))
+    day = None if heading is None else heading.day
+    above = None if day is None else _Day(day.said)
     held = above
     for sketch in sketches:
         if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
             held = above
-        named = [place for place, phrase in enumerate(sketch.phrases) if _is_day(phrase.said)]
+        named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
         told = sketch
-        if named:
-            told = _on_own_day(sketch, named[0])
-        elif held is not None:
+        if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
+            # "Sunday:", then "assemble the bed in the morning"
             told = _on_day(sketch, held)
+        if named:
+            told = _on_own_day(told, named[0])
         held = _day_of(sketch) or held
         placed.append(told)
-    return placed
+    return placed if heading is None else [_under(sketch, heading) for sketch in placed]
 
 
-def _is_day(said: Said) -> bool:
-    """Whether it is a day, a part of one, or a repetition of days, without a clock time."""
-    time = said.time
-    if isinstance(time, Repeat):
-        timed = any(wall.clock is not None for wall in time.walls)
-        return bool(time.walls) and not timed and time.starting is None and time.until is None
-    return isinstance(time, Wall) and time.clock is None and not time.weak and said.constraint in WHEN
+def _under(sketch: Sketch, heading: Heading) -> Sketch:
+    """Give an instruction the times of a line above, where its own do not say when something is done."""
+    operation = sketch.operation
+    if operation is not None and operation.addressee is None and not operation.stated:
+        operation = replace(operation, addressee=heading.addressee)
+        sketch = replace(sketch, operation=operation)
+    if operation is None or any(_tells_when(phrase) for phrase in sketch.phrases):
+        return sketch
+    if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
+        # "It takes an hour"
+        return sketch
+    if sketch.part.segment.connective not in {"", "and"} and not sketch.phrases:
+        # What comes "then" comes on the day of what it follows.
+        return sketch
+    references = (*((None,) * len(heading.phrases)), *sketch.references)
+    return replace(
+        sketch, phrases=(*heading.phrases, *sketch.phrases), references=references, headed=heading.clauses
+    )
+
+
+def _tells_when(phrase: Phrase) -> bool:
+    """Whether a time is more than a bound, a length, or a place in an order."""
+    said = phrase.said
+    if isinstance(said.time, (Duration, TimeWord)):
+        return isinstance(said.time, TimeWord) and said.time.word not in ORDERING
+    return said.constraint not in {Constraint.BEFORE, Constraint.AFTER, Constraint.FOR}
+
+
+def _is_part(said: Said) -> bool:
+    """Whether it is a part of a day that is not said."""
+    return isinstance(said.time, Wall) and said.time.days is None
 
 
 def _is_open(said: Said, day: Said) -> bool:
@@ -113,7 +143,7 @@ def _day_of(sketch: Sketch) -> _Day | None:
     start = sketch.operation.span[0] if sketch.operation is not None else 0
     for phrase in sketch.phrases:
         said = phrase.said
-        if _is_day(said) and phrase.span[1] <= start:
+        if said.is_day and phrase.span[1] <= start:
             return _Day(said, phrase)
         if isinstance(said.time, Wall) and said.time.clock is not None and said.time.days is not None:
             return _Day(Said(Wall(said.time.days)))

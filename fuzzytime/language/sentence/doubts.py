@@ -31,6 +31,9 @@ COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "coupl
 MARKING = frozenset({"before", "after", "until", "till", "last"})
 """Words about order that bind nothing here: "before and after each patient", "move the bull last"."""
 
+OBLIGING = (["has", "to"], ["have", "to"])
+"""What begins no question: "then has to cool for an hour"."""
+
 NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
 """Names of nothing that is used: "it's time to eat"."""
 
@@ -39,7 +42,8 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     """Give what makes a stretch of a text no instruction; ``tree`` is that of its words."""
     said = [word for word in words if span[0] <= word.start < span[1]]
     behind = next((word.text for word in words if word.start >= span[1]), "")
-    if asks(said, behind, lexicon) or (behind == "?" and _is_inverted(tree)):
+    has_to = [word.text for word in said[:2]] in OBLIGING and behind != "?"
+    if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
         return
     if _takes_back(said, lexicon):

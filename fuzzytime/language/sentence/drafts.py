@@ -9,14 +9,16 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Remark, Span
-from fuzzytime.language.meaning.expressions import Phrase, Said
-from fuzzytime.language.sentence.asides import Aside, asides_of, without_asides
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.statements import as_statement
+from fuzzytime.language.sentence.statements import as_statement, with_worker
+from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
 
@@ -30,12 +32,34 @@ ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
 
 
+HEADED = "heading"
+"""The rule of a time that a line above says."""
+
+
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """A day on a line of its own, as meant and as said."""
+    """A time on a line of its own: its name, the line, and the times and clauses in it.
 
-    said: Said
+    ``addressee`` is who is called there instead: "Robot 2:".
+    """
+
+    name: str
     text: str
+    scanned: Scanned
+    phrases: tuple[Phrase, ...] = ()
+    clauses: tuple[Clause, ...] = ()
+    addressee: str | None = None
+
+    @property
+    def day(self) -> Phrase | None:
+        """The day, part of a day or repetition of days that it says first, if any."""
+        return next((phrase for phrase in self.phrases if phrase.said.is_day), None)
+
+    @property
+    def is_day(self) -> bool:
+        """Whether it says which day is meant."""
+        time = None if self.day is None else self.day.said.time
+        return isinstance(time, Repeat) or (isinstance(time, Wall) and time.days is not None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,7 +67,7 @@ class Draft:
     """A text with its times and its parts, before anything is grounded.
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
-    of its parts. ``heading`` is the day that a line above names for it; one that ``leads`` names that of the
+    of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
     lines below.
     """
 
@@ -87,7 +111,7 @@ def drafted(
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
-        asides.append(asides_of(scanned, lexicon))
+        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
@@ -153,6 +177,7 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
+    found = [with_worker(tree, lexicon) for tree in found]
     return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
 
 

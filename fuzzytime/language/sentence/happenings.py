@@ -31,7 +31,15 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
+    # "Incision at eight"
+    listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
     return listed or (tree.nodes[root].tag in ONE and any(map(_is_range, phrases)))
+
+
+def _is_noun(tree: Tree, root: int) -> bool:
+    """Whether words are one noun that is no verb, without what could be ordered in front."""
+    before = all(tree.nodes[p].tag in {"NN", "NNP", "JJ", "DT", "PRP$"} for p in range(root))
+    return before and not tree.nodes[root].may_act and not any(tree.nodes[p].may_act for p in range(root))
 
 
 def may_be_ordered(tree: Tree) -> bool:
@@ -46,7 +54,8 @@ def happening_at(
 ) -> Operation:
     """Give what happens, which a tree's root names beside its time.
 
-    Who speaks takes part in what keeps people from all else, and in what is said from when to when.
+    Who speaks takes part in what keeps people from all else, and in what is said from when to when, unless
+    that goes on around other work.
     """
     node = tree.nodes[root]
     spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
@@ -58,7 +67,8 @@ def happening_at(
         span=(node.start, node.end),
         object=(named or node.text).removesuffix("'s").removesuffix("\u2019s"),
         stated=True,
-        attended=spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening),
+        attended=node.lower not in lexicon.frames
+        and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
     )
 
 
@@ -67,6 +77,13 @@ def _is_clock_alone(phrase: Phrase) -> bool:
     time = phrase.said.time
     clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
     return clocked and phrase.said.preposition is None and phrase.said.constraint is None
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is at a clock time."""
+    time = phrase.said.time
+    at = phrase.said.preposition in {None, "at"} and phrase.said.constraint in {None, Constraint.AT}
+    return at and isinstance(time, Wall) and time.clock is not None
 
 
 def _is_range(phrase: Phrase) -> bool:

@@ -9,6 +9,14 @@ from fuzzytime.language.sentence.references import ALL, PRONOUNS
 from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
+WHOLE = frozenset({"everything", "all"})
+US = frozenset({"we", "i"})
+"""Who says of all that there is to do when it must be over."""
+
+OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
+"""How words begin that leave out what they are about: "has to be done before six"."""
+
+OVER = frozenset({"done", "finished", "through", "to", "be", "have", "need", "got"})
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
 
@@ -20,10 +28,14 @@ def length_of(
 
     The anchor has no target where no instruction so far is meant.
     """
-    if operation is None or not operation.stated or not requirements:
+    if operation is None or not requirements:
         return None
     if any(part.constraint is not Constraint.FOR for part in requirements):
         return None
+    if not operation.stated:
+        # "Soak the seeds, they have to soak for three hours"
+        same = operation.again and anchors.is_same_as_before(operation)
+        return Anchor(text=text, target=anchors.position - 1) if same else None
     anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
     if anchor is None or (operation.lemma in GOING and anchor.target is None):
         return None
@@ -33,24 +45,37 @@ def length_of(
 def time_of(
     operation: Operation | None, requirements: Sequence[TimeRequirement], text: str, anchors: Anchors
 ) -> Anchor | None:
-    """Give the instruction of which another says when it must be done, and nothing else; None without one."""
-    if operation is None or operation.negated or not requirements or anchors.position == 0:
+    """Give the instruction of which another says when it must be done, and nothing else; None without one.
+
+    The anchor has no target where all that was asked for is meant: "everything must be done by six".
+    """
+    if operation is None or operation.negated or not requirements:
         return None
-    if any(part.constraint not in DONE or part.anchor is not None for part in requirements):
+    if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    if text.split(maxsplit=1)[0].lower() == operation.verb:
+    if text.split(maxsplit=1)[0].lower() == operation.verb and text.lower().split()[:2] not in OBLIGED:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
+    words = text.lower().split()
     if anchors.lexicon.results.isdisjoint(said):
         return None
-    if text.split(maxsplit=1)[0].lower() in PRONOUNS | ALL:
-        target: int | None = anchors.position - 1
+    if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in US and OVER.issuperset(said)):
+        # "We must be finished by six"
+        return Anchor(text=text, object=operation.object)
+    if words[0] in PRONOUNS | ALL or words[:2] in OBLIGED:
+        asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
+        target: int | None = next(asked, None)
     else:
         target = anchors.lasting(operation.object, text).target if operation.object else None
     if target is None or target >= anchors.position or not anchors.is_asked(target):
         return None
     return Anchor(text=text, object=operation.object, target=target)
+
+
+def _may_bound(part: TimeRequirement) -> bool:
+    """Whether it is a time, or before something that was told: "before the guests come"."""
+    return part.anchor is None or (part.constraint is Constraint.BEFORE and not part.anchor.exact)
 
 
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:

@@ -8,7 +8,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import ARE, SUBJECTS, Action
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
-from fuzzytime.language.sentence.statements import FUTURE, PHASES, TAKING, others_do
+from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, TAKING, others_do, worker_doing
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -31,6 +31,9 @@ PERSONS = frozenset({"i", "you", "we", "he", "she"})
 GOING = frozenset({"run", "go"})
 """Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
 
+DUTIES = frozenset({"must", "should", "has", "have", "needs", "need", "ought"})
+"""Verbs of what is asked for."""
+
 MODALS = frozenset({"should", "would", "may", "might", "can", "could", "'d"})
 
 TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
@@ -52,8 +55,16 @@ class Reader(Places):
         whole = moved or self._object(verb, particle, clause)
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
-        stated, subject = self._is_stated(verb), self._subject(verb)
+        doer = worker_doing(self.tree, verb, self.lexicon)
+        stated, subject = doer is None and self._is_stated(verb), self._subject(verb)
         direct, complement = self.said(whole[:split]), self.said(result)
+        if doer is not None:
+            subject = None
+        if direct is None and not stated:
+            direct = self._due(verb)
+        elif stated and subject is None and node.lemma in TAKING and not self.tree.children(verb, "xcomp"):
+            # "It needs an hour in the oven"
+            direct = None
         if subject is not None and (stated or direct is None):
             direct, complement = (
                 subject,
@@ -63,13 +74,15 @@ class Reader(Places):
             # "The coffee should be ready by then"
             direct, complement = subject, direct
         return Operation(
-            verb=node.lower,
-            lemma=node.lemma,
+            # "Robot 2 cleans the tank" asks it to clean the tank.
+            verb=node.lower if doer is None else node.lemma,
+            lemma="be" if stated and self._has_frame(verb) else node.lemma,
             span=(node.start, node.end),
             object=direct,
             place=self.said(sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
+            addressee=doer,
             negated=action.negated,
             stated=stated,
             attended=stated and self._is_attended(verb),
@@ -242,16 +255,40 @@ class Reader(Places):
         # "The sauce needs to simmer"
         verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
         subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
-        if not subjects or self.tree.nodes[subjects[0]].lower in PEOPLE:
+        if not subjects:
             return None
+        if self.tree.nodes[subjects[0]].lower in PEOPLE:
+            alone = self.tree.nodes[subjects[0]].lower
+            helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
+            return alone if alone in OTHERS and others_do(self.tree, verb, helping, self.lexicon) else None
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
+
+    def _due(self, verb: int) -> str | None:
+        """Give what "it" must do: "it has to rest for ten minutes" is about what was said before."""
+        node = self.tree.nodes[verb]
+        if node.lower in self.lexicon.results or self.tree.children(verb, "auxpass"):
+            return None
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
+        helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
+        helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
+        due = not helping.isdisjoint(DUTIES)
+        return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
 
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
             return False
-        return any(self.tree.nodes[p].lower in self.lexicon.taken for p in self.tree.below(verb) if p > verb)
+        said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
+        return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+
+    def _has_frame(self, verb: int) -> bool:
+        """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        return has and not self.lexicon.frames.isdisjoint(objects)
 
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
@@ -265,6 +302,8 @@ class Reader(Places):
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        if finite and self._has_frame(verb):
+            return True
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))

@@ -16,6 +16,7 @@ PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "on
 ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
 """Words for all that is meant, whatever that is."""
 
+PEOPLE = frozenset({"them"})
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 EMPTY = frozenset(
@@ -62,8 +63,22 @@ ENDING = frozenset({"end", "finish", "close"})
 """What things with a time of their own do: of these verbs a clause is about their start, or their end."""
 
 BE = "be"
+GOING_ON = frozenset({"on", "going", "running", "open"})
+"""What is said of what goes on."""
+
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
+
+NAMED_AFTER = ("ation", "ator", "ion", "or", "ing", "er", "ment")
+"""Endings of words that are named after what is done, the longest first."""
+
+SHORTEST_STEM = 5
+
+PUTTING = frozenset({"put", "place", "load", "set", "bake", "roast", "insert", "hang", "slide"})
+"""What is asked for of what "goes in"."""
+
+ALIKE = 0.5
+"""The worth of a word that is only alike."""
 
 REMEMBERED = 16384
 """Texts whose words are remembered: each reference asks for those of every instruction."""
@@ -83,6 +98,17 @@ def _singular(word: str) -> str:
     if word.endswith("oes"):
         return word[:-2]
     return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
+
+
+@lru_cache(maxsize=REMEMBERED)
+def stems(words: frozenset[str]) -> frozenset[str]:
+    """Give what words that are named after what is done have in common: incubator and incubation."""
+    found = set()
+    for word in words:
+        ending = next((end for end in NAMED_AFTER if word.endswith(end)), "")
+        if ending and len(word) - len(ending) >= SHORTEST_STEM:
+            found.add(f"{word[: -len(ending)]}-")
+    return frozenset(found)
 
 
 def shares_thing(one: Operation, other: Operation) -> bool:
@@ -130,7 +156,8 @@ class Mentions:
         words = content_words(operation.object)
         for noun in _nouns(operation.lemma)[1:]:
             self._by_verb.setdefault(noun, []).append(position)
-        for word in words | content_words(operation.place):
+        known = words | content_words(operation.place)
+        for word in known | stems(known | {operation.lemma}):
             self._by_word.setdefault(word, []).append(position)
         self._by_verb.setdefault(operation.lemma, []).append(position)
         if not words | content_words(operation.place):
@@ -171,7 +198,7 @@ class Mentions:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
-        runs += [_within(self._by_word.get(word, []), stretch) for word in words]
+        runs += [_within(self._by_word.get(word, []), stretch) for word in words | stems(words)]
         ordered = (reversed(run) if backwards else iter(run) for run in runs)
         for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
             yield position
@@ -230,13 +257,19 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         if clause.kind == "length":
             # "We are at swimming by four. Swimming lasts an hour"
             shared = len(named & known)
-        return shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
+        same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
+        return same or _named_after(named, operation)
     # "While she is there" names no dinner that is at seven.
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
-    if operation.stated and shared and clause.verb in BEGINNING | ENDING:
+    word = None if clause.condition is None else clause.condition.word
+    goes_on = clause.verb == BE and word in GOING_ON and clause.kind == "while"
+    if operation.stated and shared and (goes_on or clause.verb in BEGINNING | ENDING):
         # "Five minutes before the meeting starts", where the meeting is at three.
+        return SAME_VERB + shared
+    if shared and clause.verb == "go" and operation.lemma in PUTTING:
+        # "20 minutes before the cake goes in", where it is baked.
         return SAME_VERB + shared
     condition = clause.condition
     if condition is not None and condition.word is not None:
@@ -248,7 +281,15 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             return SAME_VERB
         if finished and subject & content_words(operation.object):
             return 1.0 + len(subject & content_words(operation.object))
+        if finished:
+            return _named_after(subject, operation)
     return 0.0
+
+
+def _named_after(words: frozenset[str], operation: Operation) -> float:
+    """How well a noun for what is done fits an operation: the incubation, where the incubator is used."""
+    known = content_words(operation.object) | content_words(operation.place)
+    return ALIKE * (not stems(words).isdisjoint(stems(known | {operation.lemma})))
 
 
 def resolved_object(
@@ -261,6 +302,9 @@ def resolved_object(
     Neither stands for a person: in "call mum, then wash it", it is something else.
     """
     if operation.object is None or operation.object.lower() not in PRONOUNS:
+        return operation.object
+    if operation.lemma in mentions.lexicon.addressing and operation.object.lower() in PEOPLE:
+        # "Tell them when to stop"
         return operation.object
     several = operation.object.lower() in SEVERAL
     near = Mentions(mentions.lexicon)

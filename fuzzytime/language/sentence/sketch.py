@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.judging import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
+    Duration,
     Edge,
     Offset,
     Phrase,
@@ -47,7 +48,8 @@ class Sketch:
     """One instruction: its part of the draft, its times and clauses, what is to be done.
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
-    ``remarks`` name the times that are none of what is to be done.
+    ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
+    above, ``way`` is how long it takes to go there.
     """
 
     part: Part
@@ -57,6 +59,8 @@ class Sketch:
     operation: Operation | None = None
     parameters: tuple["FuzzyParameter", ...] = ()
     remarks: tuple[Remark, ...] = ()
+    headed: tuple[Clause, ...] = ()
+    way: Duration | None = None
 
     @property
     def heard(self) -> list[Span]:
@@ -96,7 +100,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         phrases=tuple(kept),
         clauses=tuple(clauses),
         references=(None,) * len(kept),
-        operation=_happening(draft, part, kept, lexicon),
+        operation=_happening(draft, part, kept, clauses, lexicon),
         remarks=tuple(excepted),
     )
     if named.operation is not None or part.segment.verbless:
@@ -110,6 +114,9 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     spans = (*heard, *left_out, *draft.unfinished)
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
+    clauses = [
+        replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
+    ]
     a, b = operation.span
     return Sketch(
         part=part,
@@ -144,12 +151,15 @@ def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     return Remark(RemarkKind.POLICY, phrase.span, message)
 
 
-def _happening(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: Lexicon) -> Operation | None:
-    """Give what happens at a time, where no verb says what is to be done."""
+def _happening(
+    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause], lexicon: Lexicon
+) -> Operation | None:
+    """Give what happens at a time, or after something else, where no verb says what is to be done."""
     root = part.tree.root
-    if part.segment.verbless or root is None or not phrases or not happens(part.tree, phrases, lexicon):
+    timed = phrases or clauses
+    if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
         return None
-    spans = (*(phrase.span for phrase in phrases), *draft.unfinished)
+    spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     found = happening_at(root, part.tree, phrases, names, lexicon)
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
@@ -204,12 +214,18 @@ def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> 
     if phrase.rule == DATED:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    first, end = (place - part.offset for place in phrase.span)
+    return _reference_at(part, phrase.span, action, lexicon)
+
+
+def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
+    """Give which moment words in a stretch are about, by the verb nearest above them."""
+    first, end = (place - part.offset for place in span)
     for place in part.tree.at(first, end):
         for above in part.tree.above(place):
             if above == action.place:
                 return action.reference
-            if part.tree.nodes[above].is_verb:
+            inside = first <= part.tree.nodes[above].start < end
+            if part.tree.nodes[above].is_verb and not inside:
                 return reference_of(part.tree, above, lexicon) or action.reference
     return action.reference
 

@@ -44,6 +44,9 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
     found = list(sketches)
     for aside in draft.asides:
         before = [sketch.part for sketch in found if sketch.part.segment.span[0] < aside.span[0]]
+        if len(before) > 1 and _is_repeated(found[len(before) - 1]):
+            # "Put the sausages on, turn them every 4 minutes, they take 15 minutes"
+            before.pop()
         for place, sketch in enumerate(found):
             if before and sketch.part is before[-1]:
                 segment = sketch.part.segment
@@ -53,7 +56,15 @@ def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
     return found
 
 
+def _is_repeated(sketch: Sketch) -> bool:
+    return any(isinstance(phrase.said.time, Repeat) for phrase in sketch.phrases)
+
+
 def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
+    if aside.way:
+        return replace(
+            sketch, way=aside.length.said.time if isinstance(aside.length.said.time, Duration) else None
+        )
     clauses = list(sketch.clauses)
     for place, clause in enumerate(clauses):
         beside = clause.span[1] <= aside.span[0] and not text[clause.span[1] : aside.span[0]].strip()

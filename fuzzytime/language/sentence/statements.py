@@ -25,6 +25,8 @@ TAKING = frozenset({"take", "last", "need", "require"})
 ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
 """Persons who may be asked: "everyone clean your desks"."""
 
+OTHERS = frozenset({"he", "she"})
+
 SURE_PHASES = PHASES - {"leaves"}
 """Those of them that are hardly ever things: "rake leaves at nine"."""
 
@@ -173,6 +175,11 @@ def _is_statement(tree: Tree, place: int) -> bool:
     return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
 
 
+def _has_thing(tree: Tree, verb: int) -> bool:
+    """Whether somebody has something, and not to do it: "Tom has his break at ten"."""
+    return bool(tree.children(verb, "dobj")) and not tree.children(verb, "xcomp", "ccomp")
+
+
 def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon) -> bool:
     """Whether somebody who is named does it, and is not asked to: "the kids finish school at three".
 
@@ -180,11 +187,56 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
     """
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
-    if not subjects or node.lemma in lexicon.wanting | {"have"}:
+    if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
-    named = subjects[0].lower in lexicon.persons - ALL_OF_US
+    named = subjects[0].lower in (lexicon.persons | OTHERS) - ALL_OF_US
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
     return named and finite
+
+
+def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+    """Give who does it, called by a number: "robot 2 cleans the tank"; None where nobody is.
+
+    "Machine 3 starts at nine" asks for nothing.
+    """
+    node = tree.nodes[verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    if node.lower in PHASES and not tree.children(verb, "dobj"):
+        return None
+    if not helping <= FUTURE | DUE | {"to", "can"} or tree.children(verb, "auxpass"):
+        return None
+    for place in tree.children(verb, "nsubj"):
+        for first in (place - 1, place):
+            name = tree.nodes[max(first, 0) : first + 2]
+            numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
+            if first >= 0 and numbered and name[0].lower in lexicon.workers and first + 1 < verb:
+                acts = node.tag in {"VBZ", "VBP"} or helping
+                return " ".join(part.text for part in name) if acts else None
+    return None
+
+
+def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
+    root = tree.root
+    verb = next(
+        (p for p in (root, None if root is None else root + 2) if _is_numbered(tree, p, lexicon)), None
+    )
+    if root is None or verb is None:
+        return tree
+    nodes = [replace(node, head=verb) if node.head == root else node for node in tree.nodes]
+    word = tree.nodes[verb]
+    nodes[verb] = replace(word, tag="VBZ", lemma=_singular(word.lower), head=verb, relation="ROOT")
+    nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
+    nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
+    """Whether a plural that may be a verb stands right behind a worker's number."""
+    if place is None or not 2 <= place < len(tree.nodes):
+        return False
+    name, number, word = tree.nodes[place - 2 : place + 1]
+    return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()

@@ -92,6 +92,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
         machines=frozenset(form[0] for form in speech.words("machines")),
+        workers=frozenset(form[0] for form in speech.words("workers")),
         moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
         rescheduling=frozenset(
             form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
@@ -104,6 +105,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
         happening=frozenset(form[0] for form in speech.words("happening")),
+        frames=frozenset(form[0] for form in speech.words("frames")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -128,8 +130,8 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "conversation",
+    "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "happening", "frames", "conversation",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

@@ -1,0 +1,39 @@
+"""What is to be ready when something begins, and what is to be done right beside something else."""
+
+import pytest
+
+from interpreter.telling import starts, told
+
+pytestmark = pytest.mark.model
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "Fry the bacon for 10 minutes so that it's ready when the guests come",
+        "Have the table set for 10 minutes when the guests come",
+    ],
+)
+def test_what_is_to_be_ready_when_something_begins_is_over_by_then(line: str) -> None:
+    made = told(["The guests come at 11 am", line])
+    assert starts(made)["s2"] == "10:50"
+
+
+def test_what_is_to_be_ready_when_another_is_done_is_over_by_then() -> None:
+    made = told(["Roast the meat at 5 pm for 2 hours", "Have the plates warm when the roast is done"])
+    assert starts(made)["s2"] == "18:55"
+
+
+def test_just_before_something_is_right_before_it() -> None:
+    lines = ["The guests come at 11 am", "Light the candles just before the guests come"]
+    assert "10:50" <= starts(told(lines))["s2"] <= "10:59"
+
+
+def test_a_meal_that_was_told_is_meant_by_its_hour() -> None:
+    made = told(["Lunch is at 1:15 pm", "Call Leo at lunchtime", "Remind them of the trip just before lunch"])
+    assert starts(made)["s2"] == "13:15"
+    assert "13:05" <= starts(made)["s3"] <= "13:14"
+
+
+def test_what_is_over_may_say_when() -> None:
+    assert starts(told(["Strike the set when the show is over at ten pm"]))["s1"] == "22:00"
