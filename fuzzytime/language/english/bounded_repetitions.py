@@ -36,14 +36,30 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 
 @grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
 def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """9am on sundays; but "two nights" are no nights at two."""
-    return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
+    """9am on sundays, 0815 on weekdays; but "two nights" are no nights at two."""
+    sure = wall.clock is not None and wall.clock.full_day and wall.clock.grain is Unit.MINUTE
+    return None if (wall.bare and not sure) or wall.weak else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "at|@ <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule(
+    "said", "for <wall> ,|on? <repeat>", "for <wall> on? <repeat> ,|and <wall> on? <repeat>", weight=0.4
+)
+def for_repeat(wall: Wall, repeat: Repeat, *more: Wall | Repeat) -> Said | None:
+    """(an alarm) for six on weekdays and eight at weekends."""
+    found = narrowed_repeat(repeat, wall)
+    if more and found is not None:
+        second, days = more
+        other = (
+            narrowed_repeat(days, second) if isinstance(days, Repeat) and isinstance(second, Wall) else None
+        )
+        found = None if other is None else both(found, other)
+    return None if found is None else Said(found, Constraint.EVERY, "for")
 
 
 @grammar.rule("repeat", "on|in <wall> ,|on? <repeat>", weight=0.2)
@@ -111,7 +127,13 @@ def two_clocks(first: Wall, second: Wall, repeat: Repeat) -> Repeat | None:
     return None if once is None else more_clocks(once, first)
 
 
-@grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and at? <wall> on? <repeat>",
+    "<repeat> ,|and for|at|on? <repeat>",
+    "<repeat> , and for|at|on? <repeat>",
+    weight=0.35,
+)
 def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> Repeat | None:
     """At 8 every morning and at 8 every night, every monday morning and every friday evening."""
     other = second if third is None and isinstance(second, Repeat) else None

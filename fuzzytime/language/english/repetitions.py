@@ -1,11 +1,14 @@
 """Repetitions by lengths of time: "every twenty minutes", "daily", "twice a day", "three times this week"."""
 
+from dataclasses import replace
+
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Duration,
+    HourMark,
     Repeat,
     Rest,
     UnitWord,
@@ -58,6 +61,40 @@ def at_intervals(duration: Duration) -> Repeat | None:
 def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
     """Every hour and a half."""
     return of_unit(unit, 1 + fraction)
+
+
+@grammar.rule("mark of each hour", "the? top|start|beginning|end")
+def at_the_top() -> int:
+    """(at) the top (of every hour)."""
+    return 0
+
+
+@grammar.rule("mark of each hour", "the? bottom|middle")
+def at_the_bottom() -> int:
+    """(at) the bottom (of every hour)."""
+    return 30
+
+
+@grammar.rule("repeat", "at|on? <mark of each hour> of every|each hour", weight=0.6)
+def at_mark_of_every_hour(minute: int) -> Repeat:
+    """At the top of every hour."""
+    return replace(hourly(), starting=HourMark(minute))
+
+
+@grammar.rule(
+    "repeat", "at? <minutes of clock>|<bare minutes of clock> past|after every|each hour", weight=0.6
+)
+def past_every_hour(minutes: float) -> Repeat:
+    """At ten past every hour."""
+    return at_mark_of_every_hour(int(minutes))
+
+
+@grammar.rule(
+    "repeat", "at? <minutes of clock>|<bare minutes of clock> to|before every|each hour", weight=0.6
+)
+def to_every_hour(minutes: float) -> Repeat:
+    """At five to every hour."""
+    return at_mark_of_every_hour(60 - int(minutes))
 
 
 @grammar.rule("repeat", "every|each other|second <unit>", "on|in? alternate <unit>", weight=0.1)

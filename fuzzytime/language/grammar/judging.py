@@ -7,8 +7,8 @@ from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
-from fuzzytime.language.grammar.walls import Walls
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, SINGLE, Surroundings
+from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -80,6 +80,7 @@ class Judge:
         if lacks_unit(said):
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
+        number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if self.lent.seats(piece, time):
             return False
@@ -149,6 +150,9 @@ class Judge:
         return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])
 
     def _accepts_repeat(self, piece: Piece) -> bool:
+        if self.around.follower(piece) in {"before", "after"} and self.texts[piece.end - 2] in SINGLE:
+            # "Gate 22 an hour before take-off"
+            return False
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in {"most", "some", "many", "few"}
         parted = any(wall.part is not None for wall in piece.value.time.walls)
@@ -174,9 +178,21 @@ class Judge:
         found = [
             p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self.borders.runs_on(p)
         ][:1]
+        # "One tablet at eight and one at noon"
+        found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _is_number_for(self, piece: Piece) -> bool:
+        """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
+        place = piece.start + 1
+        joined = self.measures.is_number(place + 1) or OF_CLOCKS & {*self.texts[place + 1 : place + 2]}
+        return self.measures.is_number(place) and not joined and not self._is_sure(place)
+
+    def _is_sure(self, place: int) -> bool:
+        """Whether four digits are a clock time: "0815"."""
+        return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
 
     def _is_distance(self, piece: Piece) -> bool:
         """Whether it is so long before or after another time."""
@@ -292,3 +308,8 @@ class Judge:
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+
+def _is_clocked(piece: Piece) -> bool:
+    """Whether it is a time of day."""
+    return isinstance(piece.value.time, Wall) and piece.value.time.clock is not None

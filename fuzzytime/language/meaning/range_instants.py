@@ -106,7 +106,8 @@ def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
         raise UngroundedError("a range of clock times must have two")
     if first.part is not None:
         start_clock = halved(start_clock, first.part.half)
-    if last.part is not None:
+    if last.part is not None and not (last.part == first.part and last.part.half is Half.NIGHT):
+        # "Overnight from ten until six": what begins at night may end in the morning.
         end_clock = halved(end_clock, last.part.half)
     known_end = not end_clock.is_open
     if start_clock.is_open and known_end:

@@ -60,6 +60,9 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             root = assured
             continue
         below = _complement(tree, root, lemma)
+        if below is not None and is_numbered_place(tree, below, lexicon):
+            # "Get to gate 22"
+            break
         if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
             break
         if lemma in lexicon.forgetting:
@@ -181,6 +184,14 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
         if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
             return below
     return None
+
+
+def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    known = lexicon.machines | lexicon.measure_nouns
+    led = any(tree.nodes[p].lower == "to" for p in tree.children(place, "aux"))
+    return counted and led and tree.nodes[place].lower in known
 
 
 def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -177,7 +177,9 @@ class Anchors:
             lag += clause.takes.seconds
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
         edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
-        if (clause.object or "").lower() in END or self._is_done_soon(clause):
+        if clause.edge is not None:
+            edge = clause.edge
+        elif (clause.object or "").lower() in END or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"

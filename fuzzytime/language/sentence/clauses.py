@@ -6,14 +6,23 @@ from dataclasses import replace
 from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
 from fuzzytime.language.sentence.conditions import BE, IF
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Edge
 
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -32,6 +41,23 @@ EXCEPTING = (["not"], ["except"], ["excluding"])
 
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
+
+EDGES = {
+    **dict.fromkeys(("start", "beginning", "opening", "outset"), Edge.START),
+    **dict.fromkeys(("end", "close", "finish", "ending", "closing"), Edge.END),
+}
+"""Words for the edges of what goes on: "by the end of the lesson"."""
+
+LONGEST_EDGE = 4
+"""Words of "the very end of"."""
+
+OF_EDGES = {
+    "by": dict.fromkeys(Edge, "by the time"),
+    "at": {Edge.START: "while", Edge.END: "after"},
+    "on": {Edge.START: "while", Edge.END: "after"},
+    "from": dict.fromkeys(Edge, "after"),
+}
+"""Prepositions that begin a clause before an edge of what goes on, and which kind."""
 
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
@@ -57,6 +83,7 @@ def clauses_of(
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
+        form = form or reader.edged(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -103,6 +130,20 @@ class _Clauses:
         leads = place == 0 and node is not None and node.lower == IF != word.text
         return (word.text,) if leads and word.text in INVERTING else None
 
+    def edged(self, place: int) -> tuple[str, ...] | None:
+        """Give the "by" of "by the end of the lesson" as what begins a clause."""
+        text = self.words[place].text
+        known = text in OF_EDGES and place not in self.covered
+        return (text,) if known and self._edge(place + 1) is not None else None
+
+    def _edge(self, place: int) -> tuple[Edge, int] | None:
+        """Give which edge of an event words name, and where the event begins: "the end of the lesson"."""
+        texts = [word.text for word in self.words[place : place + LONGEST_EDGE]]
+        said = [text for text in texts if text not in {"the", "very"}][:2]
+        edge = EDGES.get(said[0]) if said[1:] == ["of"] else None
+        behind = place + texts.index("of") + 1 if edge is not None else 0
+        return (edge, behind) if edge and behind < len(self.words) and behind not in self.covered else None
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
@@ -110,6 +151,11 @@ class _Clauses:
         if bound is not None:
             kind = "within"
         first = place + len(form)
+        edge, first = self._edge(first) or (None, first)
+        if edge is not None:
+            kind = OF_EDGES.get(form[0], {}).get(edge, kind)
+        elif bound is not None and isinstance(bound.said.time, Coming):
+            edge = Edge.START
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
@@ -126,7 +172,7 @@ class _Clauses:
         duration = None
         if distance is not None:
             start, time_before = distance.span[0], distance.said.time
-            if isinstance(time_before, Offset):
+            if isinstance(time_before, (Offset, Coming)):
                 time_before = time_before.duration
             if isinstance(time_before, Duration):
                 hedges = (*distance.said.hedges, *time_before.hedges)
@@ -135,16 +181,18 @@ class _Clauses:
             return None
         clause = Clause(
             kind=kind,
-            marker=" ".join(form) if bound is None else kind,
+            marker=" ".join(form) if bound is None else bound.said.preposition or kind,
             span=(start, content[1]),
             content=content,
             distance=duration,
+            edge=edge,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
-        found = self._denied(self.contents.told(clause, nodes), place)
+        told = self.contents.event(clause, nodes) if edge is not None else self.contents.told(clause, nodes)
+        found = self._denied(told, place)
         eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
@@ -203,7 +251,7 @@ class _Clauses:
     def _bound(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
-        return next((p for p in found if p.said.preposition == "within" and not _is_dated(p)), None)
+        return next((p for p in found if _counts_within(p)), None)
 
     def _whole_unit(self, place: int) -> Phrase | None:
         """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
@@ -221,6 +269,12 @@ class _Clauses:
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
         return place >= 0 and self.words[place].text in self.lexicon.lasting
+
+
+def _counts_within(phrase: Phrase) -> bool:
+    """Whether it is so long from what is named behind it: "within an hour of", "for the first hour of"."""
+    first = isinstance(phrase.said.time, Coming) and phrase.said.time.direction > 0
+    return first or (phrase.said.preposition == "within" and not _is_dated(phrase))
 
 
 def _is_dated(phrase: Phrase) -> bool:

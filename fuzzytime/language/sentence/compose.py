@@ -147,7 +147,9 @@ class _Composer:
         for sketch in sketches:
             if sketch.operation is not None:
                 text, part = self.draft.text, sketch.part
-                found += unused_words(text, part, sketch.operation, [*told, *sketch.heard], self.lexicon)
+                found += unused_words(
+                    text, part, sketch.operation, [*told, *sketch.heard, *sketch.joints], self.lexicon
+                )
         return found
 
     def _doubts(self, sketch: Sketch) -> list[Remark]:
@@ -211,6 +213,7 @@ class _Composer:
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks
+        self.explained += [remark.span for remark in sketch.remarks]
         return Instruction(
             span=segment.span,
             operation=operation,

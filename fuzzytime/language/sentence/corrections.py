@@ -50,7 +50,9 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             continue
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
-        if between in ([",", "not"], ["and", "not"], ["not"], [",", "and", "not"]) and old in kept:
+        if between == ["instead"] and scanned.words[new.first].text == "of":
+            between = ["instead", "of"]
+        if _takes_back(between) and old in kept:
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
             span = (old.span[1], new.span[1])
@@ -65,6 +67,12 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             message = f"{scanned.text[slice(*old.span)]!r} is corrected by {said!r}"
             remarks.append(Remark(RemarkKind.CORRECTED, span, message))
     return kept
+
+
+def _takes_back(between: Sequence[str]) -> bool:
+    """Whether words between two times deny the second: "at six instead of at seven"."""
+    joint = [text for text in between if text not in {",", "and"}]
+    return joint in (["not"], ["instead", "of"], ["rather", "than"])
 
 
 def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Remark]:

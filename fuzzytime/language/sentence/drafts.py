@@ -153,7 +153,8 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
-    return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+    travelling = lexicon.travelling
+    return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 
 
 def _without_root(tree: Tree) -> str:

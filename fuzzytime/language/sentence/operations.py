@@ -57,7 +57,8 @@ class Reader(Places):
         if subject is not None and (stated or direct is None):
             direct, complement = (
                 subject,
-                complement or (direct if others_do(self.tree, verb, frozenset(), self.lexicon) else None),
+                complement
+                or (direct if others_do(self.tree, verb, self._helping(verb), self.lexicon) else None),
             )
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
@@ -253,6 +254,10 @@ class Reader(Places):
             return False
         return any(self.tree.nodes[p].lower in self.lexicon.taken for p in self.tree.below(verb) if p > verb)
 
+    def _helping(self, verb: int) -> set[str]:
+        """Give the verbs that help one, and what denies it."""
+        return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
@@ -261,7 +266,7 @@ class Reader(Places):
         if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
             # "It's going to rain at four"
             return True
-        helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE

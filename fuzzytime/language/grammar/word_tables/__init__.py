@@ -101,6 +101,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         landmarks=frozenset(form[0] for form in speech.words("landmarks")),
+        travelling=frozenset(form[0] for form in speech.words("travelling")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
         happening=frozenset(form[0] for form in speech.words("happening")),
@@ -128,7 +129,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "travelling", "machines", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "conversation",
 )  # fmt: skip
 _CALENDAR = (
