@@ -153,6 +153,13 @@ def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
     return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
 
 
+@grammar.rule("said", "<repeat> ,? <hedge> <repeat>", weight=0.6)
+def weeks_mostly_on_weekdays(weeks: Repeat, hedge: str, weekdays: Repeat) -> Said | None:
+    """Once a week, preferably on sundays."""
+    both_said = weeks_on_weekdays(weeks, weekdays)
+    return None if both_said is None else Said(both_said, Constraint.EVERY, None, (hedge,))
+
+
 def _is_unbounded(repeat: Repeat) -> bool:
     return bool(repeat.walls) and repeat.starting is None and repeat.until is None
 

@@ -19,6 +19,11 @@ SAYING = frozenset(["is", "are", "was", "will", "starts", "begins", "ends", "fin
 NAMED = frozenset({"the", "a", "an", "my", "your", "our", "their"})
 """Words behind which a preposition is the name of a thing: "lock the till at six"."""
 
+PREPOSITIONS = frozenset(
+    {"at", "in", "during", "through", "throughout", "over", "all", "from", "until", "till"}
+)
+"""Words behind which "on" belongs to the verb: "leave it on through the night"."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -118,7 +123,7 @@ class Borders:
             # "Shut them in at dusk"
             return True
         # "Put the washing on first"
-        return first == "on" and (rest[:1] in (["at"], ["in"], ["during"]) or rest == ["first"])
+        return first == "on" and (bool(PREPOSITIONS & {*rest[:1]}) or rest == ["first"])
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, SINGLE, Surroundings
 from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -18,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Range,
     Repeat,
     Said,
+    Time,
     TimeWord,
     Wall,
 )
@@ -75,6 +77,8 @@ class Judge:
         if self.borders.refuse(piece):
             return False
         time = said.time
+        if self._counts_from_thing(piece, time):
+            return False
         if self._is_whole(piece):
             return not lacks_unit(said) and self._accepts_alone(said)
         if lacks_unit(said):
@@ -139,6 +143,19 @@ class Judge:
             return said.preposition is not None or not self.around.describes(piece)
         return True
 
+    def _counts_from_thing(self, piece: Piece, time: Time) -> bool:
+        """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+        wall = time.anchor if isinstance(time, Offset) else time
+        days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+        ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals and isinstance(days, Fields)
+        return ordinal and days == Fields(day=days.day) and any(map(self._is_counted, range(piece.start)))
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether an ordinal counts a thing: "the second row"."""
+        behind = self.texts[place + 1 : place + 2]
+        named = bool(behind) and behind[0].isalpha() and behind[0] not in self.lexicon.function_words
+        return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
+
     def _is_before_marker(self, place: int) -> bool:
         return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None
 
@@ -176,7 +193,7 @@ class Judge:
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
         found = [
-            p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self.borders.runs_on(p)
+            p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.borders.runs_on(p)
         ][:1]
         # "One tablet at eight and one at noon"
         found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
@@ -308,6 +325,12 @@ class Judge:
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+
+def _is_open(piece: Piece) -> bool:
+    """Whether it is a number alone, or two that a full stop joins: "12.30"."""
+    clock = piece.value.time.clock
+    return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
 
 
 def _is_clocked(piece: Piece) -> bool:

@@ -179,7 +179,7 @@ class Grounding:
             return self._clock_on(wall, wall.days, wall.clock)
         days = self._chosen_day(wall.days, wall.part)
         if wall.part is not None:
-            return part_on(days.first, wall.part)
+            return part_on(days.first, wall.part, self.policy.ahead_from)
         return Instants(midnight(days.first), midnight(days.end), wall.days.grain)
 
     def _chosen_day(self, calendar: Calendar, part: Part | None) -> Days:

@@ -15,6 +15,7 @@ PRESENT = frozenset({"VBZ", "VBP"})
 ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
+GOING_AND = frozenset({"go", "come", "try", "hurry"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
@@ -51,6 +52,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if root is None:
         return None
     negated = _is_negated(tree, root)
+    root = gone_to_do(tree, root) or root
     reference: Reference | None = None
     for _ in range(4):
         lemma = tree.nodes[root].lemma
@@ -86,6 +88,15 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
+
+
+def gone_to_do(tree: Tree, place: int) -> int | None:
+    """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
+    verb = place + 2
+    if tree.nodes[place].lemma not in GOING_AND or verb >= len(tree.nodes):
+        return None
+    joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
+    return verb if joined and tree.nodes[verb].tag == "VB" else None
 
 
 def _governing(tree: Tree) -> int | None:

@@ -191,13 +191,14 @@ class Anchors:
             target=target,
             edge=edge,
             lag=lag,
-            exact=clause.kind == HALFWAY or (distance is not None and clause.kind != "within"),
+            exact=clause.kind == HALFWAY
+            or (distance is not None and clause.kind != "within" and clause.side is None),
             share=0.5 if clause.kind == HALFWAY else None,
         )
         return TimeRequirement(
             text=text,
             span=clause.span,
-            constraint=BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER),
+            constraint=_side_of(clause),
             preposition=clause.marker,
             fuzziness=() if distance is None else distance.hedges,
             number=None if distance is None else distance.number,
@@ -290,6 +291,16 @@ class Anchors:
         """Give the latest instruction that was said to go on for some time, or that right before."""
         before = [place for place in self.mentions.lasting if place < self.first]
         return self.position - 1 if self.position > self.first or not before else before[-1]
+
+
+def _side_of(clause: Clause) -> Constraint:
+    """Give on which side of what it names a clause binds; within a time after it where that is bound."""
+    before = clause.kind in FIRST
+    if clause.side is not None and (before or clause.side is Constraint.AFTER):
+        return clause.side
+    if clause.side is not None:
+        return Constraint.BETWEEN
+    return BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER)
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

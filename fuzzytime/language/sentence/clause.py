@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase
-from fuzzytime.requirement import Condition, Edge
+from fuzzytime.requirement import Condition, Constraint, Edge
 
 GETTING = frozenset({"get", "be"})
 THERE = frozenset({"here", "there", "in", "back", "home"})
@@ -17,7 +17,8 @@ class Clause:
     ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
     says must hold; ``time`` when it says that is ("before the guests arrive at seven"). ``excepted`` marks
     when not to do something: "but not during her nap". ``takes`` is how long it takes until it is so,
-    where an aside says that. ``edge`` is that of the event which it names: "by the end of the lesson".
+    where an aside says that. ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on
+    which side of its distance something must be: "no earlier than an hour after lunch".
     """
 
     kind: str
@@ -33,6 +34,7 @@ class Clause:
     excepted: bool = False
     takes: Duration | None = None
     edge: Edge | None = None
+    side: Constraint | None = None
 
     @property
     def is_there(self) -> bool:

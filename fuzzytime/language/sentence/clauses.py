@@ -48,6 +48,9 @@ EDGES = {
 }
 """Words for the edges of what goes on: "by the end of the lesson"."""
 
+SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
+"""Prepositions before a distance, and on which side of it something must be."""
+
 LONGEST_EDGE = 4
 """Words of "the very end of"."""
 
@@ -169,8 +172,9 @@ class _Clauses:
             return None
         start = self.words[place].start
         distance = bound or self._distance(place)
-        duration = None
+        duration, side = None, None
         if distance is not None:
+            side, distance = self._sided(distance)
             start, time_before = distance.span[0], distance.said.time
             if isinstance(time_before, (Offset, Coming)):
                 time_before = time_before.duration
@@ -186,6 +190,7 @@ class _Clauses:
             content=content,
             distance=duration,
             edge=edge,
+            side=side,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
@@ -247,6 +252,16 @@ class _Clauses:
             ):
                 return phrase
         return self._whole_unit(place)
+
+    def _sided(self, distance: Phrase) -> tuple[Constraint | None, Phrase]:
+        """Give on which side of a distance something must be, by the words before it: "no later than"."""
+        for first in range(max(0, distance.first - LONGEST_EDGE), distance.first):
+            for piece in self.lexicon.pieces(self.words, first):
+                side = SIDES.get(piece.value.name) if piece.category.startswith("preposition") else None
+                if side is not None and piece.end == distance.first:
+                    span = (self.words[first].start, distance.span[1])
+                    return side, replace(distance, first=first, span=span)
+        return None, distance
 
     def _bound(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker that something must not be later than."""

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.sentence.actions import ARE
+from fuzzytime.language.sentence.actions import ARE, gone_to_do
 from fuzzytime.language.sentence.orders_beside_times import (
     IMPERATIVE,
     JOINTS,
@@ -95,6 +95,8 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> 
         return None
     start = _behind_joint(tree, _behind_place(tree, place), timed)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+        return None
+    if gone_to_do(tree, root) == place:
         return None
     return start if place > root or _leads(tree, place, root) else None
 
