@@ -203,6 +203,7 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("stir the soup now and then", "now and then"),
         ("stir the soup every now and then", "every now and then"),
         ("top up the water as needed", "as needed"),
+        ("log the temperature twice per shift", "twice per"),
         ("water the plants from time to time", "from time to time"),
         ("leave the heating off until further notice", "until further notice"),
         ("what should I do next?", "what should I do next"),

@@ -201,6 +201,27 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
     return replace(repeat, starting=said.time, shared=False)
 
 
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and the? last time|one|dose? <said>",
+    "<repeat> the last time|one|dose? <said>",
+    weight=0.6,
+)
+def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
+    """Every two hours, the last time at ten."""
+    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
+        return None
+    return replace(repeat, until=said.time) if repeat.until is None else None
+
+
+@grammar.rule(
+    "repeat", "<repeat> thereafter|afterwards", "<repeat> after that", "<repeat> from then|there on"
+)
+def from_then_on(repeat: Repeat) -> Repeat:
+    """(now and) every thirty seconds thereafter."""
+    return repeat
+
+
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
 def week_stretch(first: int, last: int) -> tuple[int, ...]:
     """Monday to friday, beside hours: on each of these days."""

@@ -132,7 +132,8 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
         return False
     is_so = node.lemma in COPULAS and node.tag in PRESENT and not helping
     goes_on = node.tag == "VBG" and bool(helping) and helping <= ARE
-    return is_so or (goes_on and _complement(tree, verb, node.lemma) is None)
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= ARE
+    return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
 def _order_before(tree: Tree, root: int) -> int:

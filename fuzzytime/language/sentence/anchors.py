@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BEGINNING,
@@ -21,12 +22,6 @@ from fuzzytime.language.sentence.references import (
     waits_for,
 )
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
-
-FIRST = frozenset({"before", "until", "by the time"})
-"""Clauses whose instruction comes first."""
-
-BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
-"""Clauses that are neither before nor after alone."""
 
 ORDERING = {
     "afterwards": Constraint.AFTER,
@@ -198,7 +193,7 @@ class Anchors:
         return TimeRequirement(
             text=text,
             span=clause.span,
-            constraint=_side_of(clause),
+            constraint=side_of(clause),
             preposition=clause.marker,
             fuzziness=() if distance is None else distance.hedges,
             number=None if distance is None else distance.number,
@@ -291,16 +286,6 @@ class Anchors:
         """Give the latest instruction that was said to go on for some time, or that right before."""
         before = [place for place in self.mentions.lasting if place < self.first]
         return self.position - 1 if self.position > self.first or not before else before[-1]
-
-
-def _side_of(clause: Clause) -> Constraint:
-    """Give on which side of what it names a clause binds; within a time after it where that is bound."""
-    before = clause.kind in FIRST
-    if clause.side is not None and (before or clause.side is Constraint.AFTER):
-        return clause.side
-    if clause.side is not None:
-        return Constraint.BETWEEN
-    return BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER)
 
 
 def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

@@ -17,8 +17,8 @@ class Clause:
     ``verb`` and ``object`` are what it says is done, as dictionary form and text; ``condition`` what it
     says must hold; ``time`` when it says that is ("before the guests arrive at seven"). ``excepted`` marks
     when not to do something: "but not during her nap". ``takes`` is how long it takes until it is so,
-    where an aside says that. ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on
-    which side of its distance something must be: "no earlier than an hour after lunch".
+    where an aside says that. ``edge`` is that of the event which it names: "by the end of the lesson";
+    ``side`` on which side of its distance something must be: "no earlier than an hour after lunch".
     """
 
     kind: str

@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
 from fuzzytime.language.sentence.conditions import BE, IF
+from fuzzytime.language.sentence.event_edges import LONGEST_EDGE, OF_EDGES, edge_of
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint, Edge
@@ -42,25 +43,8 @@ EXCEPTING = (["not"], ["except"], ["excluding"])
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
-EDGES = {
-    **dict.fromkeys(("start", "beginning", "opening", "outset"), Edge.START),
-    **dict.fromkeys(("end", "close", "finish", "ending", "closing"), Edge.END),
-}
-"""Words for the edges of what goes on: "by the end of the lesson"."""
-
 SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
 """Prepositions before a distance, and on which side of it something must be."""
-
-LONGEST_EDGE = 4
-"""Words of "the very end of"."""
-
-OF_EDGES = {
-    "by": dict.fromkeys(Edge, "by the time"),
-    "at": {Edge.START: "while", Edge.END: "after"},
-    "on": {Edge.START: "while", Edge.END: "after"},
-    "from": dict.fromkeys(Edge, "after"),
-}
-"""Prepositions that begin a clause before an edge of what goes on, and which kind."""
 
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
@@ -137,15 +121,7 @@ class _Clauses:
         """Give the "by" of "by the end of the lesson" as what begins a clause."""
         text = self.words[place].text
         known = text in OF_EDGES and place not in self.covered
-        return (text,) if known and self._edge(place + 1) is not None else None
-
-    def _edge(self, place: int) -> tuple[Edge, int] | None:
-        """Give which edge of an event words name, and where the event begins: "the end of the lesson"."""
-        texts = [word.text for word in self.words[place : place + LONGEST_EDGE]]
-        said = [text for text in texts if text not in {"the", "very"}][:2]
-        edge = EDGES.get(said[0]) if said[1:] == ["of"] else None
-        behind = place + texts.index("of") + 1 if edge is not None else 0
-        return (edge, behind) if edge and behind < len(self.words) and behind not in self.covered else None
+        return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
@@ -154,7 +130,7 @@ class _Clauses:
         if bound is not None:
             kind = "within"
         first = place + len(form)
-        edge, first = self._edge(first) or (None, first)
+        edge, first = edge_of(self.words, first, self.covered) or (None, first)
         if edge is not None:
             kind = OF_EDGES.get(form[0], {}).get(edge, kind)
         elif bound is not None and isinstance(bound.said.time, Coming):

@@ -19,6 +19,7 @@ from fuzzytime.language.instruction import (
     Token,
 )
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
@@ -105,11 +106,12 @@ class _Composer:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
             operations.append(sketches[place].operation)
-        instructions = []
+        instructions: list[Instruction] = []
         for place, sketch in enumerate(sketches):
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
-            self.moment = replace(self.moment, listed=listed, follows=follows)
+            due = self._due(sketches[:place], sketch, instructions)
+            self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
             instructions.append(self._instruction(sketch, self.first + place, operations))
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
@@ -124,6 +126,20 @@ class _Composer:
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
         )
+
+    def _due(
+        self, before: Sequence[Sketch], sketch: Sketch, instructions: Sequence[Instruction]
+    ) -> float | None:
+        """Give when that happens which an instruction prepares: "it leaves at 8:05, so be there by 8"."""
+        words = self.draft.text[: sketch.part.segment.span[0]].lower().split()
+        if not before or words[-1:] != ["so"] or before[-1].operation is None:
+            return None
+        if not before[-1].operation.stated:
+            return None
+        said = [requirement.earliest for requirement in instructions[-1].requirements]
+        repeats = instructions[-1].repeats
+        said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
+        return next((seconds for seconds in said if seconds is not None), None)
 
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
         """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""

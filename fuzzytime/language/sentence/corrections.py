@@ -82,12 +82,12 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
         place = phrase.end + 2
         clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
         denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
-        if clock is None or not denied or place in starts:
+        if not denied or place in starts:
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
         # "At seven, not before"
         side = place < len(texts) and texts[place] in SIDES
-        if alone and (side or "integer" in scanned.cells[place]):
+        if alone and (side or (clock is not None and "integer" in scanned.cells[place])):
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"
             yield Remark(RemarkKind.CORRECTED, span, message)

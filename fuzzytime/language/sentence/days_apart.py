@@ -42,6 +42,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
             held = above
         named = [place for place, phrase in enumerate(sketch.phrases) if _is_day(phrase.said)]
+        named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
         told = sketch
         if named:
             told = _on_own_day(sketch, named[0])
@@ -59,6 +60,13 @@ def _is_day(said: Said) -> bool:
         timed = any(wall.clock is not None for wall in time.walls)
         return bool(time.walls) and not timed and time.starting is None and time.until is None
     return isinstance(time, Wall) and time.clock is None and not time.weak and said.constraint in WHEN
+
+
+def _is_first_day(said: Said) -> bool:
+    """Whether it is a day from which on something holds: "from monday on sign in by ten to nine"."""
+    time = said.time
+    days = time.days if isinstance(time, Wall) and time.clock is None and time.part is None else None
+    return said.constraint is Constraint.AFTER and days is not None and days.grain is Unit.DAY
 
 
 def _is_open(said: Said, day: Said) -> bool:

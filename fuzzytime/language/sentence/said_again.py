@@ -6,6 +6,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.sketch import Sketch
@@ -66,6 +67,27 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
         else:
             found.append(phrase)
     return found
+
+
+def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give days of the week the clock time of the last of them: "monday, wednesday and friday at ten"."""
+    time = phrases[-1].said.time
+    if not isinstance(time, Wall) or time.clock is None or not _is_weekday(time):
+        return list(phrases)
+    walls = [phrase.said.time for phrase in phrases[:-1]]
+    if not all(isinstance(wall, Wall) and _is_weekday(wall) for wall in walls):
+        return list(phrases)
+    found = []
+    for phrase in phrases:
+        own = phrase.said.time
+        alone = isinstance(own, Wall) and own.clock is None and own.part is None
+        told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
+        found.append(replace(phrase, said=replace(phrase.said, time=told)))
+    return found
+
+
+def _is_weekday(wall: Wall) -> bool:
+    return isinstance(wall.days, Fields) and wall.days.weekly
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:

@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.grammar.judging import SPENT
 from fuzzytime.language.grammar.leftovers import not_understood
+from fuzzytime.language.grammar.lengths import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (

@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.said_again import apart, done_again
+from fuzzytime.language.sentence.said_again import apart, done_again, with_shared_clock
 from fuzzytime.language.sentence.sketch import Sketch, sketch_of
 from fuzzytime.requirement import Constraint
 
@@ -121,7 +121,7 @@ def _alternatives(
             rest = tuple(phrase for phrase in phrases if phrase not in group)
             if joints & OFFERED:
                 return [((*rest, group[0]), tuple(group[1:]))]
-            times = apart(group)
+            times = with_shared_clock(apart(group))
             return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]
     return [(phrases, ())]
 
