@@ -230,6 +230,8 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "half way through",
     "the <part> before|after",
     "<times> per",
+    "for? half|twice|just|exactly as long as",
+    "for? <times> as long as",
 )
 def of_no_hour(part: Part | int | None = None) -> bool:
     """For a while, the night before: of what, or how long, is not said."""

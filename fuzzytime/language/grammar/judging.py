@@ -102,6 +102,9 @@ class Judge:
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
+        if isinstance(time, TimeWord) and self.around.before(piece) in {"between", "from"}:
+            # "Between now and the concert"
+            return False
         if isinstance(time, TimeWord) and (self._begins_clause(piece) or self._is_now_and_again(piece)):
             return False
         if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:

@@ -163,6 +163,12 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     if not repeat.walls and isinstance(time, Wall) and time.clock is None and said.constraint in MOMENTS:
         # "Every two hours tonight"
         return replace(repeat, starting=time, until=time)
+    part = time.part if isinstance(time, Wall) and time.days is None and repeat.walls else None
+    if part is not None and said.constraint in {Constraint.BEFORE, Constraint.AFTER}:
+        # "Before school on tuesdays"
+        before = said.constraint is Constraint.BEFORE
+        hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
+        return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
     if said.constraint is Constraint.BEFORE:
         return replace(repeat, until=time)
     if said.preposition == "starting":

@@ -46,6 +46,10 @@ ENDS = frozenset({",", "(", ")"})
 SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
 """Prepositions before a distance, and on which side of it something must be."""
 
+AS_LONG = ("as", "long", "as")
+TIMES_AS = frozenset({"half", "twice", "times", "for", "just", "exactly", "about"})
+"""Words before "as long as" that make it a length, and no condition."""
+
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
 
@@ -69,6 +73,10 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
+        if form == AS_LONG and place and words[place - 1].text in TIMES_AS:
+            # "Rest it for half as long as you cooked it"
+            place += len(form)
+            continue
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         form = form or reader.edged(place)
         clause = None if form is None else reader.read(place, form)

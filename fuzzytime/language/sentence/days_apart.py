@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.meaning.beside import told_apart
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.sentence.drafts import Heading
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
@@ -62,6 +62,11 @@ def _is_day(said: Said) -> bool:
     return isinstance(time, Wall) and time.clock is None and not time.weak and said.constraint in WHEN
 
 
+def _is_at_most(said: Said) -> bool:
+    """Whether it is a length of time that something takes no longer than."""
+    return isinstance(said.time, Duration) and said.preposition == "within"
+
+
 def _is_first_day(said: Said) -> bool:
     """Whether it is a day from which on something holds: "from monday on sign in by ten to nine"."""
     time = said.time
@@ -90,6 +95,12 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
     day, phrases = sketch.phrases[place].said, list(sketch.phrases)
     repeated = [place]
     for other, phrase in enumerate(sketch.phrases):
+        if other != place and _is_at_most(phrase.said):
+            # "Run it in under 25 minutes on saturday"
+            hedges = ("at most", *phrase.said.hedges)
+            told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
+            phrases[other] = replace(phrase, said=told_length)
+            continue
         told = told_apart(phrase.said, day) if other != place and _is_open(phrase.said, day) else None
         if told is None:
             continue

@@ -103,8 +103,8 @@ class Reader(Places):
             return named
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
-            if self.tree.nodes[place - 1].tag == "CC":
-                # "To the gate and back"
+            if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
+                # "To the gate and back", "with a rest in between"
                 continue
             if (
                 verbs is None
@@ -119,6 +119,9 @@ class Reader(Places):
             if self._governs_nothing(place) or (stands_before and bare):
                 return place
         return None
+
+    def _is_between(self, place: int) -> bool:
+        return place + 1 < len(self.tree.nodes) and self.tree.nodes[place + 1].lower == "between"
 
     def _hangs_on(self, place: int, verb: int) -> bool:
         node = self.tree.nodes[place]

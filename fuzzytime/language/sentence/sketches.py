@@ -21,7 +21,7 @@ from fuzzytime.language.sentence.sketch import Sketch, sketch_of
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
-OFFERED = frozenset({"or"})
+OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
 
 def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:

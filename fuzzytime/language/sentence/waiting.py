@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.statements import leaves
 from fuzzytime.language.sentence.tree import Tree
 
-JOINT = re.compile(r"[\s,;&]*(\b(?:and|so)\b)?[\s,;&]*$", re.IGNORECASE)
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
 JOINING = (["and"], ["&"], ["then"], ["but"])
