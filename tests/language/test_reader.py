@@ -206,7 +206,7 @@ def test_without_a_clock_a_clock_time_is_not_guessed() -> None:
         ("log the temperature twice per shift", "twice per"),
         ("rest the steak for half as long as you cooked it", "for half as long as"),
         ("row four lots with ninety seconds' rest", "ninety seconds"),
-        ("drop the kit off tonight by 5 pm", "by 5 pm"),
+        ("switch the pump off by 6 pm today near the pool at 8 pm", "at 8 pm"),
         ("water the plants from time to time", "from time to time"),
         ("leave the heating off until further notice", "until further notice"),
         ("what should I do next?", "what should I do next"),

@@ -206,7 +206,8 @@ class Judge:
     def _is_number_for(self, piece: Piece) -> bool:
         """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
         place = piece.start + 1
-        joined = self.measures.is_number(place + 1) or OF_CLOCKS & {*self.texts[place + 1 : place + 2]}
+        behind = OF_CLOCKS & {*self.texts[place + 1 : place + 2]}
+        joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
         return self.measures.is_number(place) and not joined and not self._is_sure(place)
 
     def _is_sure(self, place: int) -> bool:
