@@ -2,21 +2,19 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.repetitions import SMALL, of_unit
+from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
-    Duration,
     Goal,
     HourMark,
     Range,
     Repeat,
     Said,
     SameTime,
-    UnitWord,
     Wall,
 )
 from fuzzytime.requirement import Constraint, Unit
@@ -288,16 +286,6 @@ def repeated_roughly(repeat: Repeat, *said: Preposition | Goal) -> Said | None:
 def hedged_repeat(hedge: str, repeat: Repeat) -> Said:
     """About once a week."""
     return Said(repeat, Constraint.EVERY, None, (hedge,))
-
-
-@grammar.rule("said", "for? <duration> a|an|per|every|each <unit>", weight=0.6)
-def so_long_each(duration: Duration, unit: UnitWord) -> Said | None:
-    """For twenty minutes a day: each day, and how long."""
-    longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SMALL
-    if not longer or len(unit.form) == 1 or duration.indefinite:
-        return None
-    lasting = replace(duration, hedges=())
-    return Said(of_unit(unit), Constraint.EVERY, "for", duration.hedges, lasting=lasting)
 
 
 @grammar.rule("said", "<repeat> <hedge_after>", weight=0.2)

@@ -11,10 +11,11 @@ from fuzzytime.language.meaning.expressions import (
     HourMark,
     Repeat,
     Rest,
+    Said,
     UnitWord,
     Wall,
 )
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -203,3 +204,13 @@ def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
     if number == 1 or timed:
         return None
     return Repeat(times=number, starting=within, until=within)
+
+
+@grammar.rule("said", "for? <duration> a|an|per|every|each <unit>", weight=0.6)
+def so_long_each(duration: Duration, unit: UnitWord) -> Said | None:
+    """For twenty minutes a day: each day, and how long."""
+    longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SMALL
+    if not longer or len(unit.form) == 1 or duration.indefinite:
+        return None
+    lasting = replace(duration, hedges=())
+    return Said(of_unit(unit), Constraint.EVERY, "for", duration.hedges, lasting=lasting)

@@ -25,8 +25,10 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 
-LONGEST_HEDGE = 3
-"""Words of "for at least" and its kind."""
+HEDGING = frozenset(
+    ["at", "least", "most", "about", "around", "roughly", "nearly", "almost", "up", "to", "just", "over"]
+)
+"""Words between "for" and a length of time."""
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 BINDING = frozenset(
@@ -113,7 +115,7 @@ class Judge:
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic"
             return self.around.follower(piece) in {"", ",", "."}
-        if isinstance(time, Offset) and time.anchor is None and "for" in self._hedged_by(piece):
+        if isinstance(time, Offset) and time.anchor is None and self._lasts(piece):
             # "For an hour beforehand": that long, before what was said.
             return False
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
@@ -165,10 +167,12 @@ class Judge:
         parted = any(wall.part is not None for wall in piece.value.time.walls)
         return not some and (parted or not self.measures.is_rate(piece))
 
-    def _hedged_by(self, piece: Piece) -> list[str]:
-        """Give the words before it up to what is no hedge: "for at least", "for"."""
-        first = max(0, piece.start - LONGEST_HEDGE)
-        return self.texts[first : piece.start]
+    def _lasts(self, piece: Piece) -> bool:
+        """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""
+        place = piece.start - 1
+        while place > 0 and self.texts[place] in HEDGING:
+            place -= 1
+        return place >= 0 and self.texts[place] == "for"
 
     def _is_now_and_again(self, piece: Piece) -> bool:
         """Whether "now and again" is two times: "now and again in six hours"."""
@@ -259,6 +263,9 @@ class Judge:
             return False
         if self.around.is_owned(piece):
             # "Move my three o'clock to five"
+            return False
+        if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
+            # "Reserve the blue one until friday"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocked = isinstance(time.last, Wall) and time.last.clock is not None

@@ -100,10 +100,8 @@ class Contents:
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
         together = clause.kind == "while" and clause.marker not in CONJUNCTIONS
-        if (
-            not (together or clause.edge is not None or clause.kind in NAMING)
-            or not self.tree.nodes[nodes[-1]].tag
-        ):
+        named = clause.edge is not None or clause.kind in NAMING or clause.marker == "by"
+        if not (together or named) or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):

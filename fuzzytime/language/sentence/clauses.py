@@ -19,8 +19,9 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
+from fuzzytime.language.sentence.clause_sides import sided
 from fuzzytime.language.sentence.conditions import BE, IF
-from fuzzytime.language.sentence.event_edges import LONGEST_EDGE, OF_EDGES, edge_of
+from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Constraint, Edge
@@ -42,13 +43,6 @@ EXCEPTING = (["not"], ["except"], ["excluding"])
 
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
-
-SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
-"""Prepositions before a distance, and on which side of it something must be."""
-
-AS_LONG = ("as", "long", "as")
-TIMES_AS = frozenset({"half", "twice", "times", "for", "just", "exactly", "about"})
-"""Words before "as long as" that make it a length, and no condition."""
 
 BESIDE = 2
 """Words of a length of time that is a unit alone: "the day"."""
@@ -73,7 +67,7 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
-        if form == AS_LONG and place and words[place - 1].text in TIMES_AS:
+        if form is not None and is_length(form, words, place):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
@@ -129,19 +123,30 @@ class _Clauses:
         """Give the "by" of "by the end of the lesson" as what begins a clause."""
         text = self.words[place].text
         known = text in OF_EDGES and place not in self.covered
+        if (
+            known
+            and text == "by"
+            and is_event(self.words, place + 1, self._end(place + 1), self.covered, self.lexicon)
+        ):
+            # "By kick-off", "by knocking-off time"
+            return BY
         return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
+
+    def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
+        """Give the kind of the clause that a marker begins."""
+        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
+        if edge is not None:
+            return OF_EDGES.get(form[0], {}).get(edge, kind)
+        if bound is not None:
+            return "within"
+        return "by the time" if form == BY else kind
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
         bound = self._bound(place) if form in WITHIN else None
-        if bound is not None:
-            kind = "within"
-        first = place + len(form)
-        edge, first = edge_of(self.words, first, self.covered) or (None, first)
-        if edge is not None:
-            kind = OF_EDGES.get(form[0], {}).get(edge, kind)
-        elif bound is not None and isinstance(bound.said.time, Coming):
+        edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
+        kind = self._kind(form, bound, edge)
+        if edge is None and bound is not None and isinstance(bound.said.time, Coming):
             edge = Edge.START
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
@@ -158,7 +163,7 @@ class _Clauses:
         distance = bound or self._distance(place)
         duration, side = None, None
         if distance is not None:
-            side, distance = self._sided(distance)
+            side, distance = sided(distance, self.words, self.lexicon)
             start, time_before = distance.span[0], distance.said.time
             if isinstance(time_before, (Offset, Coming)):
                 time_before = time_before.duration
@@ -180,7 +185,8 @@ class _Clauses:
         if named is not None and time is None and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
-        told = self.contents.event(clause, nodes) if edge is not None else self.contents.told(clause, nodes)
+        named_event = edge is not None or form == BY
+        told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
         found = self._denied(told, place)
         eventful = kind in EVENTFUL or (kind == "when" and found is not None and _happens(found))
         if found is None or time is None or not eventful or not _dates(time, duration):
@@ -236,16 +242,6 @@ class _Clauses:
             ):
                 return phrase
         return self._whole_unit(place)
-
-    def _sided(self, distance: Phrase) -> tuple[Constraint | None, Phrase]:
-        """Give on which side of a distance something must be, by the words before it: "no later than"."""
-        for first in range(max(0, distance.first - LONGEST_EDGE), distance.first):
-            for piece in self.lexicon.pieces(self.words, first):
-                side = SIDES.get(piece.value.name) if piece.category.startswith("preposition") else None
-                if side is not None and piece.end == distance.first:
-                    span = (self.words[first].start, distance.span[1])
-                    return side, replace(distance, first=first, span=span)
-        return None, distance
 
     def _bound(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker that something must not be later than."""

@@ -32,9 +32,14 @@ def with_deadlines(
         found.append(replace(clause, span=(clause.span[0], deadline.span[1])))
         timed = any(p is not deadline and p.said.constraint is not Constraint.FOR for p in phrases)
         if _denies(clause) and not timed:
-            known = replace(deadline.said, constraint=Constraint.AFTER, preposition="after", edge=Edge.START)
-            passed.append(replace(deadline, said=known, rule=DEADLINE))
+            passed.append(_passed(deadline))
     return found, passed
+
+
+def _passed(deadline: Phrase) -> Phrase:
+    """Give from when on a deadline has passed."""
+    known = replace(deadline.said, constraint=Constraint.AFTER, preposition="after", edge=Edge.START)
+    return replace(deadline, said=known, rule=DEADLINE)
 
 
 def _is_of(clause: Clause, phrase: Phrase, text: str) -> bool:

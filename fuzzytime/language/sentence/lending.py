@@ -93,6 +93,9 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     numbered = _is_next_numbered(before, sketch, lexicon)
     thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in ARTICLES or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    if rest and part.segment.verbless and before.object is None and before.place is not None:
+        # "Stop for a brew at ten and for lunch at noon"
+        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"

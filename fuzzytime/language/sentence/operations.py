@@ -83,7 +83,9 @@ class Reader(Places):
         # "Until the end of the film": of what, belongs to the time.
         timed = {place for place in clause.result(self.tree) if self.timed(place)}
         words = [p for p in clause.result(self.tree) if timed.isdisjoint((p, *self.tree.above(p)))]
-        return [place for place in words if self.has_content(place, words)]
+        words = [place for place in words if self.has_content(place, words)]
+        # "Have it inspected every week and after each storm"
+        return words[:-1] if words and self.tree.nodes[words[-1]].tag == "CC" else words
 
     def _participle(self, verb: int) -> list[int]:
         """Give the participle behind "get", as in "get dressed"."""
