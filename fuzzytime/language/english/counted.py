@@ -133,8 +133,8 @@ def before_duration(duration: Duration) -> Said:
 
 @grammar.rule("said", "<within> the? <duration>", "<within> <duration> from now|today", weight=0.5)
 def within(preposition: Preposition, duration: Duration) -> Said:
-    """Within ten minutes."""
-    return _length(duration, Constraint.BEFORE, preposition.name)
+    """Within ten minutes; another such preposition counts from now as it binds."""
+    return _length(duration, preposition.constraint, preposition.name)
 
 
 @grammar.rule(

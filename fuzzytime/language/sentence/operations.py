@@ -230,7 +230,11 @@ class Reader(Places):
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
         if self.tree.nodes[verb].lemma not in self.lexicon.addressing | {"get"}:
             return []
-        return [
+        # "Remind me every day for a week to call"
+        of_times = self.tree.children(verb, "prep", "npadvmod") if self.tree.children(verb, "dobj") else ()
+        below = [p for time in of_times if self.timed(time) for p in self.tree.below(time)]
+        aims = [p for p in below if self.has_to(p) and self.timed(self.tree.nodes[p].head)]
+        return aims or [
             place
             for place in self.tree.children(verb, "advcl")
             if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
