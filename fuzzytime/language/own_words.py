@@ -11,6 +11,9 @@ from fuzzytime.requirement import Constraint
 HEDGING = ("hedge", "hedge_after")
 """The categories of a hedge that may stand on either side of its time."""
 
+COUNTING = "within"
+"""The category of a preposition before a length of time that counts from now."""
+
 BINDING = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.AFTER})
 """What a preposition can do."""
 
@@ -73,6 +76,7 @@ def _hedges(hedges: Iterable[str]) -> Iterator[Entry]:
 def _prepositions(prepositions: Mapping[str, Constraint | None]) -> Iterator[Entry]:
     for name, constraint in prepositions.items():
         binds = constraint if constraint in BINDING else Constraint.AT
-        yield Entry(
-            form_of(name), f"preposition_{binds}", Preposition(name, binds or Constraint.AT, Edge.START)
-        )
+        preposition = Preposition(name, binds or Constraint.AT, Edge.START)
+        # Before a clock time, and before a length of time from now: "nigh ten minutes".
+        for category in (f"preposition_{binds}", COUNTING):
+            yield Entry(form_of(name), category, preposition)

@@ -60,6 +60,15 @@ def test_hedges_and_prepositions_of_ones_own_are_understood() -> None:
     assert wide.satisfaction.support.length > shipped.rulebook.resolve(nigh).satisfaction.support.length
 
 
+def test_a_preposition_of_ones_own_counts_lengths_of_time_from_now() -> None:
+    prepositions = {"nigh": Constraint.AT, "anent": Constraint.BEFORE}
+    language = with_words(Language.shipped(), [], prepositions=prepositions)
+    readings = [language.read(f"Call mum {name} ten minutes", now=NOW) for name in prepositions]
+    (nigh,), (anent,) = (reading.instructions[0].requirements for reading in readings)
+    assert (nigh.preposition, nigh.constraint, nigh.t_spec) == ("nigh", Constraint.AT, 600)
+    assert (anent.preposition, anent.constraint, anent.latest) == ("anent", Constraint.BEFORE, 600)
+
+
 def test_tables_without_words_of_their_own_leave_the_language_as_it_is() -> None:
     shipped = Interpreter.shipped()
     assert Interpreter.joining(shipped.language, shipped.rulebook).language is shipped.language

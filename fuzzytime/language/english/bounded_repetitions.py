@@ -36,14 +36,30 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 
 @grammar.rule("repeat", "<wall> ,|on? <repeat>", weight=0.2)
 def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """9am on sundays; but "two nights" are no nights at two."""
-    return None if wall.bare or wall.weak else narrowed_repeat(repeat, wall)
+    """9am on sundays, 0815 on weekdays; but "two nights" are no nights at two."""
+    sure = wall.clock is not None and wall.clock.full_day and wall.clock.grain is Unit.MINUTE
+    return None if (wall.bare and not sure) or wall.weak else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "at|@ <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """At noon every day, at nine on weekdays."""
     return narrowed_repeat(repeat, wall)
+
+
+@grammar.rule(
+    "said", "for <wall> ,|on? <repeat>", "for <wall> on? <repeat> ,|and <wall> on? <repeat>", weight=0.4
+)
+def for_repeat(wall: Wall, repeat: Repeat, *more: Wall | Repeat) -> Said | None:
+    """(an alarm) for six on weekdays and eight at weekends."""
+    found = narrowed_repeat(repeat, wall)
+    if more and found is not None:
+        second, days = more
+        other = (
+            narrowed_repeat(days, second) if isinstance(days, Repeat) and isinstance(second, Wall) else None
+        )
+        found = None if other is None else both(found, other)
+    return None if found is None else Said(found, Constraint.EVERY, "for")
 
 
 @grammar.rule("repeat", "on|in <wall> ,|on? <repeat>", weight=0.2)
@@ -111,7 +127,13 @@ def two_clocks(first: Wall, second: Wall, repeat: Repeat) -> Repeat | None:
     return None if once is None else more_clocks(once, first)
 
 
-@grammar.rule("repeat", "<repeat> ,|and at? <wall> <repeat>", "<repeat> ,|and <repeat>", weight=0.35)
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and at? <wall> on? <repeat>",
+    "<repeat> ,|and for|at|on? <repeat>",
+    "<repeat> , and for|at|on? <repeat>",
+    weight=0.35,
+)
 def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> Repeat | None:
     """At 8 every morning and at 8 every night, every monday morning and every friday evening."""
     other = second if third is None and isinstance(second, Repeat) else None
@@ -129,6 +151,13 @@ def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
     if [wall.days for wall in weeks.walls] != [Cycle(Unit.WEEK)] or not weekly or weekdays.skip != 1:
         return None
     return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
+
+
+@grammar.rule("said", "<repeat> ,? <hedge> <repeat>", weight=0.6)
+def weeks_mostly_on_weekdays(weeks: Repeat, hedge: str, weekdays: Repeat) -> Said | None:
+    """Once a week, preferably on sundays."""
+    both_said = weeks_on_weekdays(weeks, weekdays)
+    return None if both_said is None else Said(both_said, Constraint.EVERY, None, (hedge,))
 
 
 def _is_unbounded(repeat: Repeat) -> bool:
@@ -170,6 +199,27 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
     if repeat.starting is not None or repeat.until is not None:
         return None
     return replace(repeat, starting=said.time, shared=False)
+
+
+@grammar.rule(
+    "repeat",
+    "<repeat> ,|and the? last time|one|dose? <said>",
+    "<repeat> the last time|one|dose? <said>",
+    weight=0.6,
+)
+def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
+    """Every two hours, the last time at ten."""
+    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
+        return None
+    return replace(repeat, until=said.time) if repeat.until is None else None
+
+
+@grammar.rule(
+    "repeat", "<repeat> thereafter|afterwards", "<repeat> after that", "<repeat> from then|there on"
+)
+def from_then_on(repeat: Repeat) -> Repeat:
+    """(now and) every thirty seconds thereafter."""
+    return repeat
 
 
 @grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
@@ -235,6 +285,12 @@ def repeated_roughly(repeat: Repeat, *said: Preposition | Goal) -> Said | None:
 @grammar.rule("said", "<hedge> <repeat>", weight=0.2)
 def hedged_repeat(hedge: str, repeat: Repeat) -> Said:
     """About once a week."""
+    return Said(repeat, Constraint.EVERY, None, (hedge,))
+
+
+@grammar.rule("said", "<repeat> <hedge_after>", weight=0.2)
+def repeated_hedged(repeat: Repeat, hedge: str) -> Said:
+    """Every minute or so."""
     return Said(repeat, Constraint.EVERY, None, (hedge,))
 
 

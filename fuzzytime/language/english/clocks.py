@@ -229,8 +229,11 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     "closing|opening|boarding|quitting|departure|arrival time",
     "half way through",
     "the <part> before|after",
+    "<times> per",
+    "for? half|twice|just|exactly as long as",
+    "for? <times> as long as",
 )
-def of_no_hour(part: Part | None = None) -> bool:
+def of_no_hour(part: Part | int | None = None) -> bool:
     """For a while, the night before: of what, or how long, is not said."""
     return True
 

@@ -133,8 +133,8 @@ def before_duration(duration: Duration) -> Said:
 
 @grammar.rule("said", "<within> the? <duration>", "<within> <duration> from now|today", weight=0.5)
 def within(preposition: Preposition, duration: Duration) -> Said:
-    """Within ten minutes."""
-    return _length(duration, Constraint.BEFORE, preposition.name)
+    """Within ten minutes; another such preposition counts from now as it binds."""
+    return _length(duration, preposition.constraint, preposition.name)
 
 
 @grammar.rule(
@@ -170,10 +170,11 @@ def for_the_first(duration: Duration) -> Said:
     return replace(in_the_first(duration), preposition="for")
 
 
-@grammar.rule("said", "for the? first <unit>", weight=0.5)
-def for_the_first_one(unit: UnitWord) -> Said | None:
-    """For the first hour."""
-    return for_the_first(Duration(((unit.count, unit.unit),))) if len(unit.form) > 1 else None
+@grammar.rule("said", "for the? first <unit>", "for the? first <unit> and a? <fraction>", weight=0.5)
+def for_the_first_one(unit: UnitWord, fraction: float = 0.0) -> Said | None:
+    """For the first hour, for the first hour and a half."""
+    length = Duration(((unit.count * (1 + fraction), unit.unit),))
+    return for_the_first(length) if len(unit.form) > 1 else None
 
 
 @grammar.rule("said", "during|in|within the? first <duration>", weight=0.5)

@@ -6,7 +6,6 @@ from fuzzytime.language.english.counted import so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Duration, Offset, Repeat, Said, TimeWord
-from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -64,16 +63,12 @@ def left_of_it(duration: Duration) -> Said:
 @grammar.rule("said", "<duration> after", weight=0.05)
 def after_it(duration: Duration) -> Said | None:
     """(call me) ten minutes after: counted from what was said before; but "the day after"."""
-    if any(unit not in SUB_DAY for _, unit in duration.terms):
-        return None
     return so_far_in(duration)
 
 
 @grammar.rule("said", "<duration> before|early", weight=0.05)
 def before_it(duration: Duration) -> Said | None:
     """(be there) ten minutes before: counted from what was said before; but "the night before"."""
-    if any(unit not in SUB_DAY for _, unit in duration.terms):
-        return None
     return Said(Offset(replace(duration, hedges=()), -1), None, "earlier", duration.hedges)
 
 

@@ -37,10 +37,16 @@ def same_time(days: Calendar) -> SameTime:
     return SameTime(days)
 
 
-@grammar.rule("same", "the? top|end of the hour", "on the hour", weight=0.2)
+@grammar.rule("same", "the? top|start|beginning|end of the hour", "on the hour", weight=0.2)
 def on_the_hour() -> HourMark:
     """On the hour."""
     return HourMark(0)
+
+
+@grammar.rule("same", "the? bottom|middle of the hour", weight=0.2)
+def at_the_bottom_of_the_hour() -> HourMark:
+    """At the bottom of the hour."""
+    return HourMark(30)
 
 
 @grammar.rule("same", "on the half hour", weight=0.3)

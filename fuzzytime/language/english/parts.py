@@ -5,9 +5,10 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Edge, Ending, Rest, Wall
+from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
-from fuzzytime.language.meaning.times_of_day import Half, Part
+from fuzzytime.language.meaning.times_of_day import WHOLE_DAY, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -34,7 +35,8 @@ def wall_of_part(found: Part) -> Wall:
 @grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
 def all_part(found: Part) -> Wall | None:
     """All morning, through the night."""
-    return None if found.is_point else Wall(part=found)
+    # The night that something goes on through is over in the morning: "overnight".
+    return None if found.is_point or found.name == "night" else Wall(part=found)
 
 
 @grammar.rule(
@@ -84,10 +86,10 @@ def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> 
 @grammar.rule("wall", "<share> <days>|<date>", "<share> in? the day", weight=0.1)
 def later_today(share: tuple[float, float], days: Calendar | None = None) -> Wall | None:
     """Later today, early tomorrow, late on friday."""
-    if days is not None and days.grain is not Unit.DAY:
+    if days is not None and (days.grain is not Unit.DAY or _is_season(days)):
         return None
     low, high = share
-    whole = Part("day", 0, 24 * 3600, Half.DAY)
+    whole = Part(WHOLE_DAY, 0, 24 * 3600, Half.DAY)
     return Wall(days or Relative(0), whole.share(low, high))
 
 
@@ -127,11 +129,15 @@ def share_of_day_part(share: tuple[float, float], days: Calendar, found: Part) -
     return None if found.is_point else Wall(days, found.share(*share))
 
 
-@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", weight=0.3)
+@grammar.rule("days", "<share> the? <days>|<date>", "<share> <month>", "<share> the? <season>", weight=0.3)
 def share_of_days(share: tuple[float, float], days: Calendar | int) -> Calendar | None:
-    """Early next week, mid november."""
+    """Early next week, mid november, late winter."""
     whole = Fields(month=days) if isinstance(days, int) else days
-    return None if whole.grain is Unit.DAY else Share(*share, whole)
+    return None if whole.grain is Unit.DAY and not _is_season(whole) else Share(*share, whole)
+
+
+def _is_season(days: Calendar) -> bool:
+    return isinstance(days.of if isinstance(days, Deictic) else days, Season)
 
 
 @grammar.rule("days", "the week before <days>|<date>", weight=0.4)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
-from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint
 
@@ -27,7 +27,9 @@ def plain(goal: Goal) -> Said:
 
 @grammar.rule("said", "<preposition_at> the? <goal>", weight=0.1)
 def beside(preposition: Preposition, goal: Goal) -> Said | None:
-    """At six, on friday, around noon, sometime tomorrow."""
+    """At six, on friday, around noon, sometime tomorrow; but "for an hour beforehand" says how long."""
+    if preposition.name == "for" and isinstance(goal.time, Offset) and goal.time.anchor is None:
+        return None
     if isinstance(goal.time, TimeWord) and (
         preposition.name in {"in", "at", "on"} or goal.time.constraint is Constraint.EVERY
     ):
@@ -167,4 +169,8 @@ def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""
     if said.preposition is None or len(said.hedges) > 1 or hedge in {"less than", "more than", "some"}:
         return None
+    if hedge == "at most" and isinstance(said.time, Wall):
+        # "Up to tomorrow at seven" is a bound: "at most" is said of lengths.
+        return None
+
     return replace(said, hedges=(hedge, *said.hedges))

@@ -179,6 +179,15 @@ def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     return Said(goal.time, None, "at", goal.hedges, lasting=duration)
 
 
+@grammar.rule("said", "for|during|in|over the? last|final <duration> before|of the? <wall>", weight=1.2)
+def last_before(duration: Duration, wall: Wall) -> Said | None:
+    """For the last half hour before bedtime."""
+    if wall.bare or duration.until is not None:
+        return None
+    begins = Offset(replace(duration, hedges=()), -1, wall)
+    return Said(Range(begins, wall), Constraint.BETWEEN, "during", duration.hedges)
+
+
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
 def range_on_day(said: Said, wall: Wall) -> Said | None:
     """Between 3 and 5 on friday."""

@@ -1,17 +1,21 @@
 """Repetitions by lengths of time: "every twenty minutes", "daily", "twice a day", "three times this week"."""
 
+from dataclasses import replace
+
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Duration,
+    HourMark,
     Repeat,
     Rest,
+    Said,
     UnitWord,
     Wall,
 )
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -58,6 +62,40 @@ def at_intervals(duration: Duration) -> Repeat | None:
 def every_and_a_half(unit: UnitWord, fraction: float) -> Repeat:
     """Every hour and a half."""
     return of_unit(unit, 1 + fraction)
+
+
+@grammar.rule("mark of each hour", "the? top|start|beginning|end")
+def at_the_top() -> int:
+    """(at) the top (of every hour)."""
+    return 0
+
+
+@grammar.rule("mark of each hour", "the? bottom|middle")
+def at_the_bottom() -> int:
+    """(at) the bottom (of every hour)."""
+    return 30
+
+
+@grammar.rule("repeat", "at|on? <mark of each hour> of every|each hour", weight=0.6)
+def at_mark_of_every_hour(minute: int) -> Repeat:
+    """At the top of every hour."""
+    return replace(hourly(), starting=HourMark(minute))
+
+
+@grammar.rule(
+    "repeat", "at? <minutes of clock>|<bare minutes of clock> past|after every|each hour", weight=0.6
+)
+def past_every_hour(minutes: float) -> Repeat:
+    """At ten past every hour."""
+    return at_mark_of_every_hour(int(minutes))
+
+
+@grammar.rule(
+    "repeat", "at? <minutes of clock>|<bare minutes of clock> to|before every|each hour", weight=0.6
+)
+def to_every_hour(minutes: float) -> Repeat:
+    """At five to every hour."""
+    return at_mark_of_every_hour(60 - int(minutes))
 
 
 @grammar.rule("repeat", "every|each other|second <unit>", "on|in? alternate <unit>", weight=0.1)
@@ -166,3 +204,13 @@ def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
     if number == 1 or timed:
         return None
     return Repeat(times=number, starting=within, until=within)
+
+
+@grammar.rule("said", "for? <duration> a|an|per|every|each <unit>", weight=0.6)
+def so_long_each(duration: Duration, unit: UnitWord) -> Said | None:
+    """For twenty minutes a day: each day, and how long."""
+    longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SMALL
+    if not longer or len(unit.form) == 1 or duration.indefinite:
+        return None
+    lasting = replace(duration, hedges=())
+    return Said(of_unit(unit), Constraint.EVERY, "for", duration.hedges, lasting=lasting)

@@ -19,6 +19,14 @@ SAYING = frozenset(["is", "are", "was", "will", "starts", "begins", "ends", "fin
 NAMED = frozenset({"the", "a", "an", "my", "your", "our", "their"})
 """Words behind which a preposition is the name of a thing: "lock the till at six"."""
 
+PREPOSITIONS = frozenset(
+    {"at", "in", "during", "through", "throughout", "over", "all", "from", "until", "till"}
+)
+"""Words behind which "on" belongs to the verb: "leave it on through the night"."""
+
+BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
+"""Words behind which "late" says how somebody is."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -47,6 +55,7 @@ class Borders:
             or self._counts_from_that(piece)
             or self._begins_another(piece)
             or self._is_named(piece)
+            or self._says_how(piece)
         )
 
     def runs_on(self, piece: Piece) -> bool:
@@ -57,6 +66,9 @@ class Borders:
                 # "A day's work"
                 return True
             last = self.words[piece.end - 1]
+            if word.text == "'" and word.glued and last.text.endswith("s") and self._owns(piece.end + 1):
+                # "With ninety seconds' rest"
+                return True
             if last.text == "'" and word.glued and word.is_letters:
                 # "Bed 4's"
                 return True
@@ -78,6 +90,16 @@ class Borders:
         return (
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
         )
+
+    def _owns(self, place: int) -> bool:
+        """Whether what belongs to a time stands at a place: "two hours' work"; but "in two hours' time"."""
+        behind = self.words[place : place + 1]
+        return bool(behind) and behind[0].is_letters and not behind[0].glued and behind[0].text != "time"
+
+    def _says_how(self, piece: Piece) -> bool:
+        """Whether it begins with how somebody is: "don't be late tomorrow"."""
+        first = self.texts[piece.start]
+        return first in {"late", "early"} and self.around.before(piece) in BEING
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
@@ -118,7 +140,7 @@ class Borders:
             # "Shut them in at dusk"
             return True
         # "Put the washing on first"
-        return first == "on" and (rest[:1] in (["at"], ["in"], ["during"]) or rest == ["first"])
+        return first == "on" and (bool(PREPOSITIONS & {*rest[:1]}) or rest == ["first"])
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

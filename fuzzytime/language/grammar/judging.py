@@ -2,14 +2,16 @@
 
 from collections.abc import Sequence
 
-from fuzzytime.language.grammar.borders import COMPARING, Borders
+from fuzzytime.language.grammar.borders import Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.lengths import Lengths
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
-from fuzzytime.language.grammar.walls import Walls
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, SINGLE, Surroundings
+from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
@@ -18,19 +20,21 @@ from fuzzytime.language.meaning.expressions import (
     Range,
     Repeat,
     Said,
+    Time,
     TimeWord,
     Wall,
 )
-from fuzzytime.requirement import Constraint, Unit
+
+HEDGING = frozenset(
+    ["at", "least", "most", "about", "around", "roughly", "nearly", "almost", "up", "to", "just", "over"]
+)
+"""Words between "for" and a length of time."""
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 BINDING = frozenset(
     {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
 )
 """First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
-
-ASKED = frozenset({"me", "us", "just"})
-"""Words before "a second" that make it no length of time."""
 
 OF_HOURS = frozenset(
     {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
@@ -42,18 +46,6 @@ LOOKING = frozenset(
     | {"as", "like", "from", "than"}
 )
 """Words behind which "after" and "before" are no time of what is done: "whom you look after", "as before"."""
-
-UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
-"""Words before a length of time that make it another thing than how long: "by ten minutes"."""
-
-HELPING = frozenset({"should", "will", "would", "may", "might", "must", "can", "to", "it'll", "that'll"})
-"""Verbs that help the one behind them."""
-
-SPENT = frozenset({"spend", "take"})
-"""Verbs that a length of time is the object of, with what is done in it: "spend an hour cleaning"."""
-
-SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
-"""Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
 
 class Judge:
@@ -68,6 +60,7 @@ class Judge:
         self.borders = Borders(words, lexicon, self.around)
         self.walls = Walls(words, lexicon, self.measures, self.around)
         self.lent = Lent(words, lexicon, self.around)
+        self.lengths = Lengths(words, lexicon, self.measures, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -75,11 +68,14 @@ class Judge:
         if self.borders.refuse(piece):
             return False
         time = said.time
+        if self._counts_from_thing(piece, time):
+            return False
         if self._is_whole(piece):
             return not lacks_unit(said) and self._accepts_alone(said)
         if lacks_unit(said):
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
+        number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if self.lent.seats(piece, time):
             return False
@@ -101,14 +97,17 @@ class Judge:
             # "Write for two hours before noon" says how long, and a bound.
             return False
         if isinstance(time, Duration):
-            return self._accepts_duration(piece, said, time)
+            return self.lengths.accept(piece, said, time)
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time
-        if isinstance(time, TimeWord) and self._begins_clause(piece):
+        if isinstance(time, TimeWord) and self.around.before(piece) in {"between", "from"}:
+            # "Between now and the concert"
+            return False
+        if isinstance(time, TimeWord) and (self._begins_clause(piece) or self._is_now_and_again(piece)):
             return False
         if isinstance(time, TimeWord) and self.texts[piece.start : piece.end] == ["then"]:
             # "Call me then"; "then call me" is a step behind another.
@@ -116,6 +115,9 @@ class Judge:
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
             # "Ten minutes in, add the garlic"
             return self.around.follower(piece) in {"", ",", "."}
+        if isinstance(time, Offset) and time.anchor is None and self._lasts(piece):
+            # "For an hour beforehand": that long, before what was said.
+            return False
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
             looks = self.around.before(piece) in LOOKING and isinstance(time, TimeWord)
@@ -138,21 +140,46 @@ class Judge:
             return said.preposition is not None or not self.around.describes(piece)
         return True
 
-    def _is_before_marker(self, place: int) -> bool:
-        return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None
+    def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
+        """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+        wall = time.anchor if isinstance(time, Offset) else time
+        days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+        if not isinstance(days, Fields) or days != Fields(day=days.day):
+            return False
+        ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals
+        return ordinal and any(map(self._is_counted, range(piece.start)))
 
-    def _is_ahead(self, place: int) -> bool:
-        """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
-        following = self.texts[place : place + 2]
-        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
-            return True
-        return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])
+    def _is_counted(self, place: int) -> bool:
+        """Whether an ordinal counts a thing: "the second row"."""
+        behind = self.texts[place + 1 : place + 2]
+        named = bool(behind) and behind[0].isalpha() and behind[0] not in self.lexicon.function_words
+        return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
 
     def _accepts_repeat(self, piece: Piece) -> bool:
+        if self.around.follower(piece) in {"before", "after"} and self.texts[piece.end - 2] in SINGLE:
+            # "Gate 22 an hour before take-off"
+            return False
+        if "to" in {piece.value.preposition, self.around.before(piece)}:
+            # "Hand over to nights"
+            return False
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in {"most", "some", "many", "few"}
         parted = any(wall.part is not None for wall in piece.value.time.walls)
         return not some and (parted or not self.measures.is_rate(piece))
+
+    def _lasts(self, piece: Piece) -> bool:
+        """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""
+        place = piece.start - 1
+        while place > 0 and self.texts[place] in HEDGING:
+            place -= 1
+        return place >= 0 and self.texts[place] == "for"
+
+    def _is_now_and_again(self, piece: Piece) -> bool:
+        """Whether "now and again" is two times: "now and again in six hours"."""
+        behind = self.texts[piece.end + 1 : piece.end + 2]
+        counted = self.measures.is_number(piece.end + 1) or behind in (["a"], ["an"], ["half"], ["about"])
+        again = self.texts[piece.end - 1] == "again" and self.around.follower(piece) in {"in", "at", "after"}
+        return again and counted
 
     def _begins_clause(self, piece: Piece) -> bool:
         """Whether it begins a clause: "now that it is hot", "whenever it rains"; not "do it whenever"."""
@@ -172,11 +199,24 @@ class Judge:
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
         found = [
-            p for p in numbers if p.value.time.bare and self.around.may_end(p) and not self.borders.runs_on(p)
+            p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.borders.runs_on(p)
         ][:1]
+        # "One tablet at eight and one at noon"
+        found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _is_number_for(self, piece: Piece) -> bool:
+        """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
+        place = piece.start + 1
+        behind = OF_CLOCKS & {*self.texts[place + 1 : place + 2]}
+        joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
+        return self.measures.is_number(place) and not joined and not self._is_sure(place)
+
+    def _is_sure(self, place: int) -> bool:
+        """Whether four digits are a clock time: "0815"."""
+        return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
 
     def _is_distance(self, piece: Piece) -> bool:
         """Whether it is so long before or after another time."""
@@ -211,62 +251,8 @@ class Judge:
     def _binds(self, piece: Piece) -> bool:
         # "No earlier than eight and no later than nine"
         first = self.texts[piece.start : piece.start + 3]
-        return bool(BINDING & set(first[:2])) or "than" in first
-
-    def _accepts_duration(self, piece: Piece, said: Said, duration: Duration) -> bool:
-        last = duration.until or duration
-        if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
-            # "For a minute less than the packet says"
-            return False
-        if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
-            # "By half an hour" is no hour.
-            return False
-        lasts = self.texts[piece.start - 1 : piece.start] == ["last"] and self._is_helped(piece.start - 1)
-        if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
-            # "Push the call back by thirty minutes", "through the eight minutes"
-            return False
-        if self._is_ahead(piece.end):
-            # "Confirm it 24 hours in advance": of what, is not said.
-            return False
-        quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
-        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
-            # A quarter of what, is not said: hardly of a year.
-            return False
-        if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):
-            return False
-        alone = duration.indefinite and said.preposition is None
-        if alone and self.measures.is_number(piece.start - 1) and not self._is_before_marker(piece.end):
-            # "Raise it to 20 an hour"
-            return False
-        asked = {self.around.before(piece), self.texts[piece.start]}
-        if last.ordinal_end and alone and ASKED & asked:
-            # "Give me a second"
-            return False
-        if last.ordinal_end or last.bare_end:
-            return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
-        if said.constraint is Constraint.FOR and said.preposition is None:
-            return self._accepts_length(piece)
-        return True
-
-    def _is_helped(self, place: int) -> bool:
-        """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
-        return place > 0 and self.texts[place - 1] in HELPING
-
-    def _is_counting(self, piece: Piece) -> bool:
-        """Whether a number without a unit counts units behind it: "in two business days"."""
-        return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
-
-    def _accepts_length(self, piece: Piece) -> bool:
-        """Whether a length of time without a preposition says how long something takes."""
-        # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
-        follower = self.around.follower(piece)
-        if follower == "of":
-            # "Do ten minutes of yoga"
-            return self.around.before(piece) in SPENDING
-        if self.around.before(piece) in SPENT:
-            # "Spend an hour cleaning", "take ten minutes to tidy up"
-            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
-        return follower in self.lexicon.lasting or self.around.may_end(piece)
+        sometime = piece.value.preposition == "between" and "between" in first
+        return bool(BINDING & set(first[:2])) or "than" in first or sometime
 
     def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
         if self.around.is_put_off(piece):
@@ -277,6 +263,9 @@ class Judge:
             return False
         if self.around.is_owned(piece):
             # "Move my three o'clock to five"
+            return False
+        if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
+            # "Reserve the blue one until friday"
             return False
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocked = isinstance(time.last, Wall) and time.last.clock is not None
@@ -292,3 +281,14 @@ class Judge:
             between = said.preposition == "between" and self._binds(piece)
             return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
+
+
+def _is_open(piece: Piece) -> bool:
+    """Whether it is a number alone, or two that a full stop joins: "12.30"."""
+    clock = piece.value.time.clock
+    return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
+
+
+def _is_clocked(piece: Piece) -> bool:
+    """Whether it is a time of day."""
+    return isinstance(piece.value.time, Wall) and piece.value.time.clock is not None

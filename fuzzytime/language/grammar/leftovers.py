@@ -27,13 +27,14 @@ SHORTEST = 3
 def leftovers(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> list[Remark]:
     """Give a remark for each stretch that looks like time and was not understood."""
     return [
-        Remark(
-            RemarkKind.NOT_UNDERSTOOD,
-            span,
-            f"{scanned.text[span[0] : span[1]]!r} looks like a time and was not understood",
-        )
+        Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(scanned.text, span))
         for span in _joined(scanned, sorted(set(_looking(scanned, explained, lexicon))))
     ]
+
+
+def not_understood(text: str, span: Span) -> str:
+    """Say that a stretch of a text looks like a time and is none that is known."""
+    return f"{text[slice(*span)]!r} looks like a time and was not understood"
 
 
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:

@@ -143,6 +143,7 @@ class Lexicon:
     events: frozenset[str]
     addressing: frozenset[str]
     landmarks: frozenset[str]
+    travelling: frozenset[str]
     impersonal: frozenset[str]
     measure_verbs: frozenset[str]
     measure_nouns: frozenset[str]

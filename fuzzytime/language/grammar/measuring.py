@@ -33,6 +33,9 @@ NEAR = 8
 REACHING = frozenset({"to", "and", "-"})
 """What joins the numbers of things."""
 
+AGAIN = frozenset({"every", "each", "on"})
+"""First words of a repetition that no number before it counts."""
+
 
 class Measures:
     """What is measured in a text."""
@@ -100,8 +103,9 @@ class Measures:
             first -= 2
         named = self.texts[first - 2 : first - 1] if first > 1 else []
         called = {text.removesuffix(end) for text in named for end in ("", "s")}
-        if self.is_number(piece.start - 1) and not (self.lexicon.measure_nouns & called):
-            # "Within two working days"; but "pick from bin 4 every ten seconds"
+        again = self.texts[first] in AGAIN
+        if self.is_number(piece.start - 1) and not again and not (self.lexicon.measure_nouns & called):
+            # "Within two working days"; but "pick from bin 4 daily", "take 2 every four hours"
             return True
         before = self.texts[piece.start - 1 : piece.start] if piece.start else []
         if "to" in {*before, self.texts[piece.start]}:

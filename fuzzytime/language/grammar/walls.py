@@ -45,7 +45,8 @@ class Walls:
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
-        if self._is_thing(piece) or self._is_part_of_noun(piece, said, wall):
+        counted = self._is_counted_part(piece, wall)
+        if counted or self._is_thing(piece) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
@@ -212,6 +213,11 @@ class Walls:
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
+
+    def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
+        """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
+        dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
+        return dated and wall.part is not None and self._is_ordinal(piece.end - 2)
 
     def _is_ordinal(self, place: int) -> bool:
         return self.texts[place] in self.lexicon.ordinals

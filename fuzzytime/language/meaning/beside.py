@@ -4,7 +4,9 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.instants import halved
+from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.relations import narrowed, same_day
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
@@ -57,10 +59,10 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     if clock is not None and part is not None and clock.full_day and not part.is_near(clock.seconds):
         # "At sunup, noon and sundown" are three.
         return None
+    if days is not None and days.grain in LONG and (clock is not None or part is not None):
+        # "Call April at five", "on a clear night in May"
+        return None
     if clock is not None:
-        if days is not None and days.grain in LONG:
-            # "Call April at five"
-            return None
         clock = replace(clock, bare=False, pair=False)
     weak = first.weak and second.weak
     return Wall(days, part, clock, first.zone or second.zone, weak)
@@ -96,6 +98,9 @@ def refined(said: Said, wall: Wall) -> Said | None:
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
     days = wall.days
+    yearly = isinstance(days, Share) and isinstance(days.of, Season)
+    if yearly and len(repeat.walls) == 1 and repeat.walls[0].days == Cycle(Unit.YEAR) and repeat.skip == 1:
+        return days
     if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
         return None
     period = repeat.walls[0].days
@@ -155,6 +160,15 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
         return within_hours(repeat, time.first, time.last)
     if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
         return _on_side(repeat, time.clock, said.constraint)
+    if not repeat.walls and isinstance(time, Wall) and time.clock is None and said.constraint in MOMENTS:
+        # "Every two hours tonight"
+        return replace(repeat, starting=time, until=time)
+    part = time.part if isinstance(time, Wall) and time.days is None and repeat.walls else None
+    if part is not None and said.constraint in {Constraint.BEFORE, Constraint.AFTER}:
+        # "Before school on tuesdays"
+        before = said.constraint is Constraint.BEFORE
+        hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
+        return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
     if said.constraint is Constraint.BEFORE:
         return replace(repeat, until=time)
     if said.preposition == "starting":

@@ -1,11 +1,12 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from datetime import date, datetime, time, timedelta
+from datetime import date, datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
+from fuzzytime.language.meaning.chosen_clocks import before_due, decided
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -26,21 +27,7 @@ from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
-FOLLOWING = timedelta(hours=6)
-"""How long after a clock time the next one of a text, without am or pm, hardly is before it."""
-
-CLOSE = timedelta(hours=3)
-"""The same where another text said that clock time, as lines need not be in the order of the day."""
-
-EVENING = time(19)
-"""From here on, what lines say goes on into the night."""
-
-NIGHT = time(21)
-OVERNIGHT = timedelta(hours=5)
-"""What lines say from then on may lie behind midnight, so long after."""
-
-EARLY = time(4)
-"""From here on, who speaks is up early, not late."""
+HOUR = timedelta(hours=1)
 
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
@@ -68,6 +55,8 @@ class Grounding:
         Whether another text said it.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
+    due : datetime, optional
+        When that happens which is to be prepared.
     """
 
     now: datetime
@@ -78,6 +67,7 @@ class Grounding:
     follows: bool = False
     carried: bool = False
     ends: bool = False
+    due: datetime | None = None
 
     @property
     def today(self) -> Today:
@@ -120,6 +110,8 @@ class Grounding:
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
+            if self.due is not None and said.open and self.due - HOUR > self.now:
+                begun = self.due - HOUR
             moment = begun.replace(minute=said.minute, second=0, microsecond=0)
             moment += timedelta(hours=moment <= begun)
             return Instants(moment, moment, Unit.MINUTE)
@@ -186,7 +178,7 @@ class Grounding:
             return self._clock_on(wall, wall.days, wall.clock)
         days = self._chosen_day(wall.days, wall.part)
         if wall.part is not None:
-            return part_on(days.first, wall.part)
+            return part_on(days.first, wall.part, self.policy.ahead_from)
         return Instants(midnight(days.first), midnight(days.end), wall.days.grain)
 
     def _chosen_day(self, calendar: Calendar, part: Part | None) -> Days:
@@ -203,60 +195,12 @@ class Grounding:
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
-        return self._decided(moments, clock, wall)
+        return decided(self, before_due(self, clock) or moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)
         ahead = moment > self.now or (moment == self.now and not self.ends)
         return moment if ahead else moment + timedelta(days=1)
-
-    def _decided(self, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
-        named = wall.days is not None
-        plausible = [moment for moment in moments if self._is_plausible(moment, ahead=named)]
-        chosen = (plausible or moments)[0]
-        if self.since is not None and self._is_late(moments):
-            # "The interval is at 20:35", "strike the set at ten": that evening, however late.
-            chosen = next(moment for moment in moments if self.since < moment)
-        elif self.since is not None and chosen < self.since:
-            # "Open it at eight and close it at nine": the nine that follows.
-            # Of "at eight, twelve and five", none is at night only because another is in the evening.
-            known = plausible if self.listed or self.carried else moments
-            within = CLOSE if self.carried else FOLLOWING
-            follows = [moment for moment in known if self.since < moment <= self.since + within]
-            if wall.days is not None and not self.carried:
-                # "On friday mow at ten and rake at six": the six of that day that follows, however late.
-                follows += [moment for moment in plausible if self.since < moment]
-            chosen = next(iter(follows), chosen)
-        choices = tuple(moments) if len(moments) > 1 else ()
-        return Instants(chosen, chosen, clock.grain, choices, wall.zone)
-
-    def _is_late(self, moments: Sequence[datetime]) -> bool:
-        """Whether one of some moments follows what was said of an evening on a line before."""
-        if self.since is None or not self.carried or self.since.time() < EVENING:
-            return False
-        if self.since.time() >= NIGHT:
-            # Who drains it at 22:00 puts it back by 1:30 that night.
-            return any(self.since < moment <= self.since + OVERNIGHT for moment in moments)
-        close = self.since + CLOSE
-        return any(self.since < moment <= close and moment.date() == self.since.date() for moment in moments)
-
-    def _is_plausible(self, moment: datetime, *, ahead: bool) -> bool:
-        """Whether people are up, for as long as what is asked for is said to last.
-
-        On a day to come that is named they may be up earlier.
-        """
-        first, last = self.policy.plausible_from, self.policy.plausible_to
-        if EARLY <= self.now.time() < first <= last and moment.date() == self.now.date():
-            # Who speaks at five is up at half past.
-            first = self.now.time()
-        if ahead and moment.date() > self.now.date():
-            first = min(first, self.policy.ahead_from)
-        if first > last:
-            return moment.time() >= first or moment.time() < last
-        end = moment + timedelta(seconds=self.lasting)
-        return first <= moment.time() < last and (
-            not self.lasting or (end.date() == moment.date() and end.time() <= last)
-        )
 
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
         night = wall.part is not None and wall.part.half is Half.NIGHT
@@ -276,7 +220,7 @@ class Grounding:
                 moments = [moment + timedelta(days=1) for moment in moments]
             if days.first == self.now.date() and ahead:
                 moments = ahead
-            return self._decided(sorted(moments), clock, wall)
+            return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
 
     def _of_night(self, moment: datetime, day: date) -> datetime:

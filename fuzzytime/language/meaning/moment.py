@@ -16,7 +16,8 @@ class Moment:
 
     ``since`` is the time in seconds that was said before in the same text, ``listed`` whether for the same
     thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it, ``carried``
-    whether another text said it, given at the same time: the line before.
+    whether another text said it, given at the same time: the line before. ``due`` is when in seconds that
+    happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     """
 
     now: datetime | None
@@ -25,6 +26,7 @@ class Moment:
     listed: bool = False
     follows: bool = False
     carried: bool = False
+    due: float | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -47,6 +49,7 @@ class Moment:
             listed=self.listed,
             follows=self.follows,
             carried=self.carried,
+            due=None if self.due is None else here + timedelta(seconds=self.due),
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

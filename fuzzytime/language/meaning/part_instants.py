@@ -1,15 +1,18 @@
 """From when to when a part of the day is: "tonight", "in the morning"."""
 
-from datetime import date, datetime, timedelta
+from datetime import date, datetime, time, timedelta
 
 from fuzzytime.language.meaning.instants import Instants, midnight
-from fuzzytime.language.meaning.times_of_day import NOON, Part
+from fuzzytime.language.meaning.times_of_day import NOON, WHOLE_DAY, Part
 from fuzzytime.requirement import Unit
 
 
-def part_on(day: date, part: Part) -> Instants:
-    """Give a part of a day."""
+def part_on(day: date, part: Part, waking: time | None = None) -> Instants:
+    """Give a part of a day; the first part of a whole one begins when people are ``waking``."""
     start = midnight(day) + timedelta(seconds=part.start)
+    if waking is not None and part.name == WHOLE_DAY and not part.start:
+        # "First thing tomorrow"
+        start = datetime.combine(day, waking)
     return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
 
 

@@ -39,6 +39,12 @@ def range_instants(clock: "Grounding", said: Range) -> Instants:
     end = clock.instants(last)
     if isinstance(last, TimeWord) and _clocked(first) and start.start > end.start:
         return _since(clock, start)
+    clock_end = last.clock if isinstance(last, Wall) and last.days is None else None
+    if clock_end is not None and clock_end.is_open and clock_end.half is None:
+        # "From sunset until eleven": the next one, however late.
+        ends = (midnight(start.start.date()) + timedelta(seconds=s) for s in clock_end.candidates())
+        nearest = min(moment + timedelta(days=moment <= start.start) for moment in ends)
+        return Instants(start.start, nearest, start.grain)
     if end.start < start.start and isinstance(last, Wall):
         end = _after(clock, start.start).instants(last)
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
@@ -106,7 +112,8 @@ def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
         raise UngroundedError("a range of clock times must have two")
     if first.part is not None:
         start_clock = halved(start_clock, first.part.half)
-    if last.part is not None:
+    if last.part is not None and not (last.part == first.part and last.part.half is Half.NIGHT):
+        # "Overnight from ten until six": what begins at night may end in the morning.
         end_clock = halved(end_clock, last.part.half)
     known_end = not end_clock.is_open
     if start_clock.is_open and known_end:

@@ -173,10 +173,12 @@ class CalendarRecurrence:
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         policy = self.moment.policy
-        return clock.first_from(policy.workday_from if self._is_of_workdays() else policy.plausible_from)
+        early = self._is_of_workdays(wall)
+        return clock.first_from(policy.workday_from if early else policy.plausible_from)
 
-    def _is_of_workdays(self) -> bool:
-        return {wall.days for wall in self.walls} == WORKDAYS
+    def _is_of_workdays(self, wall: Wall) -> bool:
+        """Whether a clock time is that of all workdays: "at six on weekdays and at eight at weekends"."""
+        return {other.days for other in self.walls if other.clock == wall.clock} == WORKDAYS
 
 
 def _series(days: Calendar | None) -> Calendar:

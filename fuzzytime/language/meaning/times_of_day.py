@@ -7,6 +7,9 @@ from enum import StrEnum
 from fuzzytime.requirement import Unit
 
 DAY_SECONDS = 86400
+WHOLE_DAY = "day"
+"""The name of a whole day, of which "first thing" is a part."""
+
 NOON = DAY_SECONDS // 2
 DAY_HOURS = 24
 """A number beyond it is no hour."""

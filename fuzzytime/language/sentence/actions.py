@@ -15,6 +15,7 @@ PRESENT = frozenset({"VBZ", "VBP"})
 ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
+GOING_AND = frozenset({"go", "come", "try", "hurry"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
@@ -51,6 +52,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if root is None:
         return None
     negated = _is_negated(tree, root)
+    root = gone_to_do(tree, root) or root
     reference: Reference | None = None
     for _ in range(4):
         lemma = tree.nodes[root].lemma
@@ -60,6 +62,9 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             root = assured
             continue
         below = _complement(tree, root, lemma)
+        if below is not None and is_numbered_place(tree, below, lexicon):
+            # "Get to gate 22"
+            break
         if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
             break
         if lemma in lexicon.forgetting:
@@ -83,6 +88,15 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
+
+
+def gone_to_do(tree: Tree, place: int) -> int | None:
+    """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
+    verb = place + 2
+    if tree.nodes[place].lemma not in GOING_AND or verb >= len(tree.nodes):
+        return None
+    joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
+    return verb if joined and tree.nodes[verb].tag == "VB" else None
 
 
 def _governing(tree: Tree) -> int | None:
@@ -122,7 +136,8 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
         return False
     is_so = node.lemma in COPULAS and node.tag in PRESENT and not helping
     goes_on = node.tag == "VBG" and bool(helping) and helping <= ARE
-    return is_so or (goes_on and _complement(tree, verb, node.lemma) is None)
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= ARE
+    return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
 def _order_before(tree: Tree, root: int) -> int:
@@ -185,6 +200,14 @@ def _complement(tree: Tree, place: int, lemma: str) -> int | None:
         if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
             return below
     return None
+
+
+def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    known = lexicon.machines | lexicon.measure_nouns
+    led = any(tree.nodes[p].lower == "to" for p in tree.children(place, "aux"))
+    return counted and led and tree.nodes[place].lower in known
 
 
 def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BEGINNING,
@@ -23,12 +24,6 @@ from fuzzytime.language.sentence.references import (
     waits_for,
 )
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
-
-FIRST = frozenset({"before", "until", "by the time"})
-"""Clauses whose instruction comes first."""
-
-BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
-"""Clauses that are neither before nor after alone."""
 
 AT_THE_END = "at the end"
 """The time word that is about the end of what goes on."""
@@ -201,7 +196,9 @@ class Anchors:
             lag += clause.takes.seconds
         edge = Edge.START if before or together or clause.kind == "into" else Edge.END
         edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
-        if (clause.object or "").lower() in END or self._is_done_soon(clause):
+        if clause.edge is not None:
+            edge = clause.edge
+        elif (clause.object or "").lower() in END or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
@@ -215,13 +212,13 @@ class Anchors:
             lag=lag,
             exact=clause.kind == HALFWAY
             or clause.beside is not None
-            or (distance is not None and clause.kind != "within"),
+            or (distance is not None and clause.kind != "within" and clause.side is None),
             share=0.5 if clause.kind == HALFWAY else None,
         )
         return TimeRequirement(
             text=text,
             span=clause.span,
-            constraint=BINDING.get(clause.kind, Constraint.BEFORE if before else Constraint.AFTER),
+            constraint=side_of(clause),
             preposition=clause.marker,
             fuzziness=(clause.beside,) if clause.beside else () if distance is None else distance.hedges,
             number=None if distance is None else distance.number,

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase
-from fuzzytime.requirement import Condition, Reference
+from fuzzytime.requirement import Condition, Constraint, Edge, Reference
 
 GETTING = frozenset({"get", "be"})
 THERE = frozenset({"here", "there", "in", "back", "home"})
@@ -19,6 +19,8 @@ class Clause:
     when not to do something: "but not during her nap". ``takes`` is how long it takes until it is so,
     where an aside says that. ``beside`` is the hedge that puts it right beside: "just before we leave".
     ``reference`` is which moment of what is to be done it is about: "have it ready when they come".
+    ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on which side of its
+    distance something must be: "no earlier than an hour after lunch".
     """
 
     kind: str
@@ -35,6 +37,8 @@ class Clause:
     takes: Duration | None = None
     beside: str | None = None
     reference: Reference | None = None
+    edge: Edge | None = None
+    side: Constraint | None = None
 
     @property
     def is_there(self) -> bool:

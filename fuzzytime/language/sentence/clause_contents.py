@@ -41,7 +41,7 @@ class Contents:
     def told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Give a clause with what it says: that something is done, or so, or an event."""
         said = self.tree.text[slice(*clause.span)]
-        verb = self._verb(nodes)
+        verb = self._verb(clause, nodes)
         if verb is not None:
             done = self._finished(verb, nodes)
             return replace(
@@ -60,9 +60,9 @@ class Contents:
                 return replace(clause, condition=condition)
         return self.event(clause, nodes)
 
-    def _verb(self, nodes: Sequence[int]) -> int | None:
+    def _verb(self, clause: Clause, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""
-        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, nodes)]
+        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, clause, nodes)]
         if not verbs:
             return None
         inside = set(nodes)
@@ -78,7 +78,7 @@ class Contents:
         )
         return next(below, verb)
 
-    def _describes(self, place: int, nodes: Sequence[int]) -> bool:
+    def _describes(self, place: int, clause: Clause, nodes: Sequence[int]) -> bool:
         """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""
         node = self.tree.nodes[place]
         if node.relation in {"relcl", "acl"}:
@@ -86,7 +86,15 @@ class Contents:
         if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
             # "Remind me the day before the exam to print my notes"
             return True
+        led = clause.kind in NAMING and self.tree.nodes[nodes[0]].tag.startswith(("NN", *DETERMINERS))
+        if led and place != nodes[0] and any(self.tree.nodes[p].lower == "to" for p in self._before(place)):
+            # "Stay behind after class to tidy up"
+            return not self.tree.children(place, "nsubj")
         return node.relation in {"aux", "auxpass", "amod", "compound"}
+
+    def _before(self, place: int) -> list[int]:
+        """Give the verbs that help one, and its "to"."""
+        return [p for p in self.tree.children(place, "aux") if p < place]
 
     def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
         inside = set(nodes)
@@ -105,7 +113,8 @@ class Contents:
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
         together = clause.kind == "while" and clause.marker not in CONJUNCTIONS
-        if not (together or clause.kind in NAMING) or not self.tree.nodes[nodes[-1]].tag:
+        named = clause.edge is not None or clause.kind in NAMING or clause.marker == "by"
+        if not (together or named) or not self.tree.nodes[nodes[-1]].tag:
             return None
         head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
         if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):

@@ -6,14 +6,25 @@ from dataclasses import replace
 from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
+from fuzzytime.language.sentence.clause_sides import sided
 from fuzzytime.language.sentence.conditions import BE, IF
+from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Edge
 
 BEFORE = "before"
 OTHER = frozenset({"the", "another"})
@@ -58,7 +69,12 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
+        if form is not None and is_length(form, words, place):
+            # "Rest it for half as long as you cooked it"
+            place += len(form)
+            continue
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
+        form = form or reader.edged(place)
         clause = None if form is None else reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -105,16 +121,38 @@ class _Clauses:
         leads = place == 0 and node is not None and node.lower == IF != word.text
         return (word.text,) if leads and word.text in INVERTING else None
 
+    def edged(self, place: int) -> tuple[str, ...] | None:
+        """Give the "by" of "by the end of the lesson" as what begins a clause."""
+        text = self.words[place].text
+        known = text in OF_EDGES and place not in self.covered
+        if (
+            known
+            and text == "by"
+            and is_event(self.words, place + 1, self._end(place + 1), self.covered, self.lexicon)
+        ):
+            # "By kick-off", "by knocking-off time"
+            return BY
+        return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
+
+    def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
+        """Give the kind of the clause that a marker begins."""
+        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
+        if edge is not None:
+            return OF_EDGES.get(form[0], {}).get(edge, kind)
+        if bound is not None:
+            return "within"
+        return "by the time" if form == BY else kind
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
         bound = self._bound(place) if form in WITHIN else None
-        if bound is not None:
-            kind = "within"
-        first = place + len(form)
+        edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
         if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
             # "One after the other"
             return None
+        kind = self._kind(form, bound, edge)
+        if edge is None and bound is not None and isinstance(bound.said.time, Coming):
+            edge = Edge.START
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
@@ -128,10 +166,11 @@ class _Clauses:
             return None
         start = self.words[place].start
         distance = bound or self._distance(place)
-        duration = None
+        duration, side = None, None
         if distance is not None:
+            side, distance = sided(distance, self.words, self.lexicon)
             start, time_before = distance.span[0], distance.said.time
-            if isinstance(time_before, Offset):
+            if isinstance(time_before, (Offset, Coming)):
                 time_before = time_before.duration
             if isinstance(time_before, Duration):
                 hedges = (*distance.said.hedges, *time_before.hedges)
@@ -140,17 +179,21 @@ class _Clauses:
             return None
         clause = Clause(
             kind=kind,
-            marker=" ".join(form) if bound is None else kind,
+            marker=" ".join(form) if bound is None else bound.said.preposition or kind,
             span=(start, content[1]),
             content=content,
             distance=duration,
             beside=self._beside(form) if kind == BEFORE else None,
+            edge=edge,
+            side=side,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event if event is None else replace(event, time=named)
-        found = self._denied(self.contents.told(clause, nodes), place)
+        named_event = edge is not None or form == BY
+        told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
+        found = self._denied(told, place)
         happens = found is not None and (_happens(found) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and happens)
         if found is None or time is None or not eventful or not _dates(time, duration):
@@ -222,7 +265,7 @@ class _Clauses:
     def _bound(self, place: int) -> Phrase | None:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
-        return next((p for p in found if p.said.preposition == "within" and not _is_dated(p)), None)
+        return next((p for p in found if _counts_within(p)), None)
 
     def _whole_unit(self, place: int) -> Phrase | None:
         """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
@@ -240,6 +283,12 @@ class _Clauses:
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
         return place >= 0 and self.words[place].text in self.lexicon.lasting
+
+
+def _counts_within(phrase: Phrase) -> bool:
+    """Whether it is so long from what is named behind it: "within an hour of", "for the first hour of"."""
+    first = isinstance(phrase.said.time, Coming) and phrase.said.time.direction > 0
+    return first or (phrase.said.preposition == "within" and not _is_dated(phrase))
 
 
 def _is_dated(phrase: Phrase) -> bool:

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable
 
-from fuzzytime.language.meaning.grounding import FOLLOWING
+from fuzzytime.language.meaning.chosen_clocks import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.contradictions import SAID_WHEN
 from fuzzytime.requirement import Constraint, TimeRequirement

@@ -21,6 +21,7 @@ from fuzzytime.language.instruction import (
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
@@ -110,11 +111,12 @@ class _Composer:
                 words = self.draft.scanned.words
                 self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
             operations.append(sketches[place].operation)
-        instructions = []
+        instructions: list[Instruction] = []
         for place, sketch in enumerate(sketches):
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
-            self.moment = replace(self.moment, listed=listed, follows=follows)
+            due = self._due(sketches[:place], sketch, instructions)
+            self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
             instructions.append(self._instruction(sketch, self.first + place, operations))
         if not sketches:
             instructions += map(self._told_alone, self.draft.asides[:1])
@@ -148,6 +150,20 @@ class _Composer:
             way=seconds if aside.way else None,
         )
 
+    def _due(
+        self, before: Sequence[Sketch], sketch: Sketch, instructions: Sequence[Instruction]
+    ) -> float | None:
+        """Give when that happens which an instruction prepares: "it leaves at 8:05, so be there by 8"."""
+        words = self.draft.text[: sketch.part.segment.span[0]].lower().split()
+        if not before or words[-1:] != ["so"] or before[-1].operation is None:
+            return None
+        if not before[-1].operation.stated:
+            return None
+        said = [requirement.earliest for requirement in instructions[-1].requirements]
+        repeats = instructions[-1].repeats
+        said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
+        return next((seconds for seconds in said if seconds is not None), None)
+
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
         """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
         operation = sketch.operation
@@ -170,7 +186,9 @@ class _Composer:
         for sketch in sketches:
             if sketch.operation is not None:
                 text, part = self.draft.text, sketch.part
-                found += unused_words(text, part, sketch.operation, [*told, *sketch.heard], self.lexicon)
+                found += unused_words(
+                    text, part, sketch.operation, [*told, *sketch.heard, *sketch.joints], self.lexicon
+                )
         return found
 
     def _doubts(self, sketch: Sketch) -> list[Remark]:
@@ -238,6 +256,7 @@ class _Composer:
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks
+        self.explained += [remark.span for remark in sketch.remarks]
         return Instruction(
             span=segment.span,
             operation=operation,

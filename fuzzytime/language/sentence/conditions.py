@@ -84,7 +84,9 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
 
 def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
-    *before, last = (tree.nodes[p] for p in nodes)
+    # "Every time the doorbell rings after dark"
+    end = next((position for position, p in enumerate(nodes) if position and tree.nodes[p].tag == "IN"), None)
+    *before, last = (tree.nodes[p] for p in nodes[:end])
     named = [node.lower for node in before if node.tag not in DETERMINERS]
     bare = named and last.tag in {"NN", "JJ"} and last.may_act
     if bare and (before[-1].tag == "NNS" or text.lower().startswith(IF)):

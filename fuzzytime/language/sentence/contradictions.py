@@ -17,9 +17,9 @@ def contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]:
     said = [r for r in requirements if r.constraint in BINDING and r.anchor is None]
     for place, other in enumerate(said):
         for first in said[:place]:
-            moments = {first.constraint, other.constraint} <= SAID_WHEN
-            bounds = {first.constraint, other.constraint} == {Constraint.BEFORE, Constraint.AFTER}
-            if (moments or bounds) and other.reference is first.reference and _is_apart(first, other):
+            sooner = Constraint.AFTER in {first.constraint, other.constraint} and (first.word or other.word)
+            # "As early as possible, but not before eight"
+            if not sooner and other.reference is first.reference and _is_apart(first, other):
                 message = f"{other.text!r} is another time than {first.text!r}, for the same thing to be done"
                 yield Remark(RemarkKind.NOT_UNDERSTOOD, other.span, message)
                 break

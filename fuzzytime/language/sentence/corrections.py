@@ -50,7 +50,9 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
             continue
         before = scanned.words[old.first - 1].text if old.first else ""
         between = [word.text for word in scanned.words[old.end : new.first]]
-        if between in ([",", "not"], ["and", "not"], ["not"], [",", "and", "not"]) and old in kept:
+        if between == ["instead"] and scanned.words[new.first].text == "of":
+            between = ["instead", "of"]
+        if _takes_back(between) and old in kept:
             # "On monday, not tuesday"; but "tomorrow, not before ten" is one time.
             kept.remove(new)
             span = (old.span[1], new.span[1])
@@ -67,6 +69,12 @@ def _contrasted(scanned: Scanned, phrases: Sequence[Phrase], remarks: list[Remar
     return kept
 
 
+def _takes_back(between: Sequence[str]) -> bool:
+    """Whether words between two times deny the second: "at six instead of at seven"."""
+    joint = [text for text in between if text not in {",", "and"}]
+    return joint in (["not"], ["instead", "of"], ["rather", "than"])
+
+
 def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Remark]:
     """Give what to say of a number alone that is denied behind a time: "at four, not three"."""
     texts, starts = [word.text for word in scanned.words], {phrase.first for phrase in phrases}
@@ -74,12 +82,12 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
         place = phrase.end + 2
         clock = phrase.said.time.clock if isinstance(phrase.said.time, Wall) else None
         denied = texts[phrase.end : place] in ([",", "not"], ["instead", "of"], ["rather", "than"])
-        if clock is None or not denied or place in starts:
+        if not denied or place in starts:
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
         # "At seven, not before"
         side = place < len(texts) and texts[place] in SIDES
-        if alone and (side or "integer" in scanned.cells[place]):
+        if alone and (side or (clock is not None and "integer" in scanned.cells[place])):
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"
             yield Remark(RemarkKind.CORRECTED, span, message)

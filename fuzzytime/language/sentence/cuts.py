@@ -118,6 +118,9 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
     objects = part.tree.children(root, "dobj") if root is not None else ()
     things = {part.tree.nodes[p].lower for p in objects}
+    places = part.tree.children(root, "prep") if root is not None else ()
+    # "Stop for a brew at ten and for lunch at noon"
+    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns(between, lexicon):
@@ -136,7 +139,8 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             or {old.said.constraint, new.said.constraint} <= MOMENTS
             or (isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING)
         )
-        named = between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
+        led = between[1].text in prepositions
+        named = led or between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
         if nouns and named and alike:
             found.append(between[1].start)
     return found

@@ -47,6 +47,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
             held = above
         named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
         told = sketch
         if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
             # "Sunday:", then "assemble the bed in the morning"
@@ -91,6 +92,18 @@ def _is_part(said: Said) -> bool:
     return isinstance(said.time, Wall) and said.time.days is None
 
 
+def _is_at_most(said: Said) -> bool:
+    """Whether it is a length of time that something takes no longer than."""
+    return isinstance(said.time, Duration) and said.preposition == "within"
+
+
+def _is_first_day(said: Said) -> bool:
+    """Whether it is a day from which on something holds: "from monday on sign in by ten to nine"."""
+    time = said.time
+    days = time.days if isinstance(time, Wall) and time.clock is None and time.part is None else None
+    return said.constraint is Constraint.AFTER and days is not None and days.grain is Unit.DAY
+
+
 def _is_open(said: Said, day: Said) -> bool:
     """Whether it is a time of day, or a weekday in the week that is said; not a second day."""
     time = said.time
@@ -112,6 +125,12 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
     day, phrases = sketch.phrases[place].said, list(sketch.phrases)
     repeated = [place]
     for other, phrase in enumerate(sketch.phrases):
+        if other != place and _is_at_most(phrase.said):
+            # "Run it in under 25 minutes on saturday"
+            hedges = ("at most", *phrase.said.hedges)
+            told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
+            phrases[other] = replace(phrase, said=told_length)
+            continue
         told = told_apart(phrase.said, day) if other != place and _is_open(phrase.said, day) else None
         if told is None:
             continue

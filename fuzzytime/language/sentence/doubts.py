@@ -24,6 +24,11 @@ DENIED = frozenset({"not", "now", "yet", "today", "and", "but", "please"})
 SHIFTING = frozenset({"bring", "put", "extend"})
 """Further verbs that give another time to what has one: "bring the meeting forward by an hour"."""
 
+WERE = frozenset({"was", "were"})
+NOBODY = frozenset({"nobody", "none", "nothing"})
+SPEAKING = frozenset({"i", "we", "you"})
+"""Subjects of past forms that ask: "I wondered whether you could", "you had better go"."""
+
 BY = frozenset({"by", "back", "forward"})
 COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
 """Words before a unit in a length of time."""
@@ -53,6 +58,12 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     if _shifts(said, lexicon):
         message = f"{text[slice(*span)]!r} is about when something else is: say the new time of that itself"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    told = _tells(tree, lexicon)
+    if told is not None:
+        yield Remark(
+            RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} tells {told}, and says nothing to do"
+        )
         return
     foreign = [tree.nodes[place].text for place in foreign_words(tree, lexicon)]
     if foreign:
@@ -107,6 +118,29 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
     if not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
+
+
+def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
+    """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
+    root = tree.root
+    if root is None:
+        return None
+    subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
+    denied = [p for p in subjects if tree.nodes[p].lower in NOBODY or _is_no_one(tree, p)]
+    if denied:
+        return "what nobody does"
+    node = tree.nodes[root]
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
+    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & WERE)
+    # "In no time the tent was up"
+    led = node.lower in WERE and root > 0
+    named = tree.nodes[subjects[0]].lower not in SPEAKING if subjects else led
+    return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
+
+
+def _is_no_one(tree: Tree, place: int) -> bool:
+    """Whether it is "no one"."""
+    return tree.nodes[place].lower == "one" and place > 0 and tree.nodes[place - 1].lower == "no"
 
 
 def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -28,6 +28,9 @@ CARRIERS = ("", "please ", "you should ")
 NAMING = "name"
 """The rule of a clock time that names an event."""
 
+LEAST_DONE = 3
+"""Words of "do ward 7"."""
+
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
 
@@ -159,7 +162,7 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
-    found = _uncapitalised(texts, trees)
+    found = [_as_done(tree, lexicon) for tree in _uncapitalised(texts, trees)]
     led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
     for place, tree in zip(led_astray, blanked, strict=True):
@@ -178,13 +181,30 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     found = [with_worker(tree, lexicon) for tree in found]
-    return [as_statement(tree, one.timed(tree)) for one, tree in zip(waiting, found, strict=True)]
+    travelling = lexicon.travelling
+    return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 
 
 def _without_root(tree: Tree) -> str:
     """Give the text of a tree with spaces for its root."""
     node = tree.nodes[tree.root or 0]
     return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
+
+
+def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "do ward 7" its verb, where what is called by a number was taken for it."""
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return tree
+    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
+        return tree
+    moved = [
+        replace(node, head=0) if node.head == 1 and place > LEAST_DONE else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
+    moved[2] = replace(moved[2], relation="nummod", head=1)
+    return Tree(tree.text, tuple(moved))
 
 
 def _as_order(tree: Tree) -> Tree:

@@ -17,6 +17,8 @@ PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
 
+FINITE = frozenset({"VBZ", "VBP", "VBD"})
+
 RECALLING = "remind"
 """Somebody is reminded at the only time that is said, whatever it is of."""
 
@@ -51,6 +53,11 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
         if nodes[place].lower == "that" and behind_whom and nodes[place + 1].tag.startswith(SAID):
             return place
+    for below in part.tree.children(action.place, "ccomp"):
+        # "Tell Sam the shop closes at six"
+        subjects = [p for p in part.tree.children(below, "nsubj") if action.place + 1 < p < below]
+        if subjects and nodes[below].tag in FINITE:
+            return min(part.tree.below(subjects[0]))
     return None
 
 

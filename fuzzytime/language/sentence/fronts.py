@@ -113,7 +113,7 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     root = tree.root
     if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
         return False
-    tree = as_statement(tree, frozenset(range(len(tree.nodes))))
+    tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
         return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))

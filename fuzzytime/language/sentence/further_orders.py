@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.sentence.actions import ARE
+from fuzzytime.language.sentence.actions import ARE, gone_to_do
 from fuzzytime.language.sentence.orders_beside_times import (
     IMPERATIVE,
     JOINTS,
@@ -88,15 +88,25 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> 
     node = tree.nodes[place]
     if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
         return None
-    if tree.children(place, *SUBJECTS, "aux", "mark"):
+    denied = _denied_from(tree, place)
+    if tree.children(place, *SUBJECTS, "mark") or (denied is None and tree.children(place, "aux")):
         return None
     if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
         # "Weld seam 3 at 11 and seam 4 at 12"
         return None
-    start = _behind_joint(tree, _behind_place(tree, place), timed)
+    start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
         return None
+    if gone_to_do(tree, root) == place:
+        return None
     return start if place > root or _leads(tree, place, root) else None
+
+
+def _denied_from(tree: Tree, place: int) -> int | None:
+    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
+    helping = tree.children(place, "aux")
+    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
+    return helping[0] if denied else None
 
 
 def _is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:

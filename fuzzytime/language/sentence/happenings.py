@@ -9,7 +9,7 @@ from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Constraint
 
-DOING = ("dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
+DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
 """What hangs on a verb, and on no noun."""
 
 NAMES = ("NN", "VBG", "CD")

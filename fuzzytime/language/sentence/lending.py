@@ -84,19 +84,30 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     if said_again is not None and said_again.lemma in REPEATING and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
         return before if (said_again.object or "it").lower() in REPEATED else None
-    if sketch.operation is not None:
+    if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
     if then and any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
-    thing = bool(part.tree.nodes) and part.tree.nodes[0].lower in ARTICLES
+    numbered = _is_next_numbered(before, sketch, lexicon)
+    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in ARTICLES or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    if rest and part.segment.verbless and before.object is None and before.place is not None:
+        # "Stop for a brew at ten and for lunch at noon"
+        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"
     given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is another of what the one before is about: "do ward 7, then ward 9"."""
+    first = sketch.part.tree.nodes[:2]
+    named = (before.object or "").lower().split()
+    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
 
 
 def _particle_alone(text: str, lexicon: Lexicon) -> str | None:

@@ -68,7 +68,8 @@ class Reader(Places):
         if subject is not None and (stated or direct is None):
             direct, complement = (
                 subject,
-                complement or (direct if others_do(self.tree, verb, frozenset(), self.lexicon) else None),
+                complement
+                or (direct if others_do(self.tree, verb, self._helping(verb), self.lexicon) else None),
             )
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
@@ -95,7 +96,9 @@ class Reader(Places):
         # "Until the end of the film": of what, belongs to the time.
         timed = {place for place in clause.result(self.tree) if self.timed(place)}
         words = [p for p in clause.result(self.tree) if timed.isdisjoint((p, *self.tree.above(p)))]
-        return [place for place in words if self.has_content(place, words)]
+        words = [place for place in words if self.has_content(place, words)]
+        # "Have it inspected every week and after each storm"
+        return words[:-1] if words and self.tree.nodes[words[-1]].tag == "CC" else words
 
     def _participle(self, verb: int) -> list[int]:
         """Give the participle behind "get", as in "get dressed"."""
@@ -115,8 +118,8 @@ class Reader(Places):
             return named
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
-            if self.tree.nodes[place - 1].tag == "CC":
-                # "To the gate and back"
+            if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
+                # "To the gate and back", "with a rest in between"
                 continue
             if (
                 verbs is None
@@ -131,6 +134,9 @@ class Reader(Places):
             if self._governs_nothing(place) or (stands_before and bare):
                 return place
         return None
+
+    def _is_between(self, place: int) -> bool:
+        return place + 1 < len(self.tree.nodes) and self.tree.nodes[place + 1].lower == "between"
 
     def _hangs_on(self, place: int, verb: int) -> bool:
         node = self.tree.nodes[place]
@@ -237,7 +243,11 @@ class Reader(Places):
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
         if self.tree.nodes[verb].lemma not in self.lexicon.addressing | {"get"}:
             return []
-        return [
+        # "Remind me every day for a week to call"
+        of_times = self.tree.children(verb, "prep", "npadvmod") if self.tree.children(verb, "dobj") else ()
+        below = [p for time in of_times if self.timed(time) for p in self.tree.below(time)]
+        aims = [p for p in below if self.has_to(p) and self.timed(self.tree.nodes[p].head)]
+        return aims or [
             place
             for place in self.tree.children(verb, "advcl")
             if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
@@ -290,6 +300,10 @@ class Reader(Places):
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
+    def _helping(self, verb: int) -> set[str]:
+        """Give the verbs that help one, and what denies it."""
+        return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
@@ -298,7 +312,7 @@ class Reader(Places):
         if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
             # "It's going to rain at four"
             return True
-        helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+        helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE

@@ -4,7 +4,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments import ARTICLES, ENDS
 from fuzzytime.language.sentence.tree import Tree
 
-JOINTS = frozenset({"and", ",", ";", "&", "then", "please", "also", "so"})
+JOINTS = frozenset({"and", "but", ",", ";", "&", "then", "please", "also", "so"})
 IMPERATIVE = frozenset({"VB", "VBP"})
 OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.sentence.actions import is_numbered_place
 from fuzzytime.language.sentence.wording import Wording
 
 SIDES = frozenset({"left", "right"})
@@ -59,9 +60,7 @@ class Places(Wording):
 
     def _is_numbered(self, place: int) -> bool:
         """Whether a verb with "to" is a place with a number: "take it to station 4"."""
-        counted = place + 1 < len(self.tree.nodes) and self.tree.nodes[place + 1].tag == "CD"
-        known = self.lexicon.machines | self.lexicon.measure_nouns
-        return self.tree.nodes[place].lower in known and self.has_to(place) and counted
+        return is_numbered_place(self.tree, place, self.lexicon)
 
     def _behind_times(self, verb: int) -> Iterator[int]:
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""

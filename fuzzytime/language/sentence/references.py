@@ -318,6 +318,8 @@ def resolved_object(
 def _may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "it" or "them" may stand for its object: a thing that is named, and no person."""
     named = operation.object is not None and operation.object.lower() not in PRONOUNS
+    # "It takes an hour to warm up"
+    named = named and not (operation.object or "").startswith("to ")
     return named and not _is_person(operation, lexicon)
 
 

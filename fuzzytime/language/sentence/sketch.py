@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.grammar.judging import SPENT
+from fuzzytime.language.grammar.leftovers import not_understood
+from fuzzytime.language.grammar.lengths import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
@@ -19,6 +20,7 @@ from fuzzytime.language.sentence.actions import Action, action_of, reference_of,
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
+from fuzzytime.language.sentence.deadlines_of_clauses import with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
@@ -26,6 +28,7 @@ from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
+from fuzzytime.requirement import Edge as EventEdge
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
@@ -49,7 +52,8 @@ class Sketch:
 
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
     ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
-    above, ``way`` is how long it takes to go there.
+    above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
+    others of the same thing.
     """
 
     part: Part
@@ -61,6 +65,7 @@ class Sketch:
     remarks: tuple[Remark, ...] = ()
     headed: tuple[Clause, ...] = ()
     way: Duration | None = None
+    joints: tuple[Span, ...] = ()
 
     @property
     def heard(self) -> list[Span]:
@@ -79,13 +84,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
     clauses: list[Clause] = []
     if part.front is not None:
-        leading = _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
-        clauses += [_with_deadline(clause, phrases, part.offset) for clause in leading]
+        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
+    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset)
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
+    coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
     excepted = [Remark(RemarkKind.NOT_UNDERSTOOD, span, _not_planned(draft, span)) for span in left_out]
+    # "The night before we fly"
+    excepted += [Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(draft.text, span)) for span in coarse]
     kept = [
         phrase
         for phrase in phrases
@@ -93,6 +101,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     ]
     clauses = [clause for clause in clauses if not clause.excepted]
     kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
+    kept += passed
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
     named = Sketch(
@@ -165,15 +174,6 @@ def _happening(
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 
 
-def _with_deadline(clause: Clause, phrases: Sequence[Phrase], main: int) -> Clause:
-    """Give a clause in front with the deadline that belongs to it: "unless I call before six, …"."""
-    for phrase in phrases:
-        behind = clause.span[1] < phrase.span[0] and phrase.span[1] <= main
-        if clause.kind == "if" and behind and phrase.said.constraint is Constraint.BEFORE:
-            return replace(clause, span=(clause.span[0], phrase.span[1]))
-    return clause
-
-
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
     """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
     if action is None:
@@ -196,7 +196,9 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
 def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
     constraint, preposition = BOUNDS[clause.kind]
-    said = replace(time.said, constraint=constraint, preposition=preposition, edge=Edge.START)
+    # "By close of school on Tuesday"
+    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker == "by" else Edge.START
+    said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)

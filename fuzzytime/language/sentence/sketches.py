@@ -16,11 +16,12 @@ from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.said_again import apart, done_again, with_shared_clock
 from fuzzytime.language.sentence.sketch import Sketch, sketch_of
 from fuzzytime.requirement import Constraint
 
-ADDED = frozenset({"and", "&", ",", "again", "once", "more", "also"})
-OFFERED = frozenset({"or"})
+ADDED = frozenset({"and", "&", ",", "also"})
+OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
 
 def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
@@ -28,11 +29,13 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    for offered in shared(within(sketches, draft.text), draft.text, lexicon):
+    told = shared(within(sketches, draft.text), draft.text, lexicon)
+    for offered in (one for sketch in told for one in done_again(sketch, draft.scanned.words)):
         whole, later = _first_offered(offered, draft.text)
         remarks += (_not_used(draft.text, span) for span in later)
         for phrases, dropped in _alternatives(draft, whole.phrases):
-            kept = [whole.phrases.index(phrase) for phrase in phrases]
+            spans = [phrase.span for phrase in whole.phrases]
+            kept = [spans.index(phrase.span) for phrase in phrases]
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
@@ -129,7 +132,8 @@ def _alternatives(
             rest = tuple(phrase for phrase in phrases if phrase not in group)
             if joints & OFFERED:
                 return [((*rest, group[0]), tuple(group[1:]))]
-            return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in group]
+            times = with_shared_clock(apart(group))
+            return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]
     return [(phrases, ())]
 
 

@@ -16,6 +16,10 @@ MODIFIERS = ("amod", "acl")
 GOVERNED = ("aux", "csubj")
 """How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""
 
+SETTING = frozenset({"set", "send"})
+GOING = frozenset({"go", "run", "roll", "move", "spin", "work"})
+"""What is set, and what it does then."""
+
 PREDICATES = frozenset({"VB", "VBP", "VBN", "VBD", "VBG", "JJ", "RB"})
 
 
@@ -39,9 +43,19 @@ class SmallClause:
 
 def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
     """Give the clause that a verb brings about, None where it has none."""
-    if tree.nodes[verb].lemma not in lexicon.causing | lexicon.letting:
+    if tree.nodes[verb].lemma not in lexicon.causing | lexicon.letting | SETTING:
         return None
+    if tree.nodes[verb].lemma in SETTING:
+        return _set_going(tree, verb)
     return next(_clauses(tree, verb), None)
+
+
+def _set_going(tree: Tree, verb: int) -> SmallClause | None:
+    """Give what is set going: "set the centrifuge going"."""
+    objects = [place for place in tree.children(verb, "dobj") if place > verb]
+    going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in GOING)
+    found = next((p for p in going if tree.nodes[p].tag == "VBG" and p - 1 in objects), None)
+    return None if found is None else SmallClause(objects[0], found)
 
 
 def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:

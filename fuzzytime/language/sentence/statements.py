@@ -4,6 +4,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.actions import ARE
 from fuzzytime.language.sentence.tree import Tree
 
 SUBJECTS = ("nsubj", "nsubjpass", "expl")
@@ -36,14 +37,15 @@ ASKED = frozenset({"you", "that", "which", "who", "what"})
 """Subjects of no statement of its own."""
 
 COUNTABLE = frozenset({"NN", "NNP"})
+NOUNS = frozenset({"NN", "NNP", "NNS"})
 
 
-def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
+def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str] = frozenset()) -> Tree:
     """Give the tree of "the train leaves at 8:40" its verb, which was taken for a plural: "train leaves".
 
-    ``timed`` are the words about time: one stands right behind the verb.
+    ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
-    tree = _with_phase(tree, timed)
+    tree = _with_phase(tree, timed, travelling)
     root = tree.root
     if root is None or root + 1 not in timed:
         return tree
@@ -68,11 +70,18 @@ def as_statement(tree: Tree, timed: AbstractSet[int]) -> Tree:
     return Tree(tree.text, tuple(nodes))
 
 
-def _with_phase(tree: Tree, timed: AbstractSet[int]) -> Tree:
+def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
+    """Whether a word is what something on its way does: "coach leaves at 8:15", but "rake leaves at nine"."""
+    known = 0 < place < len(tree.nodes) and tree.nodes[place - 1].lower in travelling
+    return known and tree.nodes[place].lower in PHASES
+
+
+def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
     """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
     root, nodes = tree.root, tree.nodes
-    found = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
-    verb = next(found, None)
+    sure = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
+    found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
+    verb = next(found, next(sure, None))
     if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in COUNTABLE:
         return tree
     if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
@@ -121,7 +130,8 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
         joined = end < root and tree.nodes[end].lower in JOINTS
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
         if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
-            return end + 1
+            # "The bus leaves at nine, so be there"
+            return end + 1 + (tree.nodes[end].lower != "so" and tree.nodes[end + 1].lower == "so")
     return None
 
 
@@ -172,7 +182,8 @@ def _is_statement(tree: Tree, place: int) -> bool:
     node = tree.nodes[place]
     if node.relation in SUBJECTS:
         return node.tag in {"VBZ", "NNS"} and _subject(tree, place) is not None
-    return node.tag in FINITE and bool(tree.children(place, *SUBJECTS))
+    taken = node.tag == "VBZ" and _subject(tree, place) is not None
+    return node.tag in FINITE and (taken or bool(tree.children(place, *SUBJECTS)))
 
 
 def _has_thing(tree: Tree, verb: int) -> bool:
@@ -189,10 +200,14 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
     if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
-    named = subjects[0].lower in (lexicon.persons | OTHERS) - ALL_OF_US
+    called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
+    named = bool(((lexicon.persons | OTHERS) - ALL_OF_US) & called)
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
+    if node.tag == "VBG" and helping <= ARE and subjects[0].tag in NOUNS:
+        # "Tom is washing the car at five"
+        return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
     return named and finite
 

@@ -13,9 +13,10 @@ from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.segments import Segment
+from fuzzytime.language.sentence.statements import leaves
 from fuzzytime.language.sentence.tree import Tree
 
-JOINT = re.compile(r"[\s,;&]*(\b(?:and|so)\b)?[\s,;&]*$", re.IGNORECASE)
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
 JOINING = (["and"], ["&"], ["then"], ["but"])
@@ -123,6 +124,7 @@ class Waiting:
         for position, place in enumerate(self.source.places(*self.segment.span)):
             before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
             leads = self.main == self.segment.span[0] if position == 0 else before[-1:] in JOINING
+            leads = leads and (position == 0 or words[place].start >= self.main)
             marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
             if marker is not None:
                 yield marker
@@ -192,6 +194,8 @@ class Waiting:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if self._phrases and happens(tree, self._phrases, lexicon):
             return may_be_ordered(tree)
+        if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
+            return False
         if not tree.nodes or is_doubtful(tree):
             return bool(tree.nodes)
         words, covered = self.source.scanned.words, self.source.covered
@@ -227,6 +231,14 @@ def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker
     return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
 
 
+def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
+    """Give the marker of a further clause in front, behind the comma of the one before it."""
+    words = source.scanned.words
+    place += words[place].text in {"and", "but", "or"} if place < end else 0
+    marker = _marker_at(source, place, words[end].start, lexicon) if place < end else None
+    return marker if marker is not None and marker.end < end else None
+
+
 def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     """Give where the words behind a clause in front begin; the segment's start where there is none.
 
@@ -239,5 +251,12 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end
-    comma = next((place for place in places if place >= behind and words[place].text == ","), None)
+    commas = [place for place in places if place >= behind and words[place].text == ","]
+    comma = next(iter(commas), None)
+    for following in commas[1:]:
+        # "After the museum, but before it gets dark, find a place to eat"
+        leads = None if comma is None else _second_marker(source, comma + 1, following, lexicon)
+        if leads is None:
+            break
+        comma = following
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

@@ -102,6 +102,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         measure_verbs=frozenset(form[0] for form in speech.words("measures", "verbs")),
         measure_nouns=frozenset(form[0] for form in speech.words("measures", "nouns")),
         landmarks=frozenset(form[0] for form in speech.words("landmarks")),
+        travelling=frozenset(form[0] for form in speech.words("travelling")),
         impersonal=frozenset(form[0] for form in speech.words("impersonal")),
         taken=frozenset(form[0] for form in speech.words("taken")),
         happening=frozenset(form[0] for form in speech.words("happening")),
@@ -130,7 +131,7 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
+    "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "conversation",
 )  # fmt: skip
 _CALENDAR = (

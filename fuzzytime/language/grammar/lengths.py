@@ -1,0 +1,106 @@
+"""Whether a length of time is one where it stands, and not a difference, a share or a distance."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.borders import COMPARING
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Said
+from fuzzytime.requirement import Constraint, Unit
+
+ASKED = frozenset({"me", "us", "just"})
+"""Words before "a second" that make it no length of time."""
+
+UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
+"""Words before a length of time that make it another thing than how long: "by ten minutes"."""
+
+HELPING = frozenset({"should", "will", "would", "may", "might", "must", "can", "to", "it'll", "that'll"})
+"""Verbs that help the one behind them."""
+
+SPENT = frozenset({"spend", "take"})
+"""Verbs that a length of time is the object of, with what is done in it: "spend an hour cleaning"."""
+
+SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
+"""Verbs that a length of time is the object of: "do ten minutes of yoga"."""
+
+
+class Lengths:
+    """What stands around lengths of time, and whether it makes one doubtful."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+        self.measures = measures
+        self.around = around
+
+    def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
+        """Whether a length of time is one here."""
+        last = duration.until or duration
+        if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
+            # "For a minute less than the packet says"
+            return False
+        if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
+            # "By half an hour" is no hour.
+            return False
+        lasts = self.texts[piece.start - 1 : piece.start] == ["last"] and self._is_helped(piece.start - 1)
+        if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
+            # "Push the call back by thirty minutes", "through the eight minutes"
+            return False
+        if said.preposition != "for" and self._is_ahead(piece.end):
+            # "Confirm it 24 hours in advance": of what, is not said.
+            return False
+        quarter = any(unit is Unit.QUARTER for _, unit in last.terms)
+        if quarter and (said.preposition is None or self.around.follower(piece) == "of"):
+            # A quarter of what, is not said: hardly of a year.
+            return False
+        if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):
+            return False
+        alone = duration.indefinite and said.preposition is None
+        if alone and self.measures.is_number(piece.start - 1) and not self._is_before_marker(piece.end):
+            # "Raise it to 20 an hour"
+            return False
+        asked = {self.around.before(piece), self.texts[piece.start]}
+        if last.ordinal_end and alone and ASKED & asked:
+            # "Give me a second"
+            return False
+        if last.ordinal_end or last.bare_end:
+            return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
+        if said.constraint is Constraint.FOR and said.preposition is None:
+            return self._accepts_length(piece)
+        return True
+
+    def _is_helped(self, place: int) -> bool:
+        """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
+        return place > 0 and self.texts[place - 1] in HELPING
+
+    def _is_counting(self, piece: Piece) -> bool:
+        """Whether a number without a unit counts units behind it: "in two business days"."""
+        return any(self.around.is_unit(place) for place in (piece.end, piece.end + 1))
+
+    def _accepts_length(self, piece: Piece) -> bool:
+        """Whether a length of time without a preposition says how long something takes."""
+        # "A ten minute walk" takes that long; but "a ten minute egg", "five minutes of fame".
+        follower = self.around.follower(piece)
+        if follower == "of":
+            # "Do ten minutes of yoga"
+            return self.around.before(piece) in SPENDING
+        if self.around.before(piece) in SPENT:
+            # "Spend an hour cleaning", "take ten minutes to tidy up"
+            return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
+        return follower in self.lexicon.lasting or self.around.may_end(piece)
+
+    def _is_before_marker(self, place: int) -> bool:
+        return place < len(self.words) and longest_match(self.words, place, self.lexicon.clauses) is not None
+
+    def _is_ahead(self, place: int) -> bool:
+        """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
+        following = self.texts[place : place + 2]
+        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
+            return True
+        return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])

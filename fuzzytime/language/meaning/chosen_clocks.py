@@ -1,0 +1,89 @@
+"""Which of the moments is meant that a clock time without am or pm, or without a day, may be."""
+
+from collections.abc import Sequence
+from datetime import datetime, time, timedelta
+from typing import TYPE_CHECKING
+
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.instants import Instants, midnight
+from fuzzytime.language.meaning.times_of_day import Clock
+
+if TYPE_CHECKING:
+    from fuzzytime.language.meaning.grounding import Grounding
+
+FOLLOWING = timedelta(hours=6)
+"""How long after a clock time the next one of a text, without am or pm, hardly is before it."""
+
+CLOSE = timedelta(hours=3)
+"""The same where another text said that clock time, as lines need not be in the order of the day."""
+
+EVENING = time(19)
+"""From here on, what lines say goes on into the night."""
+
+NIGHT = time(21)
+OVERNIGHT = timedelta(hours=5)
+"""What lines say from then on may lie behind midnight, so long after."""
+
+EARLY = time(4)
+"""From here on, who speaks is up early, not late."""
+
+
+def decided(here: "Grounding", moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
+    """Choose among the moments that a clock time may mean, in ascending order."""
+    named = wall.days is not None
+    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
+    chosen = (plausible or moments)[0]
+    if here.since is not None and _is_late(here, here.since, moments):
+        # "The interval is at 20:35", "strike the set at ten": that evening, however late.
+        chosen = next(moment for moment in moments if here.since < moment)
+    elif here.since is not None and chosen < here.since:
+        # "Open it at eight and close it at nine": the nine that follows.
+        # Of "at eight, twelve and five", none is at night only because another is in the evening.
+        known = plausible if here.listed or here.carried else moments
+        within = CLOSE if here.carried else FOLLOWING
+        follows = [moment for moment in known if here.since < moment <= here.since + within]
+        if wall.days is not None and not here.carried:
+            # "On friday mow at ten and rake at six": the six of that day that follows, however late.
+            follows += [moment for moment in plausible if here.since < moment]
+        chosen = next(iter(follows), chosen)
+    choices = tuple(moments) if len(moments) > 1 else ()
+    return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _is_late(here: "Grounding", since: datetime, moments: Sequence[datetime]) -> bool:
+    """Whether one of some moments follows what was said of an evening on a line before."""
+    if not here.carried or since.time() < EVENING:
+        return False
+    if since.time() >= NIGHT:
+        # Who drains it at 22:00 puts it back by 1:30 that night.
+        return any(since < moment <= since + OVERNIGHT for moment in moments)
+    return any(since < moment <= since + CLOSE and moment.date() == since.date() for moment in moments)
+
+
+def _is_plausible(here: "Grounding", moment: datetime, *, ahead: bool) -> bool:
+    """Whether people are up, for as long as what is asked for is said to last.
+
+    On a day to come that is named they may be up earlier.
+    """
+    first, last = here.policy.plausible_from, here.policy.plausible_to
+    if EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
+        # Who speaks at five is up at half past.
+        first = here.now.time()
+    if ahead and moment.date() > here.now.date():
+        first = min(first, here.policy.ahead_from)
+    if first > last:
+        return moment.time() >= first or moment.time() < last
+    end = moment + timedelta(seconds=here.lasting)
+    return first <= moment.time() < last and (
+        not here.lasting or (end.date() == moment.date() and end.time() <= last)
+    )
+
+
+def before_due(here: "Grounding", clock: Clock) -> list[datetime]:
+    """Give the last of a clock time's moments before what is prepared; none where that is far from it."""
+    if here.due is None:
+        return []
+    days = (midnight(here.due.date()) - timedelta(days=back) for back in (0, 1))
+    moments = [day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates()]
+    last = max(moment for moment in moments if moment <= here.due)
+    return [last] if last > here.now and here.due - last <= FOLLOWING else []
