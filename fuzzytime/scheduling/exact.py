@@ -138,7 +138,6 @@ class _Search(GridSearch):
             if found.exact:
                 delta = 2 * delta if found.starts is None else np.inf
             elif budget < cells:
-                # The highest bound takes long, but less long than many more labels.
                 self._raise(relaxation)
                 budget, width, delta = 4 * budget, 6 * width, delta / 2
                 if searching:
@@ -152,9 +151,13 @@ class _Search(GridSearch):
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
     def _raise(self, relaxation: Relaxation) -> None:
-        """Make the bound as high as it goes, or nearly."""
-        relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
-        self.lower = max(self.lower, relaxation.lower)
+        """Make the bound as high as it goes, which takes less long than many more labels.
+
+        Where labels have proved more than the bound already, they go on.
+        """
+        if relaxation.lower >= self.lower:
+            relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
+            self.lower = relaxation.lower
 
     def _is_doubtful(self) -> bool:
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
@@ -175,17 +178,25 @@ class _Search(GridSearch):
 
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
         """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
-        known = self.best.cost
+        known, are_very_many = self.best.cost, len(self.problem.jobs) > MOST_TOGETHER
         self._follow_path(relaxation)
+        if are_very_many:
+            self._kick()
+        self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
+        if not are_very_many:
+            self._kick()
+        elif self._is_doubtful():
+            self._search_stretches(relaxation)
+        if self.best.cost < known and not self.is_closed():
+            relaxation.fix(self.best.cost)
+
+    def _kick(self) -> None:
+        """Search anew with kicks around the best schedule, where it is doubtful and was not kicked yet."""
         if self._is_early_search_worth() and self.best.cost < self._kicked:
-            count = len(self.problem.jobs)
-            search = LocalSearch(kicks=KICKS_A_JOB * count, patience=PATIENCE)
+            kicks = KICKS_A_JOB * len(self.problem.jobs)
+            search = LocalSearch(kicks=kicks, patience=PATIENCE)
             self.take(search.search(self.problem, self.watch.share(0.3), self.best))
             self._kicked = self.best.cost
-        self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
-        if len(self.problem.jobs) > MOST_TOGETHER and self._is_doubtful():
-            self._search_stretches(relaxation)
-        self._learn(relaxation, known)
 
     def _search_stretches(self, relaxation: Relaxation) -> None:
         """Search stretch by stretch on the same grid, by labels in a beam, at prices good for all."""
@@ -194,13 +205,6 @@ class _Search(GridSearch):
             return search_part(part, watch, warm, relaxation.grid.step, relaxation.prices[members])
 
         self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
-
-    def _learn(self, relaxation: Relaxation, known: float) -> None:
-        """Use a better schedule to prove more."""
-        if self.best.cost < known and not self.is_closed():
-            relaxation.fix(self.best.cost)
-            relaxation.improve(self.best.cost, STEPS, self.goal, self.watch)
-            self.lower = max(self.lower, relaxation.lower)
 
     def labels(
         self, relaxation: Relaxation, threshold: float, cells: int, width: int | None
