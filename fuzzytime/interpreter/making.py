@@ -9,9 +9,10 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.retold import from_to, going_to, occurrence
 from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import ENDING, Instruction, Operation, Reading
-from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
+from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
 from fuzzytime.skills import FuzzySkill
@@ -19,9 +20,6 @@ from fuzzytime.times import seconds_between
 
 ATTEND = "attend"
 """The row of durations for what happens, by its name."""
-
-RIGHT_THEN = "exactly"
-"""How near what somebody goes to follows the way there."""
 
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
@@ -62,7 +60,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        instruction = _from_to(instruction)
+        instruction = from_to(instruction)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         said = [with_waits(part, self.rulebook, self.request) for part in told]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
@@ -81,7 +79,7 @@ class Maker:
         made = []
         for start, end in windows:
             occurring = replace(instruction, duration=end - start) if whole else instruction
-            time = _occurrence(repeated, start, start if whole else end)
+            time = occurrence(repeated, start, start if whole else end)
             made.append(self._one(wish, reading, occurring, (time, *once)))
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
@@ -252,36 +250,8 @@ class Maker:
         self, wish: SpokenWish, reading: Reading, instruction: Instruction, to: Interpreted, target: int
     ) -> Interpreted:
         """Make the skill of going where something is done or happens, in time for that."""
-        told, length = to.operation, instruction.way or 0.0
-        attended = told is not None and told.attended
-        operation = Operation(
-            verb="travel",
-            lemma="travel",
-            span=instruction.span,
-            object=f"the way to {to.skill.name}" if attended else None,
-            complement=None if attended else f"to {to.skill.name}",
-            stated=attended,
-            attended=attended,
-        )
-        anchor = Anchor(text=to.skill.name, target=target, edge=Edge.START, exact=True)
-        before = TimeRequirement(
-            text=f"in time for {to.skill.name}",
-            span=instruction.span,
-            constraint=Constraint.BEFORE,
-            reference=Reference.FINISH,
-            reference_said=True,
-            fuzziness=(RIGHT_THEN,),
-            anchor=anchor,
-        )
-        going = replace(
-            instruction,
-            operation=operation,
-            duration=length,
-            requirements=(before,),
-            length_of=None,
-            way=None,
-        )
-        return self._one(wish, reading, going, (before,))
+        going = going_to(instruction, to.skill.name, target, attended=_is_attended(to))
+        return self._one(wish, reading, going, going.requirements)
 
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
         """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""
@@ -310,39 +280,8 @@ class Maker:
         return self.rulebook.duration_of(operation.phrase, operation.object)
 
 
-def _from_to(instruction: Instruction) -> Instruction:
-    """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
-
-    "Between two and four" leaves open when in between something is done, though not when it happens.
-    """
-    operation, requirements = instruction.operation, list(instruction.requirements)
-    if operation is None or instruction.duration is not None:
-        return instruction
-    for place, part in enumerate(requirements):
-        if part.preposition != "between" or part.earliest is None or part.latest is None:
-            continue
-        ends = part.text.lower().startswith("from ") or part.text[:1].isdigit()
-        if operation.stated or (ends and part.reference is Reference.START):
-            begin, length = part.earliest, part.latest - part.earliest
-            requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
-            return replace(instruction, requirements=tuple(requirements), duration=length)
-    return instruction
-
-
-def _occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:
-    """Give one occurrence of a repetition as a requirement of its own: at its time, or anywhere in it.
-
-    It keeps the series, and the grain that its words have: both say how finely the time is meant.
-    """
-    moment = start == end
-    return replace(
-        repeated,
-        constraint=Constraint.AT if moment else Constraint.BETWEEN,
-        t_spec=start if moment else None,
-        earliest=start,
-        latest=end,
-        number=None,
-    )
+def _is_attended(one: Interpreted) -> bool:
+    return one.operation is not None and one.operation.attended
 
 
 def _parameters(operation: Operation | None) -> dict[str, str]:

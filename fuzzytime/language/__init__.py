@@ -18,9 +18,10 @@ from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.anchors import LEAVING
+from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import ENDING, comes, content_words, shares_thing
+from fuzzytime.language.sentence.references import ENDING, comes, shares_thing
 
 __all__ = [
     "ENDING",

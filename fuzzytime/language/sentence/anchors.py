@@ -11,6 +11,7 @@ from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_sides import FIRST, side_of
+from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BEGINNING,
@@ -19,7 +20,6 @@ from fuzzytime.language.sentence.references import (
     Mentions,
     best_of,
     comes,
-    content_words,
     is_done_with,
     waits_for,
 )

@@ -7,8 +7,9 @@ from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
+from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, content_words, resolved_object
+from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, resolved_object
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 

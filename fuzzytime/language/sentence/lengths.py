@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.anchors import Anchors
-from fuzzytime.language.sentence.operations import GOING
 from fuzzytime.language.sentence.references import ALL, PRONOUNS
+from fuzzytime.language.sentence.stated import GOING
 from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 

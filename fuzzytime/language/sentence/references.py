@@ -4,13 +4,13 @@ import heapq
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import lru_cache
 from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.content_words import content_words, singular, stems
 
 PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
@@ -19,41 +19,6 @@ ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
 PEOPLE = frozenset({"them"})
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
-EMPTY = frozenset(
-    [
-        "the",
-        "a",
-        "an",
-        "my",
-        "your",
-        "our",
-        "his",
-        "her",
-        "their",
-        "some",
-        "all",
-        "any",
-        "this",
-        "that",
-        "these",
-        "those",
-        "few",
-        "couple",
-        "of",
-        "and",
-        "is",
-        "are",
-        "has",
-        "have",
-        "been",
-        "with",
-        "in",
-        "on",
-        "to",
-        "for",
-    ]
-)
-"""Words that name nothing."""
 
 ARRIVING = frozenset({"arrive", "come", "land", "dock"})
 """What is said of who or what is not there before."""
@@ -69,46 +34,12 @@ GOING_ON = frozenset({"on", "going", "running", "open"})
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
-NAMED_AFTER = ("ation", "ator", "ion", "or", "ing", "er", "ment")
-"""Endings of words that are named after what is done, the longest first."""
-
-SHORTEST_STEM = 5
 
 PUTTING = frozenset({"put", "place", "load", "set", "bake", "roast", "insert", "hang", "slide"})
 """What is asked for of what "goes in"."""
 
 ALIKE = 0.5
 """The worth of a word that is only alike."""
-
-REMEMBERED = 16384
-"""Texts whose words are remembered: each reference asks for those of every instruction."""
-
-
-@lru_cache(maxsize=REMEMBERED)
-def content_words(text: str | None) -> frozenset[str]:
-    """Give the words of a text that name something, in the singular."""
-    if text is None:
-        return frozenset()
-    return frozenset(_singular(w.text) for w in words_of(text) if w.is_letters and w.text not in EMPTY)
-
-
-def _singular(word: str) -> str:
-    if word.endswith("ies") and len(word) > 4:
-        return word[:-3] + "y"
-    if word.endswith("oes"):
-        return word[:-2]
-    return word[:-1] if word.endswith("s") and not word.endswith("ss") and len(word) > 3 else word
-
-
-@lru_cache(maxsize=REMEMBERED)
-def stems(words: frozenset[str]) -> frozenset[str]:
-    """Give what words that are named after what is done have in common: incubator and incubation."""
-    found = set()
-    for word in words:
-        ending = next((end for end in NAMED_AFTER if word.endswith(end)), "")
-        if ending and len(word) - len(ending) >= SHORTEST_STEM:
-            found.add(f"{word[: -len(ending)]}-")
-    return frozenset(found)
 
 
 def shares_thing(one: Operation, other: Operation) -> bool:
@@ -332,4 +263,4 @@ def is_several(thing: str) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
     end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
-    return "and" in words or _singular(words[end - 1]) != words[end - 1]
+    return "and" in words or singular(words[end - 1]) != words[end - 1]

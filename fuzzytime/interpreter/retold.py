@@ -1,0 +1,80 @@
+"""Instructions in other words: two ends as start and length, one occurrence of many, the way somewhere."""
+
+from dataclasses import replace
+
+from fuzzytime.language import Instruction, Operation
+from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
+
+RIGHT_THEN = "exactly"
+"""How near what somebody goes to follows the way there."""
+
+
+def from_to(instruction: Instruction) -> Instruction:
+    """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
+
+    "Between two and four" leaves open when in between something is done, though not when it happens.
+    """
+    operation, requirements = instruction.operation, list(instruction.requirements)
+    if operation is None or instruction.duration is not None:
+        return instruction
+    for place, part in enumerate(requirements):
+        if part.preposition != "between" or part.earliest is None or part.latest is None:
+            continue
+        ends = part.text.lower().startswith("from ") or part.text[:1].isdigit()
+        if operation.stated or (ends and part.reference is Reference.START):
+            begin, length = part.earliest, part.latest - part.earliest
+            requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
+            return replace(instruction, requirements=tuple(requirements), duration=length)
+    return instruction
+
+
+def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:
+    """Give one occurrence of a repetition as a requirement of its own: at its time, or anywhere in it.
+
+    It keeps the series, and the grain that its words have: both say how finely the time is meant.
+    """
+    moment = start == end
+    return replace(
+        repeated,
+        constraint=Constraint.AT if moment else Constraint.BETWEEN,
+        t_spec=start if moment else None,
+        earliest=start,
+        latest=end,
+        number=None,
+    )
+
+
+def going_to(instruction: Instruction, name: str, target: int, *, attended: bool) -> Instruction:
+    """Give the instruction to go where something is done or happens, in time for that.
+
+    Parameters
+    ----------
+    instruction
+        Tells how long the way takes.
+    name, target
+        What somebody goes to, and its position among all instructions.
+    attended
+        Whether who speaks takes part in it.
+    """
+    operation = Operation(
+        verb="travel",
+        lemma="travel",
+        span=instruction.span,
+        object=f"the way to {name}" if attended else None,
+        complement=None if attended else f"to {name}",
+        stated=attended,
+        attended=attended,
+    )
+    before = TimeRequirement(
+        text=f"in time for {name}",
+        span=instruction.span,
+        constraint=Constraint.BEFORE,
+        reference=Reference.FINISH,
+        reference_said=True,
+        fuzziness=(RIGHT_THEN,),
+        anchor=Anchor(text=name, target=target, edge=Edge.START, exact=True),
+    )
+    length = instruction.way or 0.0
+    return replace(
+        instruction, operation=operation, duration=length, requirements=(before,), length_of=None, way=None
+    )

@@ -1,0 +1,119 @@
+"""Who or what is said to do it: statements ask for nothing."""
+
+from dataclasses import dataclass
+
+from fuzzytime.language.sentence.actions import ARE, SUBJECTS
+from fuzzytime.language.sentence.places import Places
+from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, TAKING, others_do
+
+FINITE = frozenset({"VBZ", "VBP", "VBD"})
+
+PEOPLE = frozenset(
+    {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
+)
+
+STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
+
+DUE = frozenset({"due", "over", "back"})
+"""What is said of things that have a time: "the delivery is due at two"."""
+
+IT = "it"
+
+FIRST_PERSON = frozenset({"i", "we"})
+
+PERSONS = frozenset({"i", "you", "we", "he", "she"})
+
+GOING = frozenset({"run", "go"})
+"""Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
+
+DUTIES = frozenset({"must", "should", "has", "have", "needs", "need", "ought"})
+"""Verbs of what is asked for."""
+
+MODALS = frozenset({"should", "would", "may", "might", "can", "could", "'d"})
+
+TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
+"""Who may come and go, and asks nobody to: "we land at nine"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stated(Places):
+    """Reads off a tree who does what a verb says, and whether that is only told."""
+
+    def _subject(self, verb: int) -> str | None:
+        """Give what a statement is about: "the assignment should start now"."""
+        node = self.tree.nodes[verb]
+        # "The sauce needs to simmer"
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
+        if not subjects:
+            return None
+        if self.tree.nodes[subjects[0]].lower in PEOPLE:
+            alone = self.tree.nodes[subjects[0]].lower
+            helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
+            return alone if alone in OTHERS and others_do(self.tree, verb, helping, self.lexicon) else None
+        return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
+
+    def _due(self, verb: int) -> str | None:
+        """Give what "it" must do: "it has to rest for ten minutes" is about what was said before."""
+        node = self.tree.nodes[verb]
+        if node.lower in self.lexicon.results or self.tree.children(verb, "auxpass"):
+            return None
+        verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
+        subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
+        helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
+        helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
+        due = not helping.isdisjoint(DUTIES)
+        return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
+
+    def _is_attended(self, verb: int) -> bool:
+        """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
+            return False
+        said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
+        return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+
+    def _has_frame(self, verb: int) -> bool:
+        """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        return has and not self.lexicon.frames.isdisjoint(objects)
+
+    def _helping(self, verb: int) -> set[str]:
+        """Give the verbs that help one, and what denies it."""
+        return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
+
+    def _is_stated(self, verb: int) -> bool:
+        """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
+        subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
+        governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
+        named = subjects or [self.tree.nodes[p].lower for p in governing]
+        if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
+            # "It's going to rain at four"
+            return True
+        helping = self._helping(verb)
+        if others_do(self.tree, verb, helping, self.lexicon):
+            return True
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        if finite and self._has_frame(verb):
+            return True
+        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
+        told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
+        goes = self.tree.nodes[verb].lower in PHASES or (lasts and self.tree.nodes[verb].lemma in GOING)
+        told = told or (subjects[:1] == ["it"] and goes)
+        if finite and self._is_attended(verb):
+            return True
+        if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
+            # "It should take an hour", "they need twenty minutes"
+            objects = self.tree.children(verb, "dobj", "npadvmod")
+            return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
+        due = DUE | self.lexicon.results if helping & FUTURE else DUE
+        rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        # "The delivery arrives between ten and eleven"
+        rest = [p for p in rest if not self.timed(p)]
+        comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
+        # "I'll be late"
+        rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
+        return told and finite and not rest
