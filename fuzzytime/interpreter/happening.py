@@ -58,7 +58,8 @@ def _inside(one: Interpreted, window: Rectangle, event: Interpreted) -> Interpre
     reason = one.reason
     if not reason and function.support.empty and not one.skill.satisfaction.support.empty:
         reason = f"its time does not go together with {event.skill.name!r}"
-    return replace(one, skill=replace(one.skill, satisfaction=function), reason=reason)
+    skill, tied_to = replace(one.skill, satisfaction=function), (*one.tied_to, event.identifier)
+    return replace(one, skill=skill, reason=reason, tied_to=tied_to)
 
 
 def _where_it_happens(one: Interpreted) -> Interpreted:

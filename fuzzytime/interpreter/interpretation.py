@@ -61,6 +61,8 @@ class Interpreted:
         Identifiers of the skills that it asked to come after; without them it makes no sense.
     in_order
         Whether it follows what was said before it because steps are done in the order said.
+    tied_to
+        Identifiers of what happens at a moment by which its time is told: it has that time.
     """
 
     identifier: str
@@ -74,6 +76,7 @@ class Interpreted:
     reason: str = ""
     follows: tuple[str, ...] = ()
     in_order: bool = False
+    tied_to: tuple[str, ...] = ()
 
     @property
     def operation(self) -> Operation | None:

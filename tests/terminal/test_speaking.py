@@ -169,6 +169,18 @@ def test_what_follows_another_moves_along() -> None:
 
 
 @pytest.mark.model
+def test_what_is_tied_to_what_happens_stays_with_it() -> None:
+    talk = Talk()
+    talk.say("call mum at 5 pm")
+    talk.say("the guests come at 7 pm")
+    talk.say("have the soup ready when they come")
+    starts = [talk.start("s1"), talk.start("s3")]
+    assert "rejected" not in talk.say("push everything back by ten minutes")
+    assert [talk.start("s1"), talk.start("s3")] == [starts[0] + timedelta(minutes=10), starts[1]]
+    assert "follows another one's time" in talk.say("delay the soup by an hour")
+
+
+@pytest.mark.model
 def test_what_follows_what_is_running_is_pushed_back_too() -> None:
     talk = Talk()
     talk.say("Set the table now, then light the candles")

@@ -80,6 +80,8 @@ def _follows(scene: Scene, mine: Waiting, left: Waiting) -> bool:
     """Whether some skills have no time of their own but follow others that are left: they move along."""
     places = {place for place, _ in left}
     bound = {entry.second for entry in scene.plan.schedule.task.precedences if entry.first in places}
+    happening = {one.identifier for _, one in left}
+    bound |= {place for place, one in mine if not happening.isdisjoint(one.tied_to)}
     return all(place in bound and not _has_time(one) for place, one in mine)
 
 
