@@ -13,8 +13,8 @@ from fuzzytime.language.sentence.sketch import sketch_of
 MARK = ":"
 """What ends a heading."""
 
-WORKER = ("robot", "2")
-"""How a worker is called."""
+CALLED = 2
+"""Words that call a worker: "Robot 2:"."""
 
 
 def under_headings(drafts: Sequence[Draft], lexicon: Lexicon) -> list[Draft]:
@@ -73,7 +73,7 @@ def _heading_of(draft: Draft, lexicon: Lexicon) -> Heading | None:
 def _called(draft: Draft, lexicon: Lexicon) -> str | None:
     """Give who is called by a number, and asked for nothing: "Robot 2:"."""
     words = [word for word in draft.scanned.words if word.text[0].isalnum()]
-    if len(words) != len(WORKER) or words[0].text not in lexicon.workers or not words[1].is_digits:
+    if len(words) != CALLED or words[0].text not in lexicon.workers or not words[1].is_digits:
         return None
     return draft.text[words[0].start : words[1].end]
 
