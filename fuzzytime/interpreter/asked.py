@@ -10,10 +10,13 @@ from fuzzytime.interpreter.request import Request
 
 def by_agents(skills: Sequence[Interpreted], request: Request) -> tuple[list[Interpreted], list[Problem]]:
     """Give skills to the agents that their words call, and say who is taken for which, and who for none."""
-    called = {name.lower(): one for one in reversed(skills) if (name := _called(one)) is not None}
-    agents = _agents(list(reversed(called)), request.agents)
+    called: dict[str, Interpreted] = {}
+    for one in skills:
+        if (name := _called(one)) is not None:
+            called.setdefault(name.lower(), one)
+    agents = _agents(list(called), request.agents)
     problems = []
-    for name, one in reversed(called.items()):
+    for name, one in called.items():
         agent, number = agents.get(name), _number(name)
         told = one.operation.addressee if one.operation is not None else name
         if agent is None and (number is not None or request.agents > 1):

@@ -42,12 +42,13 @@ def _tied(
             left.append(entry)
             continue
         if entry.first in fixed:
-            done = fixed[entry.first] + skills[entry.first].skill.time_until_done
-            place, window = entry.second, Rectangle(done + entry.minimum_lag, done + entry.maximum_lag)
+            place, event = entry.second, entry.first
+            done = fixed[event] + skills[event].skill.time_until_done
+            window = Rectangle(done + entry.minimum_lag, done + entry.maximum_lag)
         else:
-            place, start = entry.first, fixed[entry.second] - skills[entry.first].skill.time_until_done
+            place, event = entry.first, entry.second
+            start = fixed[event] - skills[place].skill.time_until_done
             window = Rectangle(start - entry.maximum_lag, start - entry.minimum_lag)
-        event = entry.first if place == entry.second else entry.second
         skills[place] = _inside(skills[place], window, skills[event])
     return left
 

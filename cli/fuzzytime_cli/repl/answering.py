@@ -4,7 +4,7 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.language import About, content_words
+from fuzzytime.language import LEAVING, About, content_words
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -14,10 +14,8 @@ from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, said,
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
 
-LEAVING = frozenset({"leave", "go", "set", "off", "out", "head"})
-"""Words for going somewhere, whatever that is called."""
-
-GOING = LEAVING | {"travel", "drive", "depart"}
+OF_LEAVING = LEAVING | {"set", "off", "out"}
+"""Words that ask for going somewhere, whatever that is called."""
 
 SOON = 90.0
 """Seconds below which it is said to the second how long it is until a start."""
@@ -113,10 +111,10 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    if names and names <= LEAVING:
+    if names and names <= OF_LEAVING:
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))
-        return [place for place, operation in going if operation is not None and operation.lemma in GOING]
+        return [place for place, operation in going if operation is not None and operation.lemma in LEAVING]
     if names:
         return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)

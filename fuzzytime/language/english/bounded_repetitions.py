@@ -194,11 +194,10 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
 )
 def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
     """Twice a day, the first time around eight."""
-    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
+    moment = _moment_of(repeat, said)
+    if moment is None or repeat.starting is not None or repeat.until is not None:
         return None
-    if repeat.starting is not None or repeat.until is not None:
-        return None
-    return replace(repeat, starting=said.time, shared=False)
+    return replace(repeat, starting=moment, shared=False)
 
 
 @grammar.rule(
@@ -209,9 +208,14 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
 )
 def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
     """Every two hours, the last time at ten."""
-    if not isinstance(said.time, Wall) or said.constraint not in {None, Constraint.AT} or not repeat.every:
-        return None
-    return replace(repeat, until=said.time) if repeat.until is None else None
+    moment = _moment_of(repeat, said)
+    return replace(repeat, until=moment) if moment is not None and repeat.until is None else None
+
+
+def _moment_of(repeat: Repeat, said: Said) -> Wall | None:
+    """Give the moment that an interval may begin or end at; None for other times, and other repetitions."""
+    is_moment = said.constraint in {None, Constraint.AT} and bool(repeat.every)
+    return said.time if isinstance(said.time, Wall) and is_moment else None
 
 
 @grammar.rule(

@@ -1,13 +1,9 @@
 """Whether a length of time is one where it stands, and not a difference, a share or a distance."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.borders import COMPARING
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.measuring import Measures
-from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.grammar.lexicon import longest_match
+from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.requirement import Constraint, Unit
 
@@ -27,17 +23,8 @@ SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practic
 """Verbs that a length of time is the object of: "do ten minutes of yoga"."""
 
 
-class Lengths:
+class Lengths(Standing):
     """What stands around lengths of time, and whether it makes one doubtful."""
-
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
-    ) -> None:
-        self.words = words
-        self.lexicon = lexicon
-        self.texts = [word.text for word in words]
-        self.measures = measures
-        self.around = around
 
     def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
         """Whether a length of time is one here."""

@@ -1,12 +1,9 @@
 """Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
 
-from collections.abc import Sequence
-
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import Measures
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS, Surroundings
-from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
+from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import Season
@@ -31,17 +28,8 @@ CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
-class Walls:
+class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
-
-    def __init__(
-        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
-    ) -> None:
-        self.words = words
-        self.lexicon = lexicon
-        self.texts = [word.text for word in words]
-        self.measures = measures
-        self.around = around
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""

@@ -12,6 +12,7 @@ COMPLEMENTS = ("xcomp", "ccomp")
 SUBJECTS = ("nsubj", "nsubjpass")
 COPULAS = frozenset({"be", "'s", "'m", "'re", "’s", "’m", "’re"})
 PRESENT = frozenset({"VBZ", "VBP"})
+FINITE = PRESENT | {"VBD"}
 ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})

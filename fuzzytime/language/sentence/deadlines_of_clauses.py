@@ -5,10 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.expressions import Edge, Phrase
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.statements import NOBODY
 from fuzzytime.requirement import Constraint
-
-NOBODY = ("no ", "nobody", "none", "nothing", "no-one")
-"""How subjects begin of what is denied: "if nobody has come by six"."""
 
 DEADLINE = "deadline of a clause"
 """The rule of such a time."""
@@ -51,5 +49,8 @@ def _is_of(clause: Clause, phrase: Phrase, text: str) -> bool:
 def _denies(clause: Clause) -> bool:
     """Whether it is about what has not come to be."""
     condition = clause.condition
-    nobody = condition is not None and (condition.subject or "").startswith(NOBODY)
-    return condition is not None and condition.negated != nobody
+    if condition is None:
+        return False
+    # "If nobody has come by six"
+    nobody = not (NOBODY | {"no", "no-one"}).isdisjoint((condition.subject or "").lower().split()[:1])
+    return condition.negated != nobody

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
-from fuzzytime.language.sentence.statements import DETERMINERS
+from fuzzytime.language.sentence.statements import DETERMINERS, NOBODY
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 
@@ -25,7 +25,6 @@ SHIFTING = frozenset({"bring", "put", "extend"})
 """Further verbs that give another time to what has one: "bring the meeting forward by an hour"."""
 
 WERE = frozenset({"was", "were"})
-NOBODY = frozenset({"nobody", "none", "nothing"})
 SPEAKING = frozenset({"i", "we", "you"})
 """Subjects of past forms that ask: "I wondered whether you could", "you had better go"."""
 

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.actions import Action
+from fuzzytime.language.sentence.actions import FINITE, Action
 from fuzzytime.language.sentence.waiting import Part
 
 RELATIVE = frozenset({"which", "that", "who", "whose", "where"})
@@ -16,8 +16,6 @@ RELATIVE = frozenset({"which", "that", "who", "whose", "where"})
 PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
-
-FINITE = frozenset({"VBZ", "VBP", "VBD"})
 
 RECALLING = "remind"
 """Somebody is reminded at the only time that is said, whatever it is of."""

@@ -2,11 +2,9 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.actions import ARE, SUBJECTS
+from fuzzytime.language.sentence.actions import ARE, FINITE, SUBJECTS
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, TAKING, others_do
-
-FINITE = frozenset({"VBZ", "VBP", "VBD"})
 
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}

@@ -28,6 +28,9 @@ ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people",
 
 OTHERS = frozenset({"he", "she"})
 
+NOBODY = frozenset({"nobody", "none", "nothing"})
+"""Subjects of what is denied, beside those with "no" before them."""
+
 SURE_PHASES = PHASES - {"leaves"}
 """Those of them that are hardly ever things: "rake leaves at nine"."""
 

@@ -1,0 +1,21 @@
+"""A text as those see it who decide whether something is a time where it stands."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.words import Word
+
+
+class Standing:
+    """Words, what measures stand among them, and what stands around any of them."""
+
+    def __init__(
+        self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
+    ) -> None:
+        self.words = words
+        self.lexicon = lexicon
+        self.texts = [word.text for word in words]
+        self.measures = measures
+        self.around = around
