@@ -428,6 +428,12 @@ def test_who_must_leave_is_told_when() -> None:
     assert "at 10:40" in talk.say("when do I have to leave?")
 
 
+def test_who_sets_the_table_leaves_nowhere() -> None:
+    talk = Talk()
+    talk.say("set the table in ten minutes")
+    assert "nothing that is planned" in talk.say("when do we set off?")
+
+
 def test_why_not_at_another_time_is_about_what_is_named() -> None:
     talk = Talk()
     talk.say("pick up the parcel at noon")
