@@ -20,9 +20,6 @@ EXACT_JOBS = 12
 KICKS = 200
 """Of a local search where an exact method has left a gap, at most."""
 
-PATIENCE = 60
-"""Kicks that may gain nothing before it ends."""
-
 
 @dataclass(frozen=True, slots=True)
 class Auto:
@@ -47,7 +44,7 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not watch.is_over() and not (problem.kept_by_order and (few or problem.agents == 1)):
-            better = LocalSearch(kicks=KICKS, patience=PATIENCE).search(problem, watch.share(0.2), best)
+            better = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
             if len(problem.jobs) > PARTS.length + PARTS.rejected:
                 better = PARTS.improve(problem, watch.share(0.5), better)
             other = Milp().search(problem, watch, better)

@@ -7,6 +7,7 @@ and the threshold falls to half its distance from the bound. The next grid is fi
 labels leave.
 """
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -55,11 +56,8 @@ REJECTED = 25
 PART_ROUNDS = 2
 """Rounds in which the bound of a part is made better: what it began with is mostly good."""
 
-KICKS_A_JOB = 2
-"""Of a local search where a schedule is doubtful, at most."""
-
-PATIENCE = 40
-"""Kicks that may gain nothing before such a search ends."""
+KICKS_A_PAIR = 0.1
+"""Of a local search where a schedule is doubtful, at most: what may change places are pairs of skills."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -193,9 +191,9 @@ class _Search(GridSearch):
     def _kick(self) -> None:
         """Search anew with kicks around the best schedule, where it is doubtful and was not kicked yet."""
         if self._is_early_search_worth() and self.best.cost < self._kicked:
-            kicks = KICKS_A_JOB * len(self.problem.jobs)
-            search = LocalSearch(kicks=kicks, patience=PATIENCE)
-            self.take(search.search(self.problem, self.watch.share(0.3), self.best))
+            kicks = round(KICKS_A_PAIR * math.comb(len(self.problem.jobs), 2))
+            search = LocalSearch(kicks=kicks)
+            self.take(search.search(self.problem, self.watch.share(0.4), self.best))
             self._kicked = self.best.cost
 
     def _search_stretches(self, relaxation: Relaxation) -> None:

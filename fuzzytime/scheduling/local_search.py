@@ -8,6 +8,7 @@ import numpy as np
 
 from fuzzytime.scheduling.dynasearch import MOST_JOBS, Dynasearch, only_order_counts
 from fuzzytime.scheduling.grid import grid_of, step_for
+from fuzzytime.scheduling.kicks import kick
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.rough import Rough
@@ -27,8 +28,6 @@ class LocalSearch:
         Slots of the grid, at least.
     kicks
         How many.
-    patience
-        How many of them may gain nothing in a row before the search ends.
     sweeps
         How often all jobs are tried at most: fewer than it takes is quick, and leaves work to do.
     """
@@ -38,7 +37,6 @@ class LocalSearch:
     seed: int = 0
     slots: int = 1500
     kicks: int = 0
-    patience: float = math.inf
     sweeps: float = math.inf
 
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
@@ -51,7 +49,7 @@ class LocalSearch:
         try:
             generator = np.random.default_rng(self.seed)
             plan.improve(watch, generator, self.sweeps)
-            plan.kick(self.kicks, self.patience, watch, generator)
+            kick(plan, self.kicks, watch, generator)
         except KeyboardInterrupt:
             watch.stop()
         hints = np.where(plan.placed, grid.times(np.array(plan.slots, np.int64)), np.nan)

@@ -3,11 +3,8 @@
 Each agent's order has the tables of `fuzzytime.scheduling.orders`, so that one job is tried at every place of
 every agent at once, with the best slots for all others. Jobs that start next to each other are improved
 together, a stretch of them after the other, while the rest stands still. Lags cut a job's curve by where the
-other job is; where both move, at a moment drawn between them, which neither crosses.
-
-Where no single job is better elsewhere, kicks go on: several jobs, neighbours or any, are taken out at once,
-put back one by one, and that is kept unless it loses (ruin and recreate: Schrimpf, Schneider,
-Stamm-Wilbrandt and Dueck, J. Comput. Phys. 159 (2000) 139-171).
+other job is; where both move, at a moment drawn between them, which neither crosses. Where no single job is
+better elsewhere, kicks go on (`fuzzytime.scheduling.kicks`).
 """
 
 import math
@@ -26,12 +23,6 @@ from fuzzytime.scheduling.solver import Draft
 STRETCH = 40
 """Jobs that are improved together."""
 
-MOST_KICKED = 10
-"""Jobs that a kick takes out, at most."""
-
-KICKS_A_STRETCH = 20
-"""Kicks before another stretch has its turn."""
-
 IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
 
@@ -43,6 +34,14 @@ class _SlotLag(NamedTuple):
     second: int
     low: float
     high: float
+
+
+class State(NamedTuple):
+    """Which jobs of a plan are placed, in which slots, by whom."""
+
+    placed: tuple[bool, ...]
+    slots: tuple[int, ...]
+    agents: tuple[int, ...]
 
 
 class _Split(NamedTuple):
@@ -90,8 +89,7 @@ class Rough:
         while better and done < sweeps and not watch.is_over():
             better, done = False, done + 1
             for first in range(0, max(count - STRETCH // 2, 1), STRETCH // 2):
-                ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
-                members = ranking[first : first + STRETCH]
+                members = self.in_turn()[first : first + STRETCH]
                 better |= self._improve_stretch(members, watch, generator, sweeps)
                 if watch.is_over():
                     break
@@ -99,28 +97,23 @@ class Rough:
             if count <= STRETCH and not self._lags:
                 break
 
-    def kick(self, kicks: int, patience: float, watch: Stopwatch, generator: np.random.Generator) -> None:
-        """Kick stretches drawn at random, all jobs where they are few, until nothing is gained any more."""
-        count = len(self.placed)
-        together = KICKS_A_STRETCH if count > STRETCH else max(kicks, 1)
-        done = fruitless = 0
-        while done < kicks and fruitless < patience and not watch.is_over():
-            ranking = sorted(range(count), key=lambda job: (self.slots[job], job))
-            first = int(generator.integers(max(count - STRETCH, 0) + 1))
-            stretch = _Stretch(self, ranking[first : first + STRETCH], generator)
-            for _ in range(min(kicks - done, together)):
-                if watch.is_over():
-                    break
-                stretch.kick(generator)
-            stretch.settle()
-            done += together
-            fruitless = 0 if stretch.gain < stretch.begun - IMPROVEMENT else fruitless + together
+    def in_turn(self) -> list[int]:
+        """Give the jobs as they follow each other, the others by where they would like to start."""
+        return sorted(range(len(self.placed)), key=lambda job: (self.slots[job], job))
+
+    def state(self) -> State:
+        """Give what moves, to go back to."""
+        return State(tuple(self.placed), tuple(self.slots), tuple(self.agents))
+
+    def restore(self, state: State) -> None:
+        """Go back to an earlier state."""
+        self.placed, self.slots, self.agents = list(state.placed), list(state.slots), list(state.agents)
 
     def _improve_stretch(
         self, members: Sequence[int], watch: Stopwatch, generator: np.random.Generator, sweeps: float
     ) -> bool:
         """Take out and put back each of some jobs until nothing more is gained; tell whether anything was."""
-        stretch = _Stretch(self, members, generator)
+        stretch = Stretch(self, members, generator)
         better, done = True, 0
         while better and done < sweeps and not watch.is_over():
             better, done = False, done + 1
@@ -172,7 +165,7 @@ class Rough:
         return low, high
 
 
-class _Stretch:
+class Stretch:
     """Some jobs of a rough plan that move while the others stand still."""
 
     def __init__(self, plan: Rough, members: Sequence[int], generator: np.random.Generator) -> None:
@@ -238,29 +231,6 @@ class _Stretch:
         if agent is not None and removed is not None:
             self.orders[agent].put_back(removed)
         return False
-
-    def kick(self, generator: np.random.Generator) -> None:
-        """Take several jobs out at once and put them back; undo that where it loses."""
-        gain, agent_of = self.gain, dict(self.agent_of)
-        sequences = {agent: list(order.sequence) for agent, order in self.orders.items()}
-        ranking = [job for sequence in sequences.values() for job in sequence]
-        ranking += [job for job in self.members if job not in agent_of]
-        size = min(int(generator.integers(2, MOST_KICKED + 1)), len(ranking))
-        if generator.random() < 0.5:
-            middle = int(generator.integers(len(ranking)))
-            near = ranking[max(middle - size, 0) : middle + size + 1]
-        else:
-            near = generator.permutation(ranking)[: 2 * size].tolist()
-        out = generator.permutation(near)[:size].tolist()
-        for job in out:
-            if job in self.agent_of:
-                self.orders[self.agent_of.pop(job)].remove(job)
-        for job in [*out, *generator.permutation(near).tolist()]:
-            self.reinsert(job)
-        if self.gain > gain + IMPROVEMENT:
-            self.agent_of = agent_of
-            for agent, order in self.orders.items():
-                order.rearrange(sequences[agent])
 
     def settle(self) -> None:
         """Write the slots that were found into the plan."""
