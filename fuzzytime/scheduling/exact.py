@@ -32,8 +32,8 @@ from fuzzytime.scheduling.stretches import Stretches
 FIRST_SLOTS = 1500
 """Slots of the first grid, at least."""
 
-BEAM = 50
-"""Sets a block in the first, narrowest beam."""
+BEAM, BROAD_BEAM = 50, 200
+"""Sets a block in the first, narrowest beam; and where there are very many skills."""
 
 FAST, SLOW = 0.6, 0.97
 """To what share the gap falls at least in a round of the search for a bound; and for the highest one."""
@@ -56,7 +56,7 @@ REJECTED = 25
 PART_ROUNDS = 2
 """Rounds in which the bound of a part is made better: what it began with is mostly good."""
 
-KICKS_A_PAIR = 0.1
+KICKS_A_PAIR = 0.05
 """Of a local search where a schedule is doubtful, at most: what may change places are pairs of skills."""
 
 MANY = 60
@@ -118,7 +118,8 @@ class _Search(GridSearch):
         cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
         # A grid that follows a solved one has few starts, on more slots.
-        budget, width = cells // (4 if self._is_solved else 16), BEAM
+        budget = cells // (4 if self._is_solved else 16)
+        width = BROAD_BEAM if self._are_very_many else BEAM
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
         if searching and self._is_early_search_worth():
@@ -157,6 +158,10 @@ class _Search(GridSearch):
             relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
             self.lower = relaxation.lower
 
+    @property
+    def _are_very_many(self) -> bool:
+        return len(self.problem.jobs) > MOST_TOGETHER
+
     def _is_doubtful(self) -> bool:
         return self.best.cost - self.lower > DOUBTFUL * self.problem.weight
 
@@ -176,12 +181,12 @@ class _Search(GridSearch):
 
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
         """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
-        known, are_very_many = self.best.cost, len(self.problem.jobs) > MOST_TOGETHER
+        known = self.best.cost
         self._follow_path(relaxation)
-        if are_very_many:
+        if self._are_very_many:
             self._kick()
         self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
-        if not are_very_many:
+        if not self._are_very_many:
             self._kick()
         elif self._is_doubtful():
             self._search_stretches(relaxation)
@@ -193,7 +198,7 @@ class _Search(GridSearch):
         if self._is_early_search_worth() and self.best.cost < self._kicked:
             kicks = round(KICKS_A_PAIR * math.comb(len(self.problem.jobs), 2))
             search = LocalSearch(kicks=kicks)
-            self.take(search.search(self.problem, self.watch.share(0.4), self.best))
+            self.take(search.search(self.problem, self.watch.share(0.3), self.best))
             self._kicked = self.best.cost
 
     def _search_stretches(self, relaxation: Relaxation) -> None:
@@ -202,7 +207,7 @@ class _Search(GridSearch):
         def solve(part: Problem, members: list[int], watch: Stopwatch, warm: Draft) -> Draft:
             return search_part(part, watch, warm, relaxation.grid.step, relaxation.prices[members])
 
-        self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.6), self.best))
+        self.take(Stretches(solve, STRETCH, REJECTED).improve(self.problem, self.watch.share(0.4), self.best))
 
     def labels(
         self, relaxation: Relaxation, threshold: float, cells: int, width: int | None
