@@ -63,9 +63,8 @@ class Interpreted:
         Whether it follows what was said before it because steps are done in the order said.
     tied_to
         Identifiers of what happens at a moment by which its time is told: it has that time.
-    told_at
-        When its time was told anew, in seconds from the request's now; None where it was not. Then the wish
-        is the one that told it.
+    told_by
+        Identifiers of the wishes that told anew of it, the latest last: its wish is that one.
     cancelled
         Whether it was told that it will not happen.
     """
@@ -82,7 +81,7 @@ class Interpreted:
     follows: tuple[str, ...] = ()
     in_order: bool = False
     tied_to: tuple[str, ...] = ()
-    told_at: float | None = None
+    told_by: tuple[str, ...] = ()
     cancelled: bool = False
 
     @property

@@ -11,6 +11,9 @@ from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.times import instant_after, seconds_between
 
+REVIVING = frozenset({NewsKind.TIME, NewsKind.THERE})
+"""News of what happens after all, though it was cancelled."""
+
 
 def meant(news: News, skills: Sequence[Interpreted], wish: SpokenWish, told: float) -> int | None:
     """Give the position of what news is about; None where nothing was said to happen that it names.
@@ -26,7 +29,9 @@ def meant(news: News, skills: Sequence[Interpreted], wish: SpokenWish, told: flo
 
 
 def _may_be(news: News, one: Interpreted, wish: SpokenWish) -> bool:
-    if one.operation is None or one.skill.duration or one.cancelled or not news.is_of(one.operation):
+    if one.operation is None or one.skill.duration or not news.is_of(one.operation):
+        return False
+    if one.cancelled and news.kind not in REVIVING:
         return False
     if any(part.anchor is not None for part in one.requirements):
         return False
@@ -48,7 +53,9 @@ def _distance(one: Interpreted, told: float) -> tuple[bool, float]:
 def moment_of(one: Interpreted) -> float:
     """Give when something happens, in seconds from now: as it was named, else at the earliest."""
     skill = one.skill
-    return skill.preferred if skill.preferred is not None else skill.satisfaction.best.low
+    if skill.preferred is not None:
+        return skill.preferred
+    return skill.satisfaction.best.low if not skill.satisfaction.best.empty else 0.0
 
 
 def told_anew(
@@ -58,22 +65,21 @@ def told_anew(
 
     Where its first time was over when this was told, it is another: it keeps no identifier.
     """
+    by = (*made.told_by, wish.identifier)
     if news.kind is NewsKind.CANCELLED:
-        never = replace(made.skill, satisfaction=NEVER, preferred=None)
-        return replace(made, skill=never, reason="it was told not to happen", cancelled=True, told_at=told)
-    if news.kind is NewsKind.THERE:
-        sooner = replace(news, by=told - moment_of(made))
-        skill = replace(made.skill, satisfaction=Rectangle(told, told), preferred=told)
-        there = replace(made, requirements=_later(sooner, made, wish), skill=skill, reason="", told_at=told)
-        return replace(there, wish=_of(wish, made))
+        never = replace(made.skill, satisfaction=NEVER)
+        return replace(made, skill=never, reason="it was told not to happen", cancelled=True, told_by=by)
     if made.instruction is None:
         return made
-    times = _later(news, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
+    sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news
+    times = _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
     instruction = replace(made.instruction, span=news.span, requirements=times)
     (anew, *_) = maker.spoken(_of(wish, made), reading, instruction)
     # What happens takes as long as was said of it, or given.
     skill = replace(anew.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
-    return replace(anew, identifier=made.identifier, skill=skill, duration=made.duration, told_at=told)
+    if news.kind is NewsKind.THERE:
+        skill = replace(skill, satisfaction=Rectangle(told, told), preferred=told)
+    return replace(anew, identifier=made.identifier, skill=skill, duration=made.duration, told_by=by)
 
 
 def _of(wish: SpokenWish, made: Interpreted) -> SpokenWish:

@@ -244,14 +244,24 @@ def _supposable(scene: Scene, about: About) -> str | None:
 
 
 def _with_time(scene: Scene, entry: Entry, time: str) -> str:
-    """Give an entry's words with another time, or length, in place of its own."""
+    """Give an entry's words with another time, or length, in place of its own.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it has several.
+    """
+    mine = [one for one in scene.plan.skills if one.wish.identifier == f"s{entry.number}"]
+    if len(mine) == 1 and mine[0].told_by:
+        # "They are ten minutes late" has no time of its own to be replaced.
+        return f"{mine[0].skill.name} {time} instead"
     length = time.lower().startswith("for ")
     reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
     parts = [part for one in reading.instructions for part in one.requirements]
-    mine = [part for part in parts if (part.constraint is Constraint.FOR) is length]
-    if len(mine) > 1 or any(part.constraint is Constraint.EVERY for part in mine):
+    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
+    if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
-    if not mine:
+    if not times:
         return f"{entry.text.rstrip('.! ')} {time}"
-    first, end = mine[0].span
+    first, end = times[0].span
     return f"{entry.text[:first]}{time}{entry.text[end:]}"

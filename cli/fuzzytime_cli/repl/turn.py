@@ -161,7 +161,7 @@ class Turns:
             return Reply(tuple(line for problem in faults for line in problem_lines(problem, self.width)))
         kept = self.conversation.change(words, lambda state: state.with_entry(words, now))
         reading = own[0].reading if own else None
-        news = bool(own) and own[0].told_at is not None
+        news = bool(own and own[0].told_by)
         # What is told anew is taken for the time nearest to the old one.
         if self.asks and not news and reading is not None and reading.questions:
             self.pending = Pending(kept.entries[-1].number, reading.questions[0])

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from enum import StrEnum
 
-from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.about_wishes.said import TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
@@ -148,7 +148,7 @@ class _Clause:
         if found is not None and tables & (SOONER | LATER):
             by = -found.seconds if tables & SOONER else found.seconds
             return None if ABSENT in tables else self._of(NewsKind.LATER, found.rest, tables, by=by)
-        if said.has_time:
+        if said.has_time or ("rescheduled" in tables and _joint(words)):
             return self._timed(words, tables)
         if ABSENT in tables:
             known = LATE if {"present", "perfect"} & tables else CANCELLED
@@ -163,10 +163,14 @@ class _Clause:
         parts = find_times(words, self.now, self.lexicon).found
         # "The meeting is at four now"
         parts = tuple(part for part in parts if part.requirement.word != NOW or len(parts) == 1)
+        joint = _joint(words) if "rescheduled" in tables and not parts else 0
+        if joint and (at := Said(words[joint:], self.now, self.lexicon).as_time()):
+            # "It was moved to four"
+            parts = find_times(at, self.now, self.lexicon).found
         if len(parts) != 1:
             return None
         time, questions = parts[0].requirement, parts[0].questions
-        first, end = time.span
+        first, end = (joint, len(words)) if joint else time.span
         left, _ = Said(f"{words[:first]} {words[end:]}", self.now, self.lexicon).without(*TABLES)
         moved = ABSENT in tables or "rescheduled" in tables
         if ABSENT in tables and time.constraint is not Constraint.BEFORE:
@@ -175,7 +179,7 @@ class _Clause:
         if moved:
             # "They won't be here until eight", "it was moved to eight"
             at = Said(time.text, self.now, self.lexicon).as_time()
-            said = find_times(at, self.now, self.lexicon).found[:1] if at else ()
+            said = find_times(at, self.now, self.lexicon).found[:1] if at and not joint else ()
             for one in said:
                 time, questions = replace(one.requirement, text=time.text), one.questions
         if time.constraint not in ANEW or time.recurrence is not None:
@@ -205,6 +209,11 @@ class _Clause:
         words = self.text[self.span[0] : self.span[1]].lower()
         several = re.search(SEVERAL, words) is not None if "they" in tables else None
         return News(kind=kind, span=self.span, names=names, several=several, by=by)
+
+
+def _joint(words: str) -> int:
+    """Give where "to", "until" begins, behind which a new time stands; 0 for nowhere."""
+    return max((words.lower().rfind(f" {joint}") + 1 for joint in TO), default=0)
 
 
 def _verbs(happening: Operation) -> frozenset[str]:
