@@ -33,6 +33,7 @@ class Gathering:
     ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
     _seen: Counter[str] = field(default_factory=Counter)
     _taken: set[str] = field(init=False)
+    _happening: bool = False
 
     def __post_init__(self) -> None:
         self._taken = set(self.links.wishes)
@@ -44,7 +45,7 @@ class Gathering:
     def news(self, wish: SpokenWish, reading: Reading, lexicon: Lexicon) -> Told:
         """Take what a wish tells anew of what happens; give of which skills which words told."""
         told: Told = {}
-        if not any(one.operation is not None and one.operation.stated for one in self.skills):
+        if not self._happening:
             return told
         at = seconds_between(self.maker.request.now, wish.given)
         for news in news_in(wish.text, wish.given, lexicon):
@@ -124,6 +125,7 @@ class Gathering:
         return range(first, len(self.skills))
 
     def _add(self, made: Sequence[Interpreted]) -> None:
+        self._happening |= any(one.operation is not None and one.operation.stated for one in made)
         self.skills += [replace(one, identifier=self._name(one.wish)) for one in made]
 
     def _name(self, wish: Wish) -> str:

@@ -43,6 +43,10 @@ class Auto:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
         elif not shares.why_not(problem, watch.limits.memory):
             best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        if best.cost >= begun.cost > best.lower_cost and sweeps < math.inf and not watch.is_over():
+            # Where the exact method gives up for want of memory, the time left is the search's.
+            longer = LocalSearch().search(problem, watch, best)
+            best = replace(longer, lower_cost=best.lower_cost, method=LocalSearch.name)
         best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight

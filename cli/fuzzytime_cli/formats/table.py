@@ -12,7 +12,7 @@ from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, moved_words
+from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
@@ -70,9 +70,12 @@ class _Columns:
 
 
 class PlanView:
-    """One plan laid out for a width."""
+    """One plan laid out for a width; whom skills lost to is looked for within ``seconds``."""
 
-    def __init__(self, plan: Plan, width: int, *, unicode: bool = True) -> None:
+    def __init__(
+        self, plan: Plan, width: int, *, unicode: bool = True, seconds: float = MOST_SECONDS
+    ) -> None:
+        self.seconds = seconds
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
         self.clock = self._clock()
@@ -263,7 +266,10 @@ class PlanView:
                 return clash_sentence(self.plan)
 
     def _losses(self) -> Iterator[Text]:
-        for position, sentence in loss_lines(self.plan):
+        for position, sentence in loss_lines(self.plan, self.seconds):
+            if position is None:
+                yield Text(sentence, style="dim")
+                continue
             label = fitted(self.labels[position], self.label_width)
             yield Text(f"{label} ", style="dim").append(sentence, "not dim")
 
