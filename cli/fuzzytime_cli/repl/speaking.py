@@ -1,11 +1,12 @@
 """Plain words about what was asked for already, taken as the commands that they mean."""
 
 from dataclasses import replace
+from datetime import datetime
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, about_wishes, content_words, reported
+from fuzzytime.language import About, AboutKind, Language, about_wishes, content_words, reported
 from fuzzytime.requirement import Constraint
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
@@ -22,6 +23,13 @@ ASKED_BACK = {
     AboutKind.UNABLE: "when then? Say: push it back by half an hour (or: make it six; forget it)",
 }
 """What is answered to a protest."""
+
+
+def is_about(language: Language, words: str, now: datetime) -> bool:
+    """Whether words are, or may be, about wishes that were said before."""
+    return about_wishes(words, now, language.lexicon) is not None or bool(
+        reported(language.read(words, now=now))
+    )
 
 
 def reply_about(scene: Scene, words: str) -> Reply | None:
