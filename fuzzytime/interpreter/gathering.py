@@ -1,7 +1,7 @@
 """Wishes one after the other, each made into skills by what was said before it."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
@@ -13,7 +13,18 @@ from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import meant, told_anew
-from fuzzytime.language import LEAVING, Instruction, Lexicon, News, NewsKind, Reading, news_in, reported
+from fuzzytime.language import (
+    LEAVING,
+    Instruction,
+    Lexicon,
+    News,
+    NewsKind,
+    Reading,
+    clauses_of,
+    content_words,
+    news_in,
+    reported,
+)
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.times import seconds_between
 
@@ -48,15 +59,18 @@ class Gathering:
         if not self._happening:
             return told
         at = seconds_between(self.maker.request.now, wish.given)
-        for news in news_in(wish.text, wish.given, lexicon):
+        heard = news_in(wish.text, wish.given, lexicon)
+        known = any(news.kind is not NewsKind.LATE for news in heard)
+        for news in heard:
             place = meant(news, self.skills, wish, at)
             if place is None:
                 continue
             told[news.span] = place
-            if news.kind is NewsKind.LATE:
+            if news.kind is not NewsKind.LATE:
+                self.skills[place] = self._told_anew(place, news, wish, reading, at)
+            elif not known:
                 self.problems.append(_by_how_much(wish, news, self.skills[place]))
-                continue
-            self.skills[place] = self._told_anew(place, news, wish, reading, at)
+        self.problems += _beside_news(wish, reading, told) if told else ()
         return told
 
     def _told_anew(
@@ -199,6 +213,17 @@ class Gathering:
 def _is_asked(made: Interpreted) -> bool:
     """Whether words ask for something to be done."""
     return made.operation is not None and not made.operation.stated and isinstance(made.wish, SpokenWish)
+
+
+def _beside_news(wish: SpokenWish, reading: Reading, told: Told) -> Iterator[Problem]:
+    """Point at what stands beside news in one sentence, and is in no instruction of its own."""
+    own = [one for one in reading.instructions if not any(overlap(one.span, span) for span in told)]
+    for span in clauses_of(wish.text):
+        words = wish.text[span[0] : span[1]]
+        taken = any(overlap(span, other) for other in (*told, *(one.span for one in own)))
+        if not taken and len(content_words(words)) > 1:
+            message = f"{words!r} is not understood beside news: say it in a sentence of its own"
+            yield problem_of(wish, ProblemKind.NOT_UNDERSTOOD, message, span)
 
 
 def _by_how_much(wish: SpokenWish, news: News, made: Interpreted) -> Problem:

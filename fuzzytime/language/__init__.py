@@ -6,6 +6,7 @@ from fuzzytime.language.about_wishes import (
     News,
     NewsKind,
     about_wishes,
+    clauses_of,
     news_in,
     reported,
 )
@@ -55,6 +56,7 @@ __all__ = [
     "about_wishes",
     "answer",
     "check_length",
+    "clauses_of",
     "comes",
     "content_words",
     "find_times",

@@ -116,3 +116,8 @@ def test_what_is_said_at_one_moment_may_be_two() -> None:
 def test_the_rest_of_a_line_is_asked_for() -> None:
     made = later("the guests are ten minutes late, call mum at 9 am")
     assert starts(made).items() >= {"s1": "10:10", "s5": "09:00"}.items()
+
+
+def test_what_is_lost_beside_news_is_pointed_at() -> None:
+    made = later("the bus is cancelled, the next one leaves at 11 am", lines=("the bus leaves at 10 am",))
+    assert any("say it in a sentence of its own" in note for note in notes(made))

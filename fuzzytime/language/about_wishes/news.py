@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from enum import StrEnum
 
-from fuzzytime.language.about_wishes.said import TO, Said
+from fuzzytime.language.about_wishes.said import CLOCKED, TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
@@ -112,18 +112,16 @@ def news_in(text: str, now: datetime, lexicon: Lexicon) -> tuple[News, ...]:
     >>> [(one.kind.value, one.by) for one in news]
     [('later', 600.0)]
     """
-    found = [one for span in _clauses(text) if (one := _Clause(text, span, now, lexicon).news()) is not None]
-    told = any(one.kind is not NewsKind.LATE for one in found)
+    found = [
+        one for span in clauses_of(text) if (one := _Clause(text, span, now, lexicon).news()) is not None
+    ]
     # "They are late, they come at eight"
     marked = len(found) > 1
-    return tuple(
-        replace(one, marked=marked or one.marked)
-        for one in found
-        if one.kind is not NewsKind.LATE or not told
-    )
+    return tuple(replace(one, marked=marked or one.marked) for one in found)
 
 
-def _clauses(text: str) -> Iterator[Span]:
+def clauses_of(text: str) -> Iterator[Span]:
+    """Give the stretches of a text between its marks, as far as one can tell without its tree."""
     for clause in CLAUSES.finditer(text):
         first = clause.start() + len(clause[0]) - len(clause[0].lstrip())
         if clause[0].strip():
@@ -174,8 +172,8 @@ class _Clause:
         left, _ = Said(f"{words[:first]} {words[end:]}", self.now, self.lexicon).without(*TABLES)
         moved = ABSENT in tables or "rescheduled" in tables
         if ABSENT in tables and time.constraint is not Constraint.BEFORE:
-            # "They don't come at seven" leaves open when
-            return self._of(LATE, left, tables)
+            # "They don't come at seven" leaves open when, "they can't come today" does not.
+            return self._of(LATE if time.grain in CLOCKED else CANCELLED, left, tables)
         if moved:
             # "They won't be here until eight", "it was moved to eight"
             at = Said(time.text, self.now, self.lexicon).as_time()
