@@ -23,6 +23,9 @@ KICKS = 200
 PATIENCE = 60
 """Kicks that may gain nothing before it ends."""
 
+AGAIN = 2.0
+"""How many times as long as the first a second search may take at least, to be worth its beginning."""
+
 
 @dataclass(frozen=True, slots=True)
 class Auto:
@@ -34,7 +37,9 @@ class Auto:
         """Solve by the best method for the problem."""
         # Around the bound's path the exact method for many finds better ones than a longer search would.
         sweeps = 1 if problem.agents == 1 and len(problem.jobs) >= MANY else math.inf
+        since = watch.seconds
         begun = LocalSearch(sweeps=sweeps).search(problem, watch.share(0.3), warm)
+        spent = watch.seconds - since
         best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
         if few:
@@ -43,7 +48,8 @@ class Auto:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
         elif not shares.why_not(problem, watch.limits.memory):
             best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
-        if best.cost >= begun.cost > best.lower_cost and sweeps < math.inf and not watch.is_over():
+        gave_up = best.cost >= begun.cost > best.lower_cost and sweeps < math.inf
+        if gave_up and watch.remaining > AGAIN * spent:
             # Where the exact method gives up for want of memory, the time left is the search's.
             longer = LocalSearch().search(problem, watch, best)
             best = replace(longer, lower_cost=best.lower_cost, method=LocalSearch.name)
