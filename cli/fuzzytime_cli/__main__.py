@@ -1,5 +1,5 @@
 """``python -m fuzzytime_cli`` is the command `fuzzytime`."""
 
-from fuzzytime_cli.app import main
+from fuzzytime_cli.entry import main
 
 main()

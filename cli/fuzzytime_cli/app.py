@@ -30,10 +30,6 @@ PLAINER = (
 """Words of the library that checks options, and what people would say."""
 
 
-SELDOM = 200_000
-"""New objects after which Python looks for circles that nobody refers to any more."""
-
-
 class Root(Group):
     """The command itself: it says what is wrong with an option in plain words."""
 
@@ -131,9 +127,6 @@ def _called(arguments: list[str]) -> int:
 
 def main() -> None:
     """Run the command as the shell does."""
-    # Most of what a short command makes stays until its end: looking through it every 700 objects, and once
-    # more on the way out, takes a fifth of its time.
-    gc.set_threshold(SELDOM)
     _hold_closed_streams()
     code = run(sys.argv[1:])
     if code in {Exit.CLOSED_PIPE, Exit.IO_ERROR} and sys.stdout is not None:

@@ -1,6 +1,8 @@
 """Wishes one after the other, each made into skills by what was said before it."""
 
-from dataclasses import dataclass, field
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter.in_order import Rows, without_now
@@ -9,8 +11,25 @@ from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKi
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
-from fuzzytime.interpreter.request import DirectWish, SpokenWish
-from fuzzytime.language import LEAVING, Instruction, Reading, reported
+from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
+from fuzzytime.interpreter.told_anew import meant, told_anew
+from fuzzytime.language import (
+    LEAVING,
+    Instruction,
+    Lexicon,
+    News,
+    NewsKind,
+    Reading,
+    clauses_of,
+    content_words,
+    news_in,
+    reported,
+)
+from fuzzytime.language.instruction import Span, overlap
+from fuzzytime.times import seconds_between
+
+Told = dict[Span, int]
+"""The words of a wish that tell anew of what happens, and the position of that."""
 
 
 @dataclass(slots=True)
@@ -23,16 +42,59 @@ class Gathering:
     skills: list[Interpreted] = field(default_factory=list)
     problems: list[Problem] = field(default_factory=list)
     ahead: list[tuple[SpokenWish, Instruction]] = field(default_factory=list)
+    _seen: Counter[str] = field(default_factory=Counter)
+    _taken: set[str] = field(init=False)
+    _happening: bool = False
+
+    def __post_init__(self) -> None:
+        self._taken = set(self.links.wishes)
 
     def direct(self, wish: DirectWish) -> None:
         """Add the skill of a wish without words."""
-        self.skills.append(self.maker.direct(wish))
+        self._add([self.maker.direct(wish)])
 
-    def spoken(self, wish: SpokenWish, reading: Reading) -> None:
-        """Add the skills of a wish in words."""
+    def news(self, wish: SpokenWish, reading: Reading, lexicon: Lexicon) -> Told:
+        """Take what a wish tells anew of what happens; give of which skills which words told."""
+        told: Told = {}
+        if not self._happening:
+            return told
+        at = seconds_between(self.maker.request.now, wish.given)
+        heard = news_in(wish.text, wish.given, lexicon)
+        known = any(news.kind is not NewsKind.LATE for news in heard)
+        for news in heard:
+            place = meant(news, self.skills, wish, at)
+            if place is None:
+                continue
+            told[news.span] = place
+            if news.kind is not NewsKind.LATE:
+                self.skills[place] = self._told_anew(place, news, wish, reading, at)
+            elif not known:
+                self.problems.append(_by_how_much(wish, news, self.skills[place]))
+        self.problems += _beside_news(wish, reading, told) if told else ()
+        return told
+
+    def _told_anew(
+        self, place: int, news: News, wish: SpokenWish, reading: Reading, at: float
+    ) -> Interpreted:
+        made = self.skills[place]
+        begun = next((one for one in self.maker.request.started if one.identifier == made.identifier), None)
+        over = begun is not None and begun.start < at
+        if over and news.kind is NewsKind.THERE:
+            return made
+        anew = told_anew(made, news, wish, reading, self.maker, at)
+        # What was taken to have happened does not move: told anew it is another.
+        return replace(anew, identifier=self._name(wish)) if over and not anew.cancelled else anew
+
+    def spoken(self, wish: SpokenWish, reading: Reading, told: Told) -> None:
+        """Add the skills of a wish in words; what they told of what happens refers to that."""
         listed = self.rows.holds(reading)
         places: list[tuple[Instruction, range]] = []
         for instruction in reading.instructions:
+            if (
+                place := next((told[span] for span in told if overlap(span, instruction.span)), None)
+            ) is not None:
+                self.links.instructions.append(range(place, place + 1))
+                continue
             if instruction.length_of is not None:
                 places.append((instruction, self._lengthened(instruction)))
                 self._go_there(wish, reading, instruction, instruction.length_of.target)
@@ -73,8 +135,24 @@ class Gathering:
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))
         first = len(self.skills)
-        self.skills += made
+        self._add(made)
         return range(first, len(self.skills))
+
+    def _add(self, made: Sequence[Interpreted]) -> None:
+        self._happening |= any(one.operation is not None and one.operation.stated for one in made)
+        self.skills += [replace(one, identifier=self._name(one.wish)) for one in made]
+
+    def _name(self, wish: Wish) -> str:
+        """Give a skill of a wish an identifier of its own: the wish's, and further ones eggs.2, eggs.3."""
+        name = wish.identifier
+        self._seen[name] += 1
+        if self._seen[name] == 1:
+            return name
+        name = f"{name}.{self._seen[name]}"
+        while name in self._taken:
+            name += "'"
+        self._taken.add(name)
+        return name
 
     def _timed_by(self, instruction: Instruction) -> range | None:
         """Give the skills of which an instruction tells when they must be done: "it must be done by six"."""
@@ -111,7 +189,7 @@ class Gathering:
             # "We leave at six, the drive takes an hour"
             self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
             return
-        self.skills.append(self.maker.way(wish, reading, instruction, self.skills[meant[0]], target))
+        self._add([self.maker.way(wish, reading, instruction, self.skills[meant[0]], target)])
 
     def _skills_at(self, target: int) -> range:
         if target < len(self.links.instructions):
@@ -135,6 +213,23 @@ class Gathering:
 def _is_asked(made: Interpreted) -> bool:
     """Whether words ask for something to be done."""
     return made.operation is not None and not made.operation.stated and isinstance(made.wish, SpokenWish)
+
+
+def _beside_news(wish: SpokenWish, reading: Reading, told: Told) -> Iterator[Problem]:
+    """Point at what stands beside news in one sentence, and is in no instruction of its own."""
+    own = [one for one in reading.instructions if not any(overlap(one.span, span) for span in told)]
+    for span in clauses_of(wish.text):
+        words = wish.text[span[0] : span[1]]
+        taken = any(overlap(span, other) for other in (*told, *(one.span for one in own)))
+        if not taken and len(content_words(words)) > 1:
+            message = f"{words!r} is not understood beside news: say it in a sentence of its own"
+            yield problem_of(wish, ProblemKind.NOT_UNDERSTOOD, message, span)
+
+
+def _by_how_much(wish: SpokenWish, news: News, made: Interpreted) -> Problem:
+    """Say that nobody knows when something happens that is late."""
+    message = f"{made.skill.name}: by how much that is later, or when it is, is not said: its time is kept"
+    return problem_of(wish, ProblemKind.NOT_UNDERSTOOD, message, news.span, made.identifier)
 
 
 def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -> Problem:

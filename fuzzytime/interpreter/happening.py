@@ -1,13 +1,14 @@
 """What happens by itself, where it was said to, and what keeps who speaks from all else."""
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
-from fuzzytime.interpreter.remarks import problem_of
-from fuzzytime.interpreter.request import Request
-from fuzzytime.satisfaction import Rectangle
+from fuzzytime.interpreter.remarks import problem_of, too_late
+from fuzzytime.interpreter.request import Request, Started
+from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence
 from fuzzytime.times import instant_after
 
@@ -15,15 +16,36 @@ SURE = 0.999
 """The satisfaction from which on a start is as said."""
 
 
-def happening(interpretation: Interpretation) -> Interpretation:
+def happening(interpretation: Interpretation, started: Sequence[Started] = ()) -> Interpretation:
     """Keep what happens where it was said to: it gives way to nobody's work.
 
-    What is tied to such a moment has its own time by that.
+    What is tied to such a moment has its own time by that; what was to come before it and has not
+    ``started`` when it happens is said to be late, and may come as soon as it can.
     """
     skills = list(map(_where_it_happens, interpretation.skills))
     fixed = {place: one.skill.satisfaction.best.low for place, one in enumerate(skills) if _is_fixed(one)}
-    kept = [_tied(entries, skills, fixed) for entries in (interpretation.precedences, interpretation.order)]
-    return replace(interpretation, skills=tuple(skills), precedences=tuple(kept[0]), order=tuple(kept[1]))
+    begun = {one.identifier for one in started}
+    problems: list[Problem] = []
+    kept = []
+    for entries in (interpretation.precedences, interpretation.order):
+        left = []
+        for entry in _without_cancelled(entries, skills):
+            if fixed.get(entry.second, math.inf) > 0 or entry.first in fixed:
+                left.append(entry)
+            elif skills[entry.first].identifier not in begun and not _is_lost(skills[entry.first]):
+                problems.append(too_late(skills[entry.first], skills[entry.second]))
+        kept.append(_tied(left, skills, fixed))
+    return replace(
+        interpretation,
+        skills=tuple(skills),
+        precedences=tuple(kept[0]),
+        order=tuple(kept[1]),
+        problems=(*interpretation.problems, *problems),
+    )
+
+
+def _is_lost(one: Interpreted) -> bool:
+    return one.skill.satisfaction.support.empty
 
 
 def _is_fixed(one: Interpreted) -> bool:
@@ -32,8 +54,24 @@ def _is_fixed(one: Interpreted) -> bool:
     return one.skill.happens and support.low == support.high
 
 
+def _without_cancelled(entries: Sequence[Precedence], skills: list[Interpreted]) -> list[Precedence]:
+    """Let what was to come beside what will not happen have no time; give the entries left."""
+    left: list[Precedence] = []
+    for entry in entries:
+        gone = [place for place in (entry.first, entry.second) if skills[place].cancelled]
+        if not gone:
+            left.append(entry)
+        for place in {entry.first, entry.second}.difference(gone) if gone else ():
+            reason = f"its time is told by {skills[gone[0]].skill.name!r}, which will not happen"
+            never = replace(skills[place].skill, satisfaction=NEVER, preferred=None)
+            skills[place] = replace(skills[place], skill=never, reason=reason)
+    return left
+
+
 def _tied(
-    entries: Sequence[Precedence], skills: list[Interpreted], fixed: Mapping[int, float]
+    entries: Sequence[Precedence],
+    skills: list[Interpreted],
+    fixed: Mapping[int, float],
 ) -> list[Precedence]:
     """Put what must come before or after what has its moment where that allows; give the entries left."""
     left = []

@@ -63,6 +63,10 @@ class Interpreted:
         Whether it follows what was said before it because steps are done in the order said.
     tied_to
         Identifiers of what happens at a moment by which its time is told: it has that time.
+    told_by
+        Identifiers of the wishes that told anew of it, the latest last: its wish is that one.
+    cancelled
+        Whether it was told that it will not happen.
     """
 
     identifier: str
@@ -77,6 +81,8 @@ class Interpreted:
     follows: tuple[str, ...] = ()
     in_order: bool = False
     tied_to: tuple[str, ...] = ()
+    told_by: tuple[str, ...] = ()
+    cancelled: bool = False
 
     @property
     def operation(self) -> Operation | None:

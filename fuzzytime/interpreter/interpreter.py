@@ -1,7 +1,6 @@
 """The meeting of language and rulebook: from wishes to fuzzy skills, with everything an explanation needs."""
 
-from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from datetime import datetime
 
@@ -11,12 +10,14 @@ from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_order import Rows, free_of_circles
-from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
+from fuzzytime.interpreter.interpretation import Interpretation, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
+from fuzzytime.interpreter.told_anew import as_they_happened
 from fuzzytime.language import Language, Reading, check_length, with_words
+from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.rulebook.documents import shipped_tables
 from fuzzytime.skills import FuzzySkill
@@ -118,10 +119,14 @@ class Interpreter:
             elif isinstance(wish, SpokenWish):
                 reading = next(readings)
                 if reading is not None:
-                    self._remark(reading, wish, admitted, problems)
-                    gathered.spoken(wish, reading)
+                    told = gathered.news(wish, reading, self.language.lexicon)
+                    reading = _without_remarks(reading, told)
+                    if not (told and not reading.instructions):
+                        self._remark(reading, wish, admitted, problems)
+                    gathered.spoken(wish, reading, told)
         gathered.finish()
-        skills, called = by_agents(_identified(gathered.skills), request)
+        happened = as_they_happened(gathered.skills, request.started)
+        skills, called = by_agents(happened, request)
         problems += called
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)
         order = free_of_circles(gathered.rows.kept(), precedences)
@@ -182,18 +187,7 @@ def _is_read(wish: SpokenWish, problems: list[Problem]) -> bool:
     return True
 
 
-def _identified(skills: Sequence[Interpreted]) -> list[Interpreted]:
-    """Give every skill an identifier of its own: its wish's, and further skills of one eggs.2, eggs.3."""
-    taken = {interpreted.identifier for interpreted in skills}
-    seen: Counter[str] = Counter()
-    identified = []
-    for interpreted in skills:
-        name = interpreted.identifier
-        seen[name] += 1
-        if seen[name] > 1:
-            name = f"{name}.{seen[name]}"
-            while name in taken:
-                name += "'"
-            taken.add(name)
-        identified.append(replace(interpreted, identifier=name))
-    return identified
+def _without_remarks(reading: Reading, told: Iterable[Span]) -> Reading:
+    """Give a reading without what it remarks on words that are understood otherwise."""
+    kept = [one for one in reading.remarks if not any(overlap(one.span, span) for span in told)]
+    return replace(reading, remarks=tuple(kept))

@@ -8,7 +8,7 @@ from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.loosening import loosened
-from fuzzytime.interpreter.request import Request
+from fuzzytime.interpreter.request import Request, Started
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
 from fuzzytime.skills import FuzzyTask
@@ -90,12 +90,17 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     FuzzytimeError
         If the request contradicts itself: an unknown identifier, precedences in a circle.
     """
-    interpretation = happening(interpreter.interpret(request))
+    interpretation = happening(interpreter.interpret(request), request.started)
     appointments = attended(interpretation, request)
     busy = (*request.busy, *(taken for _, taken in appointments))
     clashing = clashes(appointments, request)
     interpretation = replace(interpretation, problems=(*interpretation.problems, *clashing))
-    interpretation, held = without_started(interpretation, request.started)
+    over = (
+        Started(identifier=one.identifier, start=0, end=0, done=0)
+        for one in interpretation.skills
+        if one.cancelled
+    )
+    interpretation, held = without_started(interpretation, (*request.started, *over))
     return replace(request, busy=(*busy, *held)), interpretation
 
 

@@ -27,6 +27,12 @@ def remarks_of(reading: Reading, wish: Wish) -> list[Problem]:
     return [problem_of(wish, _KINDS[remark.kind], remark.message, remark.span) for remark in remarks]
 
 
+def too_late(one: Interpreted, begun: Interpreted) -> Problem:
+    """Say that one comes too late for another that has begun, before which it was to be done."""
+    message = f"{one.skill.name}: was to be done before {begun.skill.name!r}, and has not been"
+    return problem_of(one.wish, ProblemKind.UNRESOLVED, message, identifier=one.identifier)
+
+
 def is_spoiled(instruction: Instruction, reading: Reading, problems: list[Problem]) -> bool:
     """Say whether an instruction holds words about time that were not understood: then it is not acted on.
 

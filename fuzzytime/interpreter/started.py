@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.remarks import too_late
 from fuzzytime.interpreter.request import Started
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.skills import Busy, Precedence
@@ -29,6 +30,12 @@ def without_started(
     moved = {position: place for place, position in enumerate(open_positions)}
     skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
     binding: list[list[Precedence]] = [[], []]
+    missed = [
+        too_late(interpretation.skills[entry.first], interpretation.skills[entry.second])
+        for entry in interpretation.precedences
+        if entry.first in moved and entry.second not in moved
+        if not interpretation.skills[entry.first].skill.satisfaction.support.empty
+    ]
     for kept, precedences in zip(binding, (interpretation.precedences, interpretation.order), strict=True):
         for precedence in precedences:
             if precedence.first in moved and precedence.second in moved:
@@ -47,10 +54,13 @@ def without_started(
         skills=tuple(skills[position] for position in open_positions),
         precedences=tuple(binding[0]),
         order=tuple(binding[1]),
-        problems=tuple(
-            problem
-            for problem in interpretation.problems
-            if problem.kind is not ProblemKind.NOTE or problem.identifier not in by_identifier
+        problems=(
+            *(
+                problem
+                for problem in interpretation.problems
+                if problem.kind is not ProblemKind.NOTE or problem.identifier not in by_identifier
+            ),
+            *missed,
         ),
     )
     return remaining, busy

@@ -1,6 +1,15 @@
 """From typed words to instructions with time requirements; the only home of spaCy."""
 
-from fuzzytime.language.about_wishes import About, AboutKind, about_wishes, reported
+from fuzzytime.language.about_wishes import (
+    About,
+    AboutKind,
+    News,
+    NewsKind,
+    about_wishes,
+    clauses_of,
+    news_in,
+    reported,
+)
 from fuzzytime.language.answer import answer
 from fuzzytime.language.finding import Times, check_length, find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -21,7 +30,7 @@ from fuzzytime.language.sentence.anchors import LEAVING
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import ENDING, comes, shares_thing
+from fuzzytime.language.sentence.references import ENDING, comes, is_several, shares_thing
 
 __all__ = [
     "ENDING",
@@ -32,6 +41,8 @@ __all__ = [
     "Language",
     "Lexicon",
     "ModelError",
+    "News",
+    "NewsKind",
     "Operation",
     "ParseCache",
     "Policy",
@@ -45,11 +56,14 @@ __all__ = [
     "about_wishes",
     "answer",
     "check_length",
+    "clauses_of",
     "comes",
     "content_words",
     "find_times",
     "installed_model",
+    "is_several",
     "model_files",
+    "news_in",
     "reported",
     "shares_thing",
     "with_words",

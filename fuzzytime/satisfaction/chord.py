@@ -46,10 +46,26 @@ def cell_chord_errors(function: SatisfactionFunction, edges: ArrayLike) -> Float
         interpolation below −log ψ everywhere; infinite where ψ is 0 at an edge.
     """
     cells = np.asarray(edges, float)
-    kinks = np.asarray(function.kinks, float)
-    nodes = np.union1d(cells, kinks[(kinks > cells[0]) & (kinks < cells[-1])])
+    best = function.best
+    first, last = np.searchsorted(cells, best.low), np.searchsorted(cells, best.high, "right") - 1
+    if last <= first:
+        return _errors(function, cells)
+    # Where ψ keeps its maximum, which may be most of the time, chords do not rise.
+    before, after = cells[: first + 1], cells[last:]
+    level = np.zeros(last - first)
+    return np.concatenate([_errors(function, before), level, _errors(function, after)])
+
+
+def _errors(function: SatisfactionFunction, cells: Floats) -> Floats:
+    if cells.size < 2:
+        return np.zeros(0)
+    kinks = np.unique(np.asarray(function.kinks, float))
+    kinks = kinks[(kinks > cells[0]) & (kinks < cells[-1])]
+    place = np.searchsorted(cells, kinks)
+    place, kinks = place[cells[place] != kinks], kinks[cells[place] != kinks]
+    nodes = np.insert(cells, place, kinks)
     starts, ends = nodes[:-1], nodes[1:]
-    cell = np.searchsorted(cells, starts, "right") - 1
+    cell = np.insert(np.arange(cells.size), place, place - 1)[:-1]
     cost = -function.log(cells)
     after = -function.log(np.nextafter(starts, ends))
     before = -function.log(np.nextafter(ends, starts))
@@ -64,5 +80,5 @@ def cell_chord_errors(function: SatisfactionFunction, edges: ArrayLike) -> Float
         # At a jump ψ takes its larger value, which may lie above both limits.
         piece = np.maximum(piece, chord_start + function.log(starts))
     error = np.zeros(cells.size - 1)
-    np.maximum.at(error, cell, np.nan_to_num(piece, nan=0.0, posinf=np.inf))
+    np.maximum.at(error, cell, np.where(np.isnan(piece), 0.0, piece))
     return np.where(np.isfinite(cost[:-1]) & np.isfinite(cost[1:]), error, np.inf)

@@ -20,6 +20,9 @@ EXACT_JOBS = 12
 KICKS = 200
 """Of a local search where an exact method has left a gap, at most."""
 
+AGAIN = 2.0
+"""How many times as long as the first a second search may take at least, to be worth its beginning."""
+
 
 @dataclass(frozen=True, slots=True)
 class Auto:
@@ -31,7 +34,9 @@ class Auto:
         """Solve by the best method for the problem."""
         # Around the bound's path the exact method for many finds better ones than a longer search would.
         sweeps = 1 if problem.agents == 1 and len(problem.jobs) >= MANY else math.inf
+        since = watch.seconds
         begun = LocalSearch(sweeps=sweeps).search(problem, watch.share(0.3), warm)
+        spent = watch.seconds - since
         best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
         if few:
@@ -40,6 +45,11 @@ class Auto:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
         elif not shares.why_not(problem, watch.limits.memory):
             best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        gave_up = best.cost >= begun.cost > best.lower_cost and sweeps < math.inf
+        if gave_up and watch.remaining > AGAIN * spent:
+            # Where the exact method gives up for want of memory, the time left is the search's.
+            longer = LocalSearch().search(problem, watch, best)
+            best = replace(longer, lower_cost=best.lower_cost, method=LocalSearch.name)
         best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight

@@ -16,6 +16,9 @@ from fuzzytime.scheduling.schedule import Schedule
 from fuzzytime.scheduling.solver import Solver
 from fuzzytime.skills import Busy, FuzzyTask
 
+ALTERNATIVES = 0.8
+"""The share of the time in which alternatives are looked for; then only those in the way are."""
+
 LOSS = 1e-4
 """A satisfaction that differs by less is not worth a word."""
 
@@ -79,6 +82,8 @@ class Why:
         To whom it lost, the one that would lose most first.
     alternative
         The schedule in which it has its best time; None where it has, where there is none, or time was over.
+    sought
+        Whether those that it lost to were looked for: not where time was over.
     """
 
     position: int
@@ -89,6 +94,7 @@ class Why:
     appointments: tuple[Busy, ...]
     neighbours: tuple[Neighbour, ...]
     alternative: Alternative | None
+    sought: bool = True
 
     @property
     def alone(self) -> float:
@@ -119,7 +125,8 @@ def explain(
     solver
         Finds the alternatives; None takes a local search.
     limits
-        For all together; skills that are left when time is over have no alternative.
+        For all together; of skills that are left when most of the time is over no alternative is given, and
+        when it is over not whom they lost to.
 
     >>> from fuzzytime.satisfaction import Triangle
     >>> from fuzzytime.scheduling.solve import solve
@@ -130,17 +137,20 @@ def explain(
     >>> round(why.alone, 2), round(why.lost, 2), why.neighbours[0].position, str(why.neighbours[0].bond)
     (1.0, 0.5, 0, 'overlap')
     """
-    watch = Stopwatch(limits or Limits(seconds=3.0))
+    whole = Stopwatch(limits or Limits(seconds=3.0))
+    watch = whole.share(ALTERNATIVES)
     chosen = range(len(schedule.start_times)) if positions is None else positions
-    return tuple(_why(schedule, position, solver, watch) for position in chosen)
+    return tuple(_why(schedule, position, solver, watch, whole) for position in chosen)
 
 
-def _why(schedule: Schedule, position: int, solver: Solver | None, watch: Stopwatch) -> Why:
+def _why(schedule: Schedule, position: int, solver: Solver | None, watch: Stopwatch, whole: Stopwatch) -> Why:
     skill, start = schedule.task.skills[position], schedule.start_times[position]
     best = best_alone(schedule.task, position, start)
     alternative: Alternative | None = None
     neighbours: tuple[Neighbour, ...] = ()
-    if best.satisfaction - schedule.satisfactions[position] > LOSS:
+    lost = best.satisfaction - schedule.satisfactions[position] > LOSS
+    sought = not (lost and whole.is_over())
+    if lost and sought:
         limits = replace(watch.limits, seconds=watch.remaining)
         if not watch.is_over():
             alternative = elsewhere(schedule, position, best.starts, solver=solver, limits=limits)
@@ -155,6 +165,7 @@ def _why(schedule: Schedule, position: int, solver: Solver | None, watch: Stopwa
         _appointments(schedule.task, position, best, start),
         neighbours,
         alternative,
+        sought,
     )
 
 

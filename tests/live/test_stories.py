@@ -326,3 +326,90 @@ def test_somebody_who_stops_a_run_is_told_what_goes_on() -> None:
     stopped = story.one(Stopped)
     assert (stopped.at, stopped.running, stopped.waiting) == (60.0, ("mix",), ("table",))
     assert story.one(Finished).unfinished == ("mix",)
+
+
+# -- what happens, told anew --------------------------------------------------------------------------------
+
+PARTY = (
+    "the guests come at 7 pm",
+    "serve the soup five minutes after the guests arrive",
+    "set the table 20 minutes before the guests come",
+    "light the candles before the guests come",
+)
+
+
+def test_what_comes_late_takes_along_what_is_tied_to_it() -> None:
+    story = told(PARTY, [{"say": "the guests are late, they come at half past seven", "at_s": 600}])
+    assert story.one(Instructed).ids == ("s1",)
+    assert {one.id: one.after_s for one in story.all(Moved)} == {"s1": 5400, "s2": 5700, "s3": 4200}
+    assert (story.starts["s1"], story.starts["s2"], story.starts["s3"]) == (5400, 5700, 4200)
+    assert "s1 was told anew" in story.reasons
+
+
+def test_what_has_started_stays_when_the_event_is_late() -> None:
+    story = told(PARTY, [{"say": "the guests will be half an hour late", "at_s": 3000}])
+    assert (story.starts["s3"], story.starts["s2"]) == (2400, 5700)
+    assert story.one(Moved, "s2").before_s == 3900
+
+
+def test_what_was_taken_to_have_happened_may_be_told_to_come_later() -> None:
+    story = told(PARTY, [{"say": "the guests come at half past seven", "at_s": 3660}])
+    assert story.starts["s2"] == 5700
+    assert story.starts["s5"] == 5400
+
+
+def test_what_comes_early_is_said_to_leave_no_time_for_what_was_to_be_done_before() -> None:
+    story = told(PARTY[:3], [{"say": "they are here", "at_s": 600}])
+    assert (story.starts["s1"], story.starts["s2"]) == (600, 900)
+    assert "passed" in story.one(Rejected, "s3").reason
+
+
+def test_what_comes_early_by_a_line_takes_along_what_is_tied_to_it() -> None:
+    story = told(PARTY[:2], [{"done": "s1", "at_s": 600}])
+    assert story.starts == {"s2": 900}
+
+
+def test_what_is_cancelled_is_dropped_and_what_is_tied_to_it_rejected() -> None:
+    story = told(PARTY[:3], [{"say": "the guests aren't coming", "at_s": 600}])
+    assert story.one(Dropped).id == "s1"
+    assert {one.id for one in story.all(Rejected)} == {"s2", "s3"}
+    assert story.starts == {}
+
+
+def test_what_comes_after_all_is_planned_again() -> None:
+    lines: list[Json] = [
+        {"say": "the guests aren't coming", "at_s": 600},
+        {"say": "they come at half past seven after all", "at_s": 1200},
+    ]
+    story = told(PARTY[:3], lines)
+    assert story.starts == {"s3": 4200, "s1": 5400, "s2": 5700}
+
+
+def test_lateness_without_a_length_is_a_problem_that_changes_nothing() -> None:
+    story = told(PARTY[:2], [{"say": "the guests are late", "at_s": 600}])
+    assert "by how much" in story.one(Trouble).message
+    assert story.starts["s1"] == 3600
+
+
+def test_a_line_that_tells_how_long_something_takes_is_kept() -> None:
+    story = told(["stir the soup in ten minutes"], [{"say": "it takes 20 minutes", "at_s": 60}])
+    assert story.one(Done).at - story.starts["s1"] == 1200
+
+
+def test_what_is_forgotten_in_words_is_dropped() -> None:
+    lines = [{"say": "forget the soup", "at_s": 60}]
+    story = told(["stir the soup in ten minutes", "call mum in 20 minutes"], lines)
+    assert story.one(Dropped).id == "s1"
+    assert story.starts == {"s2": 1200}
+
+
+def test_what_is_ready_in_words_is_done() -> None:
+    story = told(["boil the eggs now for eight minutes"], [{"say": "the eggs are ready", "at_s": 60}])
+    assert story.one(Done).at == 60
+
+
+@pytest.mark.parametrize("line", ["push everything back by ten minutes", "no, make it eight", "done"])
+def test_other_words_about_what_was_asked_for_are_pointed_at(line: str) -> None:
+    story = told(["stir the soup in ten minutes"], [{"say": line, "at_s": 60}])
+    assert story.one(Trouble).text == line
+    assert story.starts == {"s1": 600}

@@ -31,6 +31,16 @@ def test_chord_errors_bound_what_is_measured(
     assert (cell_chord_errors(floored, edges) >= _measured(floored, edges) - 1e-6).all()
 
 
+@given(plain, st.floats(1e-3, 0.5), st.floats(0.5, 5e4), st.floats(-1e5, 1e5))
+def test_chord_errors_of_cells_together_are_those_of_each(
+    function: SatisfactionFunction, floor: float, step: float, first: float
+) -> None:
+    floored = Floored(function, floor)
+    edges = first + step * np.arange(12)
+    each = [cell_chord_errors(floored, edges[cell : cell + 2])[0] for cell in range(11)]
+    np.testing.assert_allclose(cell_chord_errors(floored, edges), each, atol=1e-9)
+
+
 def test_chord_errors_vanish_with_the_square_of_the_step() -> None:
     for function in (Trapezoid(0, 100, 200, 300), Bell(150, 40, 2)):
         edges = np.array([30.0, 31.0])

@@ -1,5 +1,7 @@
 """Why each skill starts when it does."""
 
+import itertools
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -107,9 +109,14 @@ def test_what_stands_far_off_stays_there() -> None:
 
 def test_out_of_time_those_in_the_way_are_named_without_what_they_would_lose() -> None:
     task = FuzzyTask((FuzzySkill("flip", WISH, 30, priority=2), FuzzySkill("pour", WISH, 30)))
-    why = explain(solve(task), limits=Limits(seconds=0))[1]
+    schedule = solve(task)
+    times = itertools.chain([0.0] * 5, itertools.repeat(9.0))
+    why = explain(schedule, [1], limits=Limits(seconds=10, clock=lambda: next(times)))[0]
     assert why.alternative is None
     assert [(neighbour.position, neighbour.instead) for neighbour in why.neighbours] == [(0, None)]
+    nothing = explain(schedule, [1], limits=Limits(seconds=0))[0]
+    assert (nothing.sought, nothing.neighbours, why.sought) == (False, (), True)
+    assert nothing.lost == why.lost
 
 
 @settings(max_examples=30, deadline=None)

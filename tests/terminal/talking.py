@@ -38,6 +38,15 @@ class Talk:
         self.edit = reply.edit
         return _text(reply.lines)
 
+    def paste(self, *lines: str) -> list[str]:
+        """Say lines at once; give what is answered to each of those that stand together."""
+        answers = []
+        for part in self.turns.together(lines, self.now):
+            one = len(part) == 1
+            reply = self.turns.take(part[0], self.now) if one else self.turns.take_together(part, self.now)
+            answers.append(_text(reply.lines))
+        return answers
+
     def wait(self, **by: float) -> str:
         self.now += timedelta(**by)
         return _text(self.turns.tick(self.now))

@@ -297,3 +297,23 @@ def test_a_move_to_another_day_is_told_with_the_day() -> None:
     talk = Talk()
     talk.say("Call mum at 5 pm")
     assert "moved: s1 call mum from 17:00 to Thu 17:00" in talk.say(":edit 1 call mum at 5 pm tomorrow")
+
+
+def test_lines_that_are_pasted_are_planned_together() -> None:
+    talk = Talk()
+    first, listed, last = talk.paste(
+        "call mum at noon",
+        "",
+        "stir the soup at 25:61 pm",
+        "set the table ten minutes after calling mum",
+        ":list",
+        "no, make it one pm",
+    )
+    assert first.count("Satisfaction") == 1
+    assert "'25:61 pm' looks like a time" in first
+    assert "call mum at noon" in listed
+    assert ":edit" in last
+    assert len(talk.entries) == 2
+    talk.say(":undo")
+    talk.say(":undo")
+    assert talk.entries == []

@@ -86,6 +86,18 @@ def test_parse_answers_a_file_and_then_what_was_typed(tmp_path: Path) -> None:
     assert "\nFeed the cat\n" in done.out
 
 
+def test_parse_leaves_out_comments_but_answers_every_line_of_json(tmp_path: Path) -> None:
+    file = tmp_path / "one.txt"
+    file.write_text("# At noon\nStir the soup soon\n", encoding="utf-8")
+    assert ran("parse", str(file), folder=tmp_path).out.startswith("Stir the soup soon\n")
+    assert len(ran("parse", "--jsonl", str(file), folder=tmp_path).out.splitlines()) == 2
+
+
+def test_a_folder_is_not_followed(tmp_path: Path) -> None:
+    done = ran("run", "-i", "Wave now", "--follow", str(tmp_path), folder=tmp_path)
+    assert (done.code, "must be a file" in done.err) == (66, True)
+
+
 def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path: Path) -> None:
     file = tmp_path / "task.yaml"
     file.write_text("now: tomorrow\ninstructions: [Stir the soup soon]\n", encoding="utf-8")

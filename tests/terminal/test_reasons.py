@@ -7,9 +7,9 @@ import pytest
 
 from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
-from fuzzytime.scheduling import Status
+from fuzzytime.scheduling import Limits, Status
 from fuzzytime.skills import Busy
-from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, why_sentences
+from fuzzytime_cli.formats.reasons import clash_sentence, explaining, loss_lines, why_sentences
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the tests' moment is of no zone
 WISH = Triangle(60, 180, 300)
@@ -33,6 +33,20 @@ def test_a_line_names_who_wants_the_same_minutes(interpreter: Interpreter) -> No
     lines = dict(loss_lines(made))
     assert lines[1].startswith("flip the pancakes: lost 0.")
     assert lines[1].endswith("to toast the bread, which wants the same minutes")
+
+
+def test_out_of_time_it_is_said_that_nobody_looked(interpreter: Interpreter) -> None:
+    made = planned(interpreter, *(wish(f"flip {number}", WISH) for number in range(4)))
+    *lines, last = loss_lines(made, seconds=0.0)
+    assert all(" to " not in line for _, line in lines)
+    assert last == (
+        None,
+        f"to whom {len(lines)} of these lost was not looked for: time was over (explain tells)",
+    )
+
+
+def test_explaining_takes_a_share_of_the_time() -> None:
+    assert [explaining(Limits(seconds=seconds)) for seconds in (0.5, 5.0, 60.0)] == [0.1, 1.0, 1.0]
 
 
 def test_two_skills_of_one_name_are_told_apart(interpreter: Interpreter) -> None:

@@ -181,6 +181,55 @@ def test_what_is_tied_to_what_happens_stays_with_it() -> None:
 
 
 @pytest.mark.model
+def test_what_happens_later_takes_along_what_is_tied_to_it() -> None:
+    talk = Talk()
+    talk.say("the guests come at 7 pm, serve the soup five minutes after they arrive")
+    talk.say("set the table 20 minutes before the guests come")
+    starts = {name: talk.start(name) for name in ("s1", "s1.2", "s2")}
+    talk.wait(minutes=1)
+    answer = talk.say("the guests are late, they come at half past seven")
+    assert "moved: s1.2 serve the soup from 19:05 to 19:35" in answer
+    assert "Which time" not in answer
+    half = timedelta(minutes=30)
+    assert {name: talk.start(name) for name in starts} == {name: at + half for name, at in starts.items()}
+    talk.wait(hours=9, minutes=55)
+    assert "start now: set the table" in talk.wait(minutes=15)
+    assert "moved: s1.2 serve the soup from 19:35 to 19:45" in talk.say("they are another ten minutes late")
+    talk.say(":undo")
+    assert talk.start("s1.2") == starts["s1.2"] + half
+
+
+@pytest.mark.model
+def test_news_can_be_changed_as_instructions_can() -> None:
+    talk = Talk()
+    talk.say("the guests come at 7 pm")
+    talk.say("serve the soup five minutes after the guests arrive")
+    start = talk.start("s2")
+    talk.wait(minutes=1)
+    talk.say("the guests are an hour late")
+    assert ":delay 3" in talk.say("push the guests back by ten minutes")
+    assert talk.start("s2") == start + timedelta(minutes=70)
+    talk.say("no, make it half past eight")
+    assert talk.start("s2") == start + timedelta(minutes=90)
+    assert "what waits for it" not in talk.say("what if the guests are ten minutes late?")
+    assert talk.start("s2") == start + timedelta(minutes=90)
+    assert "by how much" in talk.say("the guests are late")
+    assert len(talk.entries) == 3
+    talk.say("forget the guests")
+    assert talk.entries == ["serve the soup five minutes after the guests arrive"]
+
+
+@pytest.mark.model
+def test_what_happens_sooner_is_done_by_word() -> None:
+    talk = Talk()
+    talk.say("the guests come at 7 pm")
+    talk.say("serve the soup five minutes after the guests arrive")
+    talk.wait(minutes=30)
+    talk.say(":done 1")
+    assert talk.start("s2") == talk.now + timedelta(minutes=5)
+
+
+@pytest.mark.model
 def test_what_follows_what_is_running_is_pushed_back_too() -> None:
     talk = Talk()
     talk.say("Set the table now, then light the candles")

@@ -1,12 +1,18 @@
-"""Starting costs little: help and version import nothing heavy."""
+"""Starting costs little: help and version import nothing heavy; who stops it meanwhile sees no traceback."""
 
+import os
+import signal
 import subprocess
 import sys
+import time
+import tomllib
 from pathlib import Path
 
 import pytest
 
 from console import ROOT, environment
+from fuzzytime_cli.entry import INTERRUPTED
+from fuzzytime_cli.exits import Exit
 
 HEAVY = {
     "numpy",
@@ -65,3 +71,33 @@ def imported_by(code: str, folder: Path) -> set[str]:
         check=True,
     )
     return {name.partition(".")[0] for name in done.stderr.split()}
+
+
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+@pytest.mark.parametrize("seconds", [0.0, 0.02, 0.05, 0.1, 0.2, 0.4])
+def test_a_command_that_is_stopped_while_it_begins_ends_quietly(seconds: float, tmp_path: Path) -> None:
+    program = (
+        "import sys; from fuzzytime_cli.entry import main\n"
+        "sys.argv = ['fuzzytime', 'plan', '-i', 'Call mum around noon']\n"
+        "print('begun', flush=True); main()"
+    )
+    with subprocess.Popen(
+        [sys.executable, "-c", program],
+        env=environment(tmp_path),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdout is not None
+        process.stdout.readline()
+        time.sleep(seconds)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    assert said == b""
+    # By the signal itself it ends where Python is on its way out.
+    assert process.returncode in {130, 0, -signal.SIGINT}
+
+
+def test_the_command_is_the_one_of_the_package() -> None:
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    assert settings["project"]["scripts"] == {"fuzzytime": "fuzzytime_cli.entry:main"}
+    assert INTERRUPTED == Exit.INTERRUPT

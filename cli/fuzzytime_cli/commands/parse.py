@@ -10,12 +10,17 @@ import typer
 
 from fuzzytime_cli.options import Instructions, Moment, Solving, Understanding, flattened
 
+COMMENT = b"#"
+
 
 @flattened
 def parse(
     file: Annotated[
         str | None,
-        typer.Argument(help="Texts, one a line; or - for standard input, as without file and -i."),
+        typer.Argument(
+            help="Texts, one a line, and without --jsonl # comments; or - for standard input, as without "
+            "file and -i."
+        ),
     ] = None,
     jsonl: Annotated[  # noqa: FBT002 - a flag
         bool, typer.Option("--jsonl", help='Answer JSON lines; lines may be {"text": …, "now": …} objects.')
@@ -38,9 +43,9 @@ def parse(
     texts = [text.encode("utf-8", "replace") for text in instruction or ()]
     screen = Screen.of(sys.stdout, dict(os.environ))
     with open_stream(file or ("-" if not texts else None)) as stream:
-        asked = (
-            asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in chain(lines_of(stream), texts)
-        )
+        # Who counts answers by lines wants one for each.
+        lines = (line for line in lines_of(stream) if jsonl or not line.lstrip().startswith(COMMENT))
+        asked = (asked_of(line, now, objects=jsonl, zone=assembly.zone) for line in chain(lines, texts))
         for reply in answers(asked, language):
             if jsonl:
                 sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")

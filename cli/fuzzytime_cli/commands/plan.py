@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
     from fuzzytime.context import Signal
     from fuzzytime.interpreter import Plan, Problem, Request
+    from fuzzytime.scheduling import Limits
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.inputs.source import Source
 
@@ -56,7 +57,8 @@ def plan(
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
     made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
-    write_plan(made, output_format or PlanFormat.of_file(output) or PlanFormat.TABLE, output)
+    chosen = output_format or PlanFormat.of_file(output) or PlanFormat.TABLE
+    write_plan(made, chosen, output, assembly.limits())
     code = exit_of_plan(made, strict=strict)
     if code != Exit.FINE:
         raise typer.Exit(code)
@@ -164,17 +166,19 @@ def exit_of_plan(made: "Plan", *, strict: bool) -> Exit:
     return Exit.INFEASIBLE if made.schedule.certificate.status is Status.INFEASIBLE else Exit.FINE
 
 
-def write_plan(made: "Plan", output_format: PlanFormat, output: Path | None) -> None:
-    """Write a plan to a file, whole or not at all, or to standard output."""
+def write_plan(made: "Plan", output_format: PlanFormat, output: Path | None, limits: "Limits") -> None:
+    """Write a plan, made under some limits, to a file, whole or not at all, or to standard output."""
     from fuzzytime_cli.formats import written
+    from fuzzytime_cli.formats.reasons import explaining
     from fuzzytime_cli.render import Screen
 
+    seconds = explaining(limits)
     if output is None and output_format is PlanFormat.TABLE:
         from fuzzytime_cli.formats.table import PlanView
 
         screen = Screen.of(sys.stdout, dict(os.environ))
-        screen.write(*PlanView(made, screen.width, unicode=screen.unicode).lines())
+        screen.write(*PlanView(made, screen.width, unicode=screen.unicode, seconds=seconds).lines())
         return
     from fuzzytime_cli.files import write_out
 
-    write_out(output, written(made, output_format))
+    write_out(output, written(made, output_format, seconds=seconds))

@@ -4,13 +4,16 @@ from fuzzytime.interpreter import Plan
 from fuzzytime_cli.choices import PlanFormat
 
 
-def written(plan: Plan, output_format: PlanFormat, width: int = 80) -> str:
-    """Write a plan as text in a format; each writer is imported when it is asked for."""
+def written(plan: Plan, output_format: PlanFormat, width: int = 80, *, seconds: float = 1.0) -> str:
+    """Write a plan as text in a format; each writer is imported when it is asked for.
+
+    Whom skills lost to is looked for within ``seconds``, where the format says it.
+    """
     match output_format:
         case PlanFormat.TABLE:
             from fuzzytime_cli.formats.table import PlanView
 
-            return "".join(f"{line.plain}\n" for line in PlanView(plan, width).lines())
+            return "".join(f"{line.plain}\n" for line in PlanView(plan, width, seconds=seconds).lines())
         case PlanFormat.JSON:
             from fuzzytime_cli.formats.jsons import json_text
 
@@ -34,4 +37,4 @@ def written(plan: Plan, output_format: PlanFormat, width: int = 80) -> str:
         case PlanFormat.HTML:
             from fuzzytime_cli.formats.page import page_text
 
-            return page_text(plan)
+            return page_text(plan, seconds)

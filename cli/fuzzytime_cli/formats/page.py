@@ -14,9 +14,9 @@ STYLE = (
 )
 
 
-def page_text(plan: Plan) -> str:
-    """Write the page; it loads nothing, and runs nothing."""
-    view = PlanView(plan, 100)
+def page_text(plan: Plan, seconds: float) -> str:
+    """Write the page; it loads nothing, and runs nothing. Whom skills lost to is looked for for so long."""
+    view = PlanView(plan, 100, seconds=seconds)
     title = words(f"Plan from {plan.request.now:%A %d %B %Y, %H:%M}")
     head = (
         '<meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1">'

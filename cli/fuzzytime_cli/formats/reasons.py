@@ -19,17 +19,34 @@ MOST_NAMED = 3
 """How many others a sentence names."""
 
 MOST_SECONDS = 1.0
-"""Time spent at most on all lines under a plan; of what is left then only those in the way are named."""
+"""Time spent at most on all lines under a plan; to whom what is left then lost is not looked for."""
+
+SHARE = 0.2
+"""And at most such a share of the time that the plan itself was given."""
 
 WORTH_NAMING = 0.2
 """Others that would lose a smaller share of what the first would lose are not named."""
 
 
-def loss_lines(plan: Plan) -> list[tuple[int, str]]:
-    """Give for each skill that is not fully satisfied its position, and in a line what that is due to."""
+def explaining(limits: Limits) -> float:
+    """Give the seconds that all lines under a plan may take, by the limits under which it is made."""
+    return min(MOST_SECONDS, SHARE * limits.seconds)
+
+
+def loss_lines(plan: Plan, seconds: float = MOST_SECONDS) -> list[tuple[int | None, str]]:
+    """Give for each skill that is not fully satisfied its position, and in a line what that is due to.
+
+    Where time was over, a last line, of no skill, says for how many that was not looked for.
+    """
     short = [position for position, got in enumerate(plan.schedule.satisfactions) if got < 1 - SHOWN]
-    found = explain(plan.schedule, short, limits=Limits(seconds=MOST_SECONDS))
-    return [(why.position, _loss(why, plan)) for why in found]
+    found = explain(plan.schedule, short, limits=Limits(seconds=seconds))
+    lines: list[tuple[int | None, str]] = [(why.position, _loss(why, plan)) for why in found]
+    left = sum(not why.sought for why in found)
+    if left:
+        lines.append(
+            (None, f"to whom {left} of these lost was not looked for: time was over (explain tells)")
+        )
+    return lines
 
 
 def _loss(why: Why, plan: Plan) -> str:

@@ -1,18 +1,17 @@
 """The plan as a person sees it: a table, a timeline, what is proved, and what each loss is due to."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import groupby
 
 from rich.text import Text
 
-from fuzzytime.interpreter import Plan, ProblemKind
+from fuzzytime.interpreter import Plan
 from fuzzytime.scheduling import Status
-from fuzzytime.times import format_duration
 from fuzzytime_cli.drawing.chart import since_midnight
 from fuzzytime_cli.drawing.ticks import round_times
 from fuzzytime_cli.formats.clock import Clock
-from fuzzytime_cli.formats.reasons import clash_sentence, loss_lines, moved_words
+from fuzzytime_cli.formats.notes import note_lines
+from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
@@ -21,12 +20,6 @@ _BAR = 10
 MINUTE = 60.0
 COARSE = 15 * MINUTE
 """Seconds ahead from which on a plan of skills that take minutes is shown in minutes."""
-
-MOST_NOTES = 5
-"""Notes that are told at most."""
-
-MOST_LENGTHS = 12
-"""Durations that are told one by one at most."""
 
 
 def bar(satisfaction: float, width: int = _BAR, *, unicode: bool = True) -> str:
@@ -70,9 +63,12 @@ class _Columns:
 
 
 class PlanView:
-    """One plan laid out for a width."""
+    """One plan laid out for a width; whom skills lost to is looked for within ``seconds``."""
 
-    def __init__(self, plan: Plan, width: int, *, unicode: bool = True) -> None:
+    def __init__(
+        self, plan: Plan, width: int, *, unicode: bool = True, seconds: float = MOST_SECONDS
+    ) -> None:
+        self.seconds = seconds
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
         self.clock = self._clock()
@@ -96,7 +92,7 @@ class PlanView:
     def lines(self) -> list[Text]:
         """Give the whole view, a line each."""
         if not self.plan.skills:
-            return [Text("Nothing to plan."), *self._notes()]
+            return [Text("Nothing to plan."), *note_lines(self.plan, self.labels)]
         return [
             *self._table(),
             Text(),
@@ -108,14 +104,16 @@ class PlanView:
                 for loss in self._losses()
                 for line in wrapped_text(loss, self.width, self.label_width + 1)
             ),
-            *(line for note in self._notes() for line in wrapped_text(note, self.width)),
+            *(line for note in note_lines(self.plan, self.labels) for line in wrapped_text(note, self.width)),
         ]
 
     def sentences(self) -> list[str]:
         """Give what is proved, and why each loss, as plain sentences."""
         if not self.plan.skills:
             return ["Nothing to plan."]
-        return [line.plain for line in (self._summary(), *self._losses(), *self._notes())]
+        return [
+            line.plain for line in (self._summary(), *self._losses(), *note_lines(self.plan, self.labels))
+        ]
 
     def asked(self, position: int) -> str:
         """Give the words about time of a skill."""
@@ -263,34 +261,9 @@ class PlanView:
                 return clash_sentence(self.plan)
 
     def _losses(self) -> Iterator[Text]:
-        for position, sentence in loss_lines(self.plan):
+        for position, sentence in loss_lines(self.plan, self.seconds):
+            if position is None:
+                yield Text(sentence, style="dim")
+                continue
             label = fitted(self.labels[position], self.label_width)
             yield Text(f"{label} ", style="dim").append(sentence, "not dim")
-
-    def _notes(self) -> Iterator[Text]:
-        notes = [problem for problem in self.plan.problems if problem.kind is ProblemKind.NOTE]
-        shown = notes if len(notes) <= MOST_NOTES + 1 else notes[:MOST_NOTES]
-        for problem in shown:
-            where = f"{plain(problem.identifier)}: " if problem.identifier else ""
-            yield Text(f"note: {where}{plain(problem.message)}", style="dim")
-        if len(shown) < len(notes):
-            yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
-        assumed = [
-            (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
-            for position, interpreted in enumerate(self.plan.skills)
-            if interpreted.duration.assumed
-        ]
-        if assumed:
-            yield Text("durations assumed: " + ", ".join(self._lengths(assumed)), style="dim")
-
-    def _lengths(self, assumed: Sequence[tuple[int, str]]) -> Iterator[str]:
-        """Tell how long skills take: each, or of many those in a row that take the same: "s1 to s9 2 min"."""
-
-        def row(entry: tuple[int, tuple[int, str]]) -> tuple[int, str]:
-            index, (position, length) = entry
-            return (position - index if len(assumed) > MOST_LENGTHS else position), length
-
-        for (_, length), entries in groupby(enumerate(assumed), key=row):
-            labels = [self.labels[position] for _, (position, _) in entries]
-            joined = f"{labels[0]} to {labels[-1]}" if len(labels) > 2 else " and ".join(labels)
-            yield f"{joined} {length}"

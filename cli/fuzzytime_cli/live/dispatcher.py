@@ -11,6 +11,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import SpokenWish
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
+from fuzzytime_cli.live.hearsay import heard_about
 from fuzzytime_cli.live.inbox import Arrival, Outcome, Output
 from fuzzytime_cli.live.ledger import Ledger, Phase
 from fuzzytime_cli.live.messages import Read, Said, Told, Unreadable
@@ -110,8 +111,8 @@ class Dispatcher:
         match arrival:
             case Read():
                 yield self.outlook.read(arrival, now)
-            case Said(wish=wish):
-                yield from self._instructed(wish, now)
+            case Said():
+                yield from self._said(arrival, now)
             case Told(identifier=identifier):
                 waiting = self.outlook.find(identifier)
                 if waiting is None and identifier not in self.ledger.tasks and self.outlook.reasons:
@@ -128,6 +129,21 @@ class Dispatcher:
             case _:
                 return
 
+    def _said(self, said: Said, now: float) -> Iterator[Event]:
+        if self.outlook.reasons:
+            # What is asked for, and not planned yet, has no name yet.
+            yield from self.outlook.replan(now, self.ledger)
+        everything = (*self.outlook.waiting, *self.outlook.rejected.values())
+        running = [(one.identifier, one.name) for one in self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)]
+        waiting = [(one.identifier, one.name) for one in everything]
+        lexicon = self.planning.interpreter.language.lexicon
+        try:
+            word = heard_about(said, lexicon, running, waiting)
+        except FuzzytimeError as error:
+            yield told.Trouble(at=now, message=str(error), text=said.wish.text)
+            return
+        yield from self._instructed(said.wish, now) if word is None else self._take(word, now)
+
     def _instructed(self, wish: SpokenWish, now: float) -> Iterator[Event]:
         try:
             names, problems = self.planning.understands(wish, now, self.ledger.as_seen(now))
@@ -137,7 +153,8 @@ class Dispatcher:
         yield from self.outlook.troubles(problems, now)
         if names:
             yield told.Instructed(at=now, text=wish.text, ids=names)
-            self.outlook.reasons.append(f"{names[0]} was asked for")
+            known = self.outlook.find(names[0]) is not None or names[0] in self.ledger.tasks
+            self.outlook.reasons.append(f"{names[0]} was {'told anew' if known else 'asked for'}")
 
     # -- starting -------------------------------------------------------------------------------------------
 

@@ -180,6 +180,7 @@ class Outlook:
         except FuzzytimeError as error:
             yield told.Trouble(at=now, message=str(error))
             return
+        before = (*self.waiting, *self.rejected.values())
         self._adopt(plan, now)
         yield from self.troubles(plan.problems, now)
         yield told.Planned(
@@ -190,6 +191,15 @@ class Outlook:
             plan=plan,
         )
         yield from self._changes(plan, now)
+        yield from self._gone(before, ledger, now)
+
+    def _gone(self, before: Iterable[Waiting], ledger: Ledger, now: float) -> Iterator[Event]:
+        """Tell what will not happen after all: it has not started, and is not planned any more."""
+        for one in before:
+            if self.find(one.identifier) is None and one.identifier not in ledger.tasks:
+                self.announced.pop(one.identifier, None)
+                reason = "it was told not to happen"
+                yield told.Dropped(at=now, id=one.identifier, name=one.name, reason=reason)
 
     def _adopt(self, plan: Plan, now: float) -> None:
         schedule = plan.schedule

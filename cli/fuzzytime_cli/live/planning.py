@@ -131,7 +131,7 @@ class Planning:
     def understands(
         self, wish: SpokenWish, now: float, started: tuple[Started, ...]
     ) -> tuple[tuple[str, ...], list[Problem]]:
-        """Keep an instruction that is understood; give its skills' identifiers, and what is wrong with it.
+        """Keep an instruction that is understood; give the skills that it makes or changes, and its problems.
 
         Raises
         ------
@@ -146,15 +146,24 @@ class Planning:
             return (), [_problem(message, wish)]
         together = replace(self.request, wishes=(*self.request.wishes, wish)).named()
         wish = replace(wish, identifier=together.wishes[-1].identifier)
+        _, before = understood(self.seen_from(now, started), self.interpreter)
         _, interpretation = understood(self.seen_from(now, started, wish), self.interpreter)
-        own = tuple(
-            interpreted.identifier
-            for interpreted in interpretation.skills
-            if interpreted.wish.identifier == wish.identifier
-        )
+        own = _made_or_changed(before, interpretation, wish)
         if own:
             self.request = replace(self.request, wishes=(*self.request.wishes, wish))
         return own, [problem for problem in interpretation.problems if problem.text == wish.text]
+
+
+def _made_or_changed(before: Interpretation, after: Interpretation, wish: SpokenWish) -> tuple[str, ...]:
+    """Give the skills that a wish asks for; of one that only tells of others, those that it tells of.
+
+    "The guests are late" moves what was said before, "it takes an hour" lengthens it.
+    """
+    made = tuple(one.identifier for one in after.skills if one.wish.identifier == wish.identifier)
+    if made:
+        return made
+    skills = {one.identifier: one.skill for one in after.skills}
+    return tuple(one.identifier for one in before.skills if skills.get(one.identifier) != one.skill)
 
 
 def differing(before: Interpretation, after: Interpretation, passed: float) -> tuple[str, ...]:

@@ -169,6 +169,8 @@ def _stoppable(inbox: Inbox) -> Iterator[Callable[[], bool]]:
 def _listening(inbox: Inbox, listener: Listener, settings: Settings) -> Iterator[None]:
     """Let lines come in: all at once in a simulation, else by threads until the run is over."""
     over = threading.Event()
+    if settings.follow is not None and settings.follow.is_dir():
+        raise NoInputError(f"{settings.follow}: what is followed must be a file, and it is a folder")
     try:
         if settings.follow is not None and settings.speed is not None:
             follow_into(inbox, settings.follow, over)

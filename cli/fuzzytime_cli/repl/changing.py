@@ -20,7 +20,7 @@ from fuzzytime_cli.repl.scene import (
     said,
     step,
 )
-from fuzzytime_cli.session import KeptBusy, KeptReading, Started
+from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
 BRIEF = 60
 """Columns that the name of a step has."""
@@ -31,7 +31,23 @@ def drop(scene: Scene, text: str) -> Reply:
     if text.strip().lower() == "all":
         return step(scene, ":drop all", lambda state: replace(state, entries=()))
     number = number_of(text)
-    return step(scene, f":drop {number}", lambda state: state.without(number))
+    numbers = (number, *_told_before(scene, number))
+
+    def dropped(state: State) -> State:
+        for one in numbers:
+            state = state.without(one)
+        return state
+
+    return step(scene, f":drop {number}", dropped)
+
+
+def _told_before(scene: Scene, number: int) -> list[int]:
+    """Give the instructions that told earlier of what one tells anew, and of nothing else."""
+    names = [one for one in scene.plan.skills if one.told_by[-1:] == (f"s{number}",)]
+    others = {one.wish.identifier for one in scene.plan.skills} | {f"s{number}"}
+    wishes = {name for one in names for name in (f"s{number_of(one.identifier)}", *one.told_by)}
+    known = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    return [number_of(name) for name in sorted(wishes & known - others)]
 
 
 def edit(scene: Scene, text: str) -> Reply:
@@ -86,8 +102,11 @@ def done(scene: Scene, text: str) -> Reply:
     skill = scene.plan.skills[position]
     number = number_of(skill.identifier)
     name = Text(f"done: {plain(skill.skill.name)}")
-    if any(number_of(other.identifier) == number for other in scene.plan.skills if other is not skill):
-        # The others that the instruction asks for stay, and may refer to this one.
+    happens = skill.operation is not None and skill.operation.stated
+    others = any(number_of(other.identifier) == number for other in scene.plan.skills if other is not skill)
+    if happens or others:
+        # The others that the instruction asks for stay, and may refer to this one; what others are tied to
+        # has happened.
         agent = scene.plan.schedule.skills[position].agent
         now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
         begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction)

@@ -8,7 +8,16 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.context import Context, Reading
-from fuzzytime.interpreter import Interpreter, Moved, Plan, Request, SpokenWish, plan
+from fuzzytime.interpreter import (
+    Interpretation,
+    Interpreter,
+    Moved,
+    Plan,
+    Request,
+    SpokenWish,
+    plan,
+    understood,
+)
 from fuzzytime.interpreter import Started as StartedSkill
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
@@ -119,6 +128,16 @@ class Conversation:
             limits=self.limits,
             previous=previous,
         )
+
+    def understood(self, now: datetime, state: State) -> Interpretation:
+        """Give what is understood of all that is asked for, without a schedule.
+
+        Raises
+        ------
+        FuzzytimeError
+            As `plan`.
+        """
+        return understood(self.request(now, state), self.understanding)[1]
 
     def note_started(self, made: Plan, now: datetime) -> list[Started]:
         """Note the skills whose start has come by a moment, and give those that are news."""

@@ -28,10 +28,17 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
         verb = frozenset() if operation is None else frozenset({operation.lemma})
         known = content_words(interpreted.skill.name) | verb
         skills[name] = skills.get(name, frozenset()) | known
+    # "The guests" are what comes, before they are what others wait for.
+    happening = {
+        one.wish.identifier: content_words(one.skill.name)
+        for one in scene.plan.skills
+        if one.operation is not None and one.operation.stated
+    }
+    comes = (e for e in entries if names <= happening.get(f"s{e.number}", frozenset()))
     own = (entry for entry in entries if names <= content_words(entry.text))
     # "It" in its words is what it is called by.
     by_name = (e for e in entries if names <= skills.get(f"s{e.number}", frozenset()) | content_words(e.text))
-    return next(own, None) or next(by_name, None)
+    return next(comes, None) or next(own, None) or next(by_name, None)
 
 
 def called(scene: Scene, number: int) -> str | None:

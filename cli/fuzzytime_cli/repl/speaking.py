@@ -1,11 +1,12 @@
 """Plain words about what was asked for already, taken as the commands that they mean."""
 
 from dataclasses import replace
+from datetime import datetime
 
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, about_wishes, content_words, reported
+from fuzzytime.language import About, AboutKind, Language, about_wishes, content_words, reported
 from fuzzytime.requirement import Constraint
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
@@ -22,6 +23,13 @@ ASKED_BACK = {
     AboutKind.UNABLE: "when then? Say: push it back by half an hour (or: make it six; forget it)",
 }
 """What is answered to a protest."""
+
+
+def is_about(language: Language, words: str, now: datetime) -> bool:
+    """Whether words are, or may be, about wishes that were said before."""
+    return about_wishes(words, now, language.lexicon) is not None or bool(
+        reported(language.read(words, now=now))
+    )
 
 
 def reply_about(scene: Scene, words: str) -> Reply | None:
@@ -244,14 +252,24 @@ def _supposable(scene: Scene, about: About) -> str | None:
 
 
 def _with_time(scene: Scene, entry: Entry, time: str) -> str:
-    """Give an entry's words with another time, or length, in place of its own."""
+    """Give an entry's words with another time, or length, in place of its own.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it has several.
+    """
+    mine = [one for one in scene.plan.skills if one.wish.identifier == f"s{entry.number}"]
+    if len(mine) == 1 and mine[0].told_by:
+        # "They are ten minutes late" has no time of its own to be replaced.
+        return f"{mine[0].skill.name} {time} instead"
     length = time.lower().startswith("for ")
     reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
     parts = [part for one in reading.instructions for part in one.requirements]
-    mine = [part for part in parts if (part.constraint is Constraint.FOR) is length]
-    if len(mine) > 1 or any(part.constraint is Constraint.EVERY for part in mine):
+    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
+    if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
         raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
-    if not mine:
+    if not times:
         return f"{entry.text.rstrip('.! ')} {time}"
-    first, end = mine[0].span
+    first, end = times[0].span
     return f"{entry.text[:first]}{time}{entry.text[end:]}"

@@ -94,15 +94,22 @@ class _Talk:
         with self._measured():
             self.screen.write(*self.turns.opened(self.clock()))
 
-    def take(self, line: str) -> tuple[bool, str]:
-        """Answer a line; say whether to go on, and with which words on the prompt."""
+    def parted(self, typed: str) -> list[list[str]]:
+        """Part what was typed, or pasted, at once: lines that are taken together."""
+        lines = typed.splitlines()
+        return self.turns.together(lines, self.clock()) if len(lines) > 1 else [lines] if lines else []
+
+    def take(self, *lines: str) -> tuple[bool, str]:
+        """Answer a line, or instructions said at once; say whether to go on, and what the prompt holds."""
         with self._measured():
             try:
-                reply = self.turns.take(line, self.clock())
+                now = self.clock()
+                one = len(lines) == 1
+                reply = self.turns.take(lines[0], now) if one else self.turns.take_together(lines, now)
             except NotKeptError as error:
                 if not self.turns.asks:
                     raise
-                reply = Reply((Text(plain(message_of(error)), style="red"),), edit=line)
+                reply = Reply((Text(plain(message_of(error)), style="red"),), edit="\n".join(lines))
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
 
@@ -179,7 +186,11 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
 
     completer = WordCompleter.of_rulebook(talk.turns.conversation.interpreter.rulebook)
     prompt: PromptSession[str] = PromptSession(
-        history=history, completer=completer, complete_while_typing=False, key_bindings=keys
+        history=history,
+        completer=completer,
+        complete_while_typing=False,
+        key_bindings=keys,
+        enable_suspend=True,
     )
     with patch_stdout(raw=True):
         talk.screen = Screen(
@@ -193,8 +204,8 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
                 try:
                     typed = prompt.prompt(PROMPT, default=words)
                     words = ""
-                    for line in typed.splitlines():
-                        going, words = talk.take(line)
+                    for lines in talk.parted(typed):
+                        going, words = talk.take(*lines)
                         if not going:
                             break
                 except KeyboardInterrupt:

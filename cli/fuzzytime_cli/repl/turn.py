@@ -1,5 +1,6 @@
 """One turn of the conversation: a line typed, an answer, and the schedule drawn again where it changed."""
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 
@@ -15,7 +16,7 @@ from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines
-from fuzzytime_cli.repl.speaking import reply_about
+from fuzzytime_cli.repl.speaking import is_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
@@ -65,19 +66,38 @@ class Turns:
 
     def take(self, line: str, now: datetime) -> Reply:
         """Answer a line; every error of what was typed is an answer too."""
-        words = line.strip()
-        words = BARE.get(words.lower(), words)
+        words = _words_of(line)
         if not words:
             return Reply()
         pending = self._question_put()
-        try:
-            if pending is not None and words.isdecimal():
-                reply = self._answer(pending, int(words))
-            elif words[0] in ":/":
-                command, rest = command_of(words)
-                reply = command.run(self._scene(now), rest)
+        return self._turn(lambda: self._answer_to(words, pending, now), now)
+
+    def take_together(self, lines: Sequence[str], now: datetime) -> Reply:
+        """Keep lines that were said at once, each an instruction, and draw the schedule once."""
+        self._question_put()
+        return self._turn(lambda: self._instructions([line.strip() for line in lines], now), now)
+
+    def together(self, lines: Sequence[str], now: datetime) -> list[list[str]]:
+        """Part lines said at once: instructions in a row stand together, all else alone."""
+        parts: list[list[str]] = []
+        went_on = False
+        for line in filter(_words_of, lines):
+            wish = _words_of(line) == line.strip() and not self._is_about(line.strip(), now)
+            if wish and went_on:
+                parts[-1].append(line)
             else:
-                reply = reply_about(self._scene(now), words) or self._instruction(words, now)
+                parts.append([line])
+            went_on = wish
+        return parts
+
+    def _is_about(self, words: str, now: datetime) -> bool:
+        """Whether a line is a command, or about what was said before."""
+        return words[0] in ":/" or is_about(self.conversation.interpreter.language, words, now)
+
+    def _turn(self, answer: Callable[[], Reply], now: datetime) -> Reply:
+        """Give an answer, with the schedule where that changed; every error is an answer too."""
+        try:
+            reply = answer()
             self.focus = reply.focus if reply.focus is not None else self.focus
             if reply.changed:
                 self.told_last = reply.focus if reply.focus is not None else self.told_last
@@ -92,6 +112,14 @@ class Turns:
         except OSError as error:
             return Reply((Text(plain(message_of(error)), style="red"),))
         return reply
+
+    def _answer_to(self, words: str, pending: Pending | None, now: datetime) -> Reply:
+        if pending is not None and words.isdecimal():
+            return self._answer(pending, int(words))
+        if words[0] in ":/":
+            command, rest = command_of(words)
+            return command.run(self._scene(now), rest)
+        return reply_about(self._scene(now), words) or self._instructions([words], now)
 
     def tick(self, now: datetime) -> list[Line]:
         """Say what has started by now; plan anew where another terminal took a step."""
@@ -150,20 +178,30 @@ class Turns:
         self.news.clear()
         return lines
 
-    def _instruction(self, words: str, now: datetime) -> Reply:
-        """Keep an instruction that is understood; one that is not is pointed at, and not kept."""
-        trial = self.conversation.state.with_entry(words, now)
-        made = self.conversation.plan(now, trial)
-        number = trial.entries[-1].number
-        faults = [problem for problem in made.problems if problem.text == words and problem.kind in UNREAD]
-        own = [interpreted for interpreted in made.skills if interpreted.wish.identifier == f"s{number}"]
-        if faults and not own:
-            return Reply(tuple(line for problem in faults for line in problem_lines(problem, self.width)))
-        kept = self.conversation.change(words, lambda state: state.with_entry(words, now))
-        reading = own[0].reading if own else None
-        if self.asks and reading is not None and reading.questions:
-            self.pending = Pending(kept.entries[-1].number, reading.questions[0])
-        return Reply(changed=True, focus=kept.entries[-1].number)
+    def _instructions(self, said: Sequence[str], now: datetime) -> Reply:
+        """Keep instructions that are understood; those that are not are pointed at, and not kept."""
+        trial = self.conversation.state.with_entries(said, now)
+        made = self.conversation.understood(now, trial)
+        lines: list[Line] = []
+        kept, last = [], None
+        for words, entry in zip(said, trial.entries[-len(said) :], strict=True):
+            faults = [one for one in made.problems if one.text == words and one.kind in UNREAD]
+            own = [one for one in made.skills if one.wish.identifier == f"s{entry.number}"]
+            if faults and not own:
+                lines += [line for problem in faults for line in problem_lines(problem, self.width)]
+            else:
+                kept.append(words)
+                last = own[0] if own else None
+        if not kept:
+            return Reply(tuple(lines))
+        what = kept[0] if len(kept) == 1 else f"{len(kept)} instructions from {kept[0]} on"
+        state = self.conversation.change(what, lambda state: state.with_entries(kept, now))
+        number = state.entries[-1].number
+        reading = last.reading if last is not None and not last.told_by else None
+        # What is told anew is taken for the time nearest to the old one.
+        if self.asks and len(said) == 1 and reading is not None and reading.questions:
+            self.pending = Pending(number, reading.questions[0])
+        return Reply(tuple(lines), changed=True, focus=number)
 
     def _answer(self, pending: Pending, choice: int) -> Reply:
         """Say the chosen time explicitly in the instruction; what no choice has that number leaves it."""
@@ -179,6 +217,12 @@ class Turns:
             ),
         )
         return Reply(changed=True)
+
+
+def _words_of(line: str) -> str:
+    """Give what was typed, with a command that needs no colon as one that has it."""
+    words = line.strip()
+    return BARE.get(words.lower(), words)
 
 
 def question_lines(question: Question) -> list[Line]:

@@ -1,6 +1,7 @@
 """The state of a conversation as a value, and as JSON."""
 
 import json
+from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field, replace
 from datetime import datetime
 from typing import Any
@@ -90,6 +91,13 @@ class State:
         """Give the state with one more instruction."""
         entry = Entry(number=self.next_number, text=text, given=given)
         return replace(self, entries=(*self.entries, entry), next_number=self.next_number + 1)
+
+    def with_entries(self, texts: Iterable[str], given: datetime) -> "State":
+        """Give the state with more instructions, given at one moment."""
+        state = self
+        for text in texts:
+            state = state.with_entry(text, given)
+        return state
 
     def entry(self, number: int) -> Entry:
         """Find an instruction by its number.

@@ -27,6 +27,18 @@ BEGINNING = frozenset({"start", "begin", "open", "arrive", "come", "land"})
 ENDING = frozenset({"end", "finish", "close"})
 """What things with a time of their own do: of these verbs a clause is about their start, or their end."""
 
+PAST = {
+    "begin": frozenset({"began", "begun"}),
+    "come": frozenset({"came"}),
+    "go": frozenset({"went", "gone"}),
+    "leave": frozenset({"left"}),
+    "fly": frozenset({"flew", "flown"}),
+    "ring": frozenset({"rang", "rung"}),
+    "set": frozenset({"set"}),
+    "rise": frozenset({"rose", "risen"}),
+}
+"""How verbs of what happens by itself are said of what is over, where that is not regular."""
+
 BE = "be"
 GOING_ON = frozenset({"on", "going", "running", "open"})
 """What is said of what goes on."""
@@ -139,6 +151,13 @@ def _nouns(verb: str) -> tuple[str, ...]:
     """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
     bare = verb.removesuffix("e")
     return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+
+
+def verb_forms(verb: str) -> frozenset[str]:
+    """Give a verb as it is said of now and of before: come, coming, came; of one or several."""
+    bare, last = verb.removesuffix("e"), verb[-1:]
+    regular = {verb, f"{bare}ing", f"{verb}{last}ing", f"{bare}ed", f"{verb}{last}ed"}
+    return frozenset(regular | PAST.get(verb, frozenset()))
 
 
 def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:

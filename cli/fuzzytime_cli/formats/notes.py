@@ -1,0 +1,54 @@
+"""What a plan takes for granted, in lines below it: notes, and durations that nobody said."""
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from rich.text import Text
+
+from fuzzytime.interpreter import Plan, ProblemKind
+from fuzzytime.times import format_duration
+from fuzzytime_cli.render import plain
+
+MOST_NOTES = 5
+"""Notes that are told at most."""
+
+MOST_LENGTHS = 12
+"""Durations that are told one by one at most."""
+
+MOST_ROWS = 40
+"""Rows of skills whose durations are told at most."""
+
+
+def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
+    """Give the notes, and the durations that are assumed; ``labels`` name the skills, by position."""
+    notes = [problem for problem in plan.problems if problem.kind is ProblemKind.NOTE]
+    shown = notes if len(notes) <= MOST_NOTES + 1 else notes[:MOST_NOTES]
+    for problem in shown:
+        where = f"{plain(problem.identifier)}: " if problem.identifier else ""
+        yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+    if len(shown) < len(notes):
+        yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
+    assumed = [
+        (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
+        for position, interpreted in enumerate(plan.skills)
+        if interpreted.duration.assumed
+    ]
+    if assumed:
+        yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels)), style="dim")
+
+
+def _lengths(assumed: Sequence[tuple[int, str]], labels: Sequence[str]) -> Iterator[str]:
+    """Tell how long skills take: each, or of many those in a row that take the same: "s1 to s9 2 min"."""
+
+    def row(entry: tuple[int, tuple[int, str]]) -> tuple[int, str]:
+        index, (position, length) = entry
+        return (position - index if len(assumed) > MOST_LENGTHS else position), length
+
+    rows = [(length, list(entries)) for (_, length), entries in groupby(enumerate(assumed), key=row)]
+    left = sum(len(entries) for _, entries in rows[MOST_ROWS:])
+    for length, entries in rows[:MOST_ROWS]:
+        names = [labels[position] for _, (position, _) in entries]
+        joined = f"{names[0]} to {names[-1]}" if len(names) > 2 else " and ".join(names)
+        yield f"{joined} {length}"
+    if left:
+        yield f"and {left} more: --format json has all"

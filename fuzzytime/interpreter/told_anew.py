@@ -1,0 +1,120 @@
+"""What happens, told anew: at another time, later, not at all, or now."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.request import SpokenWish, Started
+from fuzzytime.language import News, NewsKind, Reading, is_several
+from fuzzytime.requirement import TimeRequirement
+from fuzzytime.satisfaction import NEVER, Rectangle
+from fuzzytime.times import instant_after, seconds_between
+
+REVIVING = frozenset({NewsKind.TIME, NewsKind.THERE})
+"""News of what happens after all, though it was cancelled."""
+
+
+def meant(news: News, skills: Sequence[Interpreted], wish: SpokenWish, told: float) -> int | None:
+    """Give the position of what news is about; None where nothing was said to happen that it names.
+
+    ``told`` is when it was told, in seconds from now. Of what has the same name that is meant which comes
+    next; "it" and "they" are what was spoken of last.
+    """
+    found = [place for place, one in enumerate(skills) if _may_be(news, one, wish)]
+    if news.several is None:
+        return min(found, key=lambda place: _distance(skills[place], told), default=None)
+    fitting = [place for place in found if _is_several(skills[place]) is news.several]
+    return next(reversed(fitting or found), None)
+
+
+def _may_be(news: News, one: Interpreted, wish: SpokenWish) -> bool:
+    if one.operation is None or one.skill.duration or not news.is_of(one.operation):
+        return False
+    if one.cancelled and news.kind not in REVIVING:
+        return False
+    if any(part.anchor is not None for part in one.requirements):
+        return False
+    if news.kind is NewsKind.LATER and not one.requirements:
+        return False
+    return news.marked or seconds_between(one.wish.given, wish.given) > 0
+
+
+def _is_several(one: Interpreted) -> bool:
+    return one.operation is not None and is_several(one.operation.object or "")
+
+
+def _distance(one: Interpreted, told: float) -> tuple[bool, float]:
+    """Say how near what happens is, where all that is still to come is nearer than what is over."""
+    moment = moment_of(one)
+    return moment < told, abs(moment - told)
+
+
+def moment_of(one: Interpreted) -> float:
+    """Give when something happens, in seconds from now: as it was named, else at the earliest."""
+    skill = one.skill
+    if skill.preferred is not None:
+        return skill.preferred
+    return skill.satisfaction.best.low if not skill.satisfaction.best.empty else 0.0
+
+
+def told_anew(
+    made: Interpreted, news: News, wish: SpokenWish, reading: Reading, maker: Maker, told: float
+) -> Interpreted:
+    """Give what happens as it is told anew; ``told`` is when, in seconds from now.
+
+    Where its first time was over when this was told, it is another: it keeps no identifier.
+    """
+    by = (*made.told_by, wish.identifier)
+    if news.kind is NewsKind.CANCELLED:
+        never = replace(made.skill, satisfaction=NEVER)
+        return replace(made, skill=never, reason="it was told not to happen", cancelled=True, told_by=by)
+    if made.instruction is None:
+        return made
+    sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news
+    times = _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
+    instruction = replace(made.instruction, span=news.span, requirements=times)
+    (anew, *_) = maker.spoken(_of(wish, made), reading, instruction)
+    # What happens takes as long as was said of it, or given.
+    skill = replace(anew.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
+    if news.kind is NewsKind.THERE:
+        skill = replace(skill, satisfaction=Rectangle(told, told), preferred=told)
+    return replace(anew, identifier=made.identifier, skill=skill, duration=made.duration, told_by=by)
+
+
+def _of(wish: SpokenWish, made: Interpreted) -> SpokenWish:
+    """Give the wish that tells anew of something, which counts as much as it did."""
+    old = made.wish
+    return replace(wish, priority=old.priority, agent=old.agent, hands_on=old.hands_on, elapsed=old.elapsed)
+
+
+def _chosen(time: TimeRequirement, news: News, made: Interpreted, maker: Maker) -> TimeRequirement:
+    """Give the new time; of several that it may be that which is nearest to the old one."""
+    if not news.choices:
+        return time
+    old = instant_after(maker.request.now, moment_of(made))
+    taken = news.choices[news.chosen]
+    nearest = min(news.choices, key=lambda choice: abs(seconds_between(old, choice)))
+    return time.shifted(seconds_between(taken, nearest))
+
+
+def _later(news: News, made: Interpreted, wish: SpokenWish) -> tuple[TimeRequirement, ...]:
+    """Give the times that were said, so much later, counted from when that was told."""
+    by = news.by + (0.0 if made.wish.moved is None else made.wish.moved.by)
+    since = seconds_between(wish.given, made.wish.given)
+    words = wish.text[news.span[0] : news.span[1]]
+    return tuple(replace(part.shifted(since + by), text=words, span=news.span) for part in made.requirements)
+
+
+def as_they_happened(skills: Sequence[Interpreted], started: Sequence[Started]) -> list[Interpreted]:
+    """Give what happened the moment at which it did: what is tied to it goes by that."""
+    begun: Mapping[str, Started] = {one.identifier: one for one in started}
+    return [_as_it_happened(one, begun.get(one.identifier)) for one in skills]
+
+
+def _as_it_happened(one: Interpreted, begun: Started | None) -> Interpreted:
+    stated = one.operation is not None and one.operation.stated and not one.skill.duration
+    if begun is None or not stated or one.cancelled:
+        return one
+    moment = Rectangle(begun.start, begun.start)
+    return replace(one, skill=replace(one.skill, satisfaction=moment, preferred=begun.start))

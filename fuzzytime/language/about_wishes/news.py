@@ -1,0 +1,223 @@
+"""News of what happens: "the guests are ten minutes late", "they come at eight", "it was cancelled"."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from datetime import datetime
+from enum import StrEnum
+
+from fuzzytime.language.about_wishes.said import CLOCKED, TO, Said
+from fuzzytime.language.finding import find_times
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Span
+from fuzzytime.language.sentence.content_words import EMPTY, content_words, singular
+from fuzzytime.language.sentence.references import ARRIVING, BEGINNING, verb_forms
+from fuzzytime.requirement import Constraint, TimeRequirement
+
+CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
+"""What stands between marks that are no part of a word or a number."""
+
+ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
+"""What says when something happens."""
+
+ONE_OF_MANY = frozenset({"a", "an", "some", "another", "more"})
+"""Words before what was not spoken of yet."""
+
+SEVERAL = r"\bthey"
+BE = "be"
+NOW = "now"
+ABSENT = "absent"
+SOONER = frozenset({"early", "earlier"})
+LATER = frozenset({"late", "later", "rescheduled"})
+TABLES = (
+    "they",
+    "being",
+    "anew",
+    "late",
+    "early",
+    "later",
+    "earlier",
+    "rescheduled",
+    "cancelled",
+    "present",
+    "perfect",
+    ABSENT,
+)
+"""The tables of what is said in a conversation whose words make news."""
+
+
+class NewsKind(StrEnum):
+    """What is told of something that happens."""
+
+    TIME = "time"
+    LATER = "later"
+    LATE = "late"
+    CANCELLED = "cancelled"
+    THERE = "there"
+
+
+LATE, CANCELLED, THERE = NewsKind.LATE, NewsKind.CANCELLED, NewsKind.THERE
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class News:
+    """What a clause tells anew of something that happens.
+
+    Parameters
+    ----------
+    kind
+        Its new time, by how much later it is, that it is late by nobody knows how much, that it will not
+        happen, or that it has.
+    span
+        The clause.
+    names
+        The words that say what it is, and what that does.
+    several
+        Where it is only "it" or "they": whether these are several. None where it is named.
+    time
+        The new time, counted from when this was said.
+    choices, chosen
+        What a new time may mean that leaves it open, and the position of what it was taken for.
+    by
+        Seconds by which it is later, below 0 for earlier.
+    marked
+        Whether the words say that it is news: else it is only where it was said later than the first.
+    """
+
+    kind: NewsKind
+    span: Span
+    names: frozenset[str]
+    several: bool | None = None
+    time: TimeRequirement | None = None
+    choices: tuple[datetime, ...] = ()
+    chosen: int = 0
+    by: float = 0.0
+    marked: bool = True
+
+    def is_of(self, happening: Operation) -> bool:
+        """Whether it may be about something that was said to happen."""
+        if not happening.stated or happening.negated:
+            return False
+        things = content_words(happening.object) | content_words(happening.place)
+        subject = self.names - _verbs(happening)
+        return subject <= things and (self.several is not None or bool(subject))
+
+
+def news_in(text: str, now: datetime, lexicon: Lexicon) -> tuple[News, ...]:
+    """Give what the clauses of a text tell anew, if what they name was said to happen before.
+
+    >>> from datetime import datetime
+    >>> from fuzzytime.language.finding import shipped_lexicon
+    >>> news = news_in("they are ten minutes late", datetime(2026, 3, 4, 9), shipped_lexicon())
+    >>> [(one.kind.value, one.by) for one in news]
+    [('later', 600.0)]
+    """
+    found = [
+        one for span in clauses_of(text) if (one := _Clause(text, span, now, lexicon).news()) is not None
+    ]
+    # "They are late, they come at eight"
+    marked = len(found) > 1
+    return tuple(replace(one, marked=marked or one.marked) for one in found)
+
+
+def clauses_of(text: str) -> Iterator[Span]:
+    """Give the stretches of a text between its marks, as far as one can tell without its tree."""
+    for clause in CLAUSES.finditer(text):
+        first = clause.start() + len(clause[0]) - len(clause[0].lstrip())
+        if clause[0].strip():
+            yield first, first + len(clause[0].strip())
+
+
+@dataclass(frozen=True, slots=True)
+class _Clause:
+    text: str
+    span: Span
+    now: datetime
+    lexicon: Lexicon
+
+    def news(self) -> News | None:
+        words = self.text[self.span[0] : self.span[1]]
+        said = Said(words, self.now, self.lexicon)
+        left, tables = said.without(*TABLES)
+        if not tables:
+            # Only a plain verb and a time: "the train leaves at nine"
+            return self._timed(words, frozenset())
+        found = left.length()
+        if found is not None and tables & (SOONER | LATER):
+            by = -found.seconds if tables & SOONER else found.seconds
+            return None if ABSENT in tables else self._of(NewsKind.LATER, found.rest, tables, by=by)
+        if said.has_time or ("rescheduled" in tables and _joint(words)):
+            return self._timed(words, tables)
+        if ABSENT in tables:
+            known = LATE if {"present", "perfect"} & tables else CANCELLED
+            return None if tables & (SOONER | LATER) else self._of(known, left, tables)
+        kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE}
+        kinds |= dict.fromkeys(("late", "rescheduled"), LATE)
+        kind = next((kind for name, kind in kinds.items() if name in tables), None)
+        return None if kind is None else self._of(kind, left, tables)
+
+    def _timed(self, words: str, tables: frozenset[str]) -> News | None:
+        """Read a new time: "they come at eight", "the meeting was moved to four"."""
+        parts = find_times(words, self.now, self.lexicon).found
+        # "The meeting is at four now"
+        parts = tuple(part for part in parts if part.requirement.word != NOW or len(parts) == 1)
+        joint = _joint(words) if "rescheduled" in tables and not parts else 0
+        if joint and (at := Said(words[joint:], self.now, self.lexicon).as_time()):
+            # "It was moved to four"
+            parts = find_times(at, self.now, self.lexicon).found
+        if len(parts) != 1:
+            return None
+        time, questions = parts[0].requirement, parts[0].questions
+        first, end = (joint, len(words)) if joint else time.span
+        left, _ = Said(f"{words[:first]} {words[end:]}", self.now, self.lexicon).without(*TABLES)
+        moved = ABSENT in tables or "rescheduled" in tables
+        if ABSENT in tables and time.constraint is not Constraint.BEFORE:
+            # "They don't come at seven" leaves open when, "they can't come today" does not.
+            return self._of(LATE if time.grain in CLOCKED else CANCELLED, left, tables)
+        if moved:
+            # "They won't be here until eight", "it was moved to eight"
+            at = Said(time.text, self.now, self.lexicon).as_time()
+            said = find_times(at, self.now, self.lexicon).found[:1] if at and not joint else ()
+            for one in said:
+                time, questions = replace(one.requirement, text=time.text), one.questions
+        if time.constraint not in ANEW or time.recurrence is not None:
+            return None
+        told = replace(time, span=(self.span[0] + first, self.span[0] + end))
+        marked = moved or bool(tables - {"they", "being"})
+        news = self._of(NewsKind.TIME, left, tables)
+        if news is None:
+            return None
+        open_times = questions[0] if questions else None
+        return replace(
+            news,
+            time=told,
+            choices=() if open_times is None else open_times.choices,
+            chosen=0 if open_times is None else open_times.chosen,
+            marked=marked,
+        )
+
+    def _of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
+        """Give news of what the words that are left name; None where they say more than that."""
+        forms = left.forms
+        if ONE_OF_MANY & set(forms) or not all(form.replace("'", "").isalnum() for form in forms):
+            return None
+        names = frozenset(singular(form) for form in forms if form not in EMPTY)
+        if not (names or "they" in tables):
+            return None
+        words = self.text[self.span[0] : self.span[1]].lower()
+        several = re.search(SEVERAL, words) is not None if "they" in tables else None
+        return News(kind=kind, span=self.span, names=names, several=several, by=by)
+
+
+def _joint(words: str) -> int:
+    """Give where "to", "until" begins, behind which a new time stands; 0 for nowhere."""
+    return max((words.lower().rfind(f" {joint}") + 1 for joint in TO), default=0)
+
+
+def _verbs(happening: Operation) -> frozenset[str]:
+    """Give the words for what something that happens does."""
+    alike = ARRIVING if happening.lemma in ARRIVING else frozenset[str]()
+    if happening.lemma == BE or happening.lemma in BEGINNING - ARRIVING:
+        # "The meeting starts at four", which was at three
+        alike |= BEGINNING - ARRIVING | {BE}
+    return frozenset(form for verb in alike | {happening.lemma} for form in verb_forms(verb))
