@@ -32,7 +32,8 @@ class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
 
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
-    becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
+    becomes ("let the dough rest", "have the slides ready"), ``manner`` how it is done or how often: "slowly",
+    "twice"; ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
     ``again`` says that its object was named before ("bake it").
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
@@ -45,6 +46,7 @@ class Operation:
     place: str | None = None
     particle: str | None = None
     complement: str | None = None
+    manner: str | None = None
     addressee: str | None = None
     negated: bool = False
     stated: bool = False
@@ -70,7 +72,7 @@ class Operation:
             # "Dinner is at seven": what is, is its name.
             verb = None if self.attended or self.lemma == "be" else self.verb
             said = (self.object, verb, self.particle, None if verb is None else self.complement, self.place)
-        return " ".join(part for part in said if part)
+        return " ".join(part for part in (*said, self.manner) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -58,6 +58,10 @@ class Lexicon:
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
         Words that begin what says where.
+    vague_adverbs
+        Adverbs that say nothing of how something is done: "just", "also".
+    told
+        Words that tell how long something takes, or how far it is, by what they do there.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
@@ -126,6 +130,8 @@ class Lexicon:
     alone: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
+    vague_adverbs: frozenset[str]
+    told: Mapping[str, frozenset[str]]
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]

@@ -302,7 +302,7 @@ class _Composer:
                 policy = replace(self.moment.policy, ahead_from=first)
                 if last is not None:
                     policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
-                return replace(self.moment, policy=policy)
+                return replace(self.moment, policy=policy, usual=last is not None)
         return self.moment
 
     def _remember(self, times: Times) -> None:

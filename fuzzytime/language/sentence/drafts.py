@@ -114,7 +114,7 @@ def drafted(
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
-        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned)))
+        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)

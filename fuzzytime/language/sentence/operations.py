@@ -49,15 +49,19 @@ class Reader(Stated):
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
             direct, complement = subject, direct
+        where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=node.lower if doer is None else node.lemma,
             lemma="be" if stated and self._has_frame(verb) else node.lemma,
             span=(node.start, node.end),
             object=direct,
-            place=self.said(sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})),
+            place=self.said(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
+            manner=None
+            if stated and node.lemma == "be"
+            else self.said(self.manner(verb, [*whole, *places, *where])),
             addressee=doer,
             negated=action.negated,
             stated=stated,

@@ -84,6 +84,11 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for form in (form_of(name.text),)
         },
         places=frozenset(form[0] for form in speech.words("places")),
+        vague_adverbs=frozenset(form[0] for form in speech.words("vague_adverbs")),
+        told={
+            name.text: frozenset(" ".join(form) for form in speech.words("told", name.text))
+            for name, _ in speech.rows("told")
+        },
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         catching=frozenset(form[0] for form in speech.words("catching")),
@@ -132,7 +137,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "conversation",
+    "happening", "frames", "conversation", "vague_adverbs", "told",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
