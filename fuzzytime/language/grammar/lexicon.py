@@ -62,6 +62,8 @@ class Lexicon:
         Adverbs that say nothing of how something is done: "just", "also".
     told
         Words that tell how long something takes, or how far it is, by what they do there.
+    instances
+        What tells several of one kind apart: the ``first``, and the ``further`` ones.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
@@ -131,6 +133,7 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]
+    instances: Mapping[str, frozenset[tuple[str, ...]]]
     told: Mapping[str, frozenset[str]]
     appointing: frozenset[str]
     lasting: frozenset[str]

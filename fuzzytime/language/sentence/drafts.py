@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
+from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments import segments_of
 from fuzzytime.language.sentence.statements import as_statement, with_worker
@@ -71,7 +72,7 @@ class Draft:
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
-    lines below.
+    lines below. ``instances`` are several of one kind, of which each has a time.
     """
 
     text: str
@@ -84,6 +85,7 @@ class Draft:
     asides: tuple[Aside, ...] = ()
     heading: Heading | None = None
     leads: bool = False
+    instances: Instances = NONE
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -109,7 +111,7 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps, asides = [], [], []
+    sources, steps, asides, several = [], [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
@@ -117,12 +119,16 @@ def drafted(
         asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
+        scanned, instances = instances_of(scanned, grammar, lexicon)
+        several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
         sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside)
-        for (text, _), s, own, step, aside in zip(texts, sources, parts, steps, asides, strict=True)
+        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside, instances=each)
+        for (text, _), s, own, step, aside, each in zip(
+            texts, sources, parts, steps, asides, several, strict=True
+        )
     ]
 
 

@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.said_again import apart, done_again, with_shared_clock
+from fuzzytime.language.sentence.said_again import apart, done_again, each_of, with_shared_clock
 from fuzzytime.language.sentence.sketch import Sketch, sketch_of
 from fuzzytime.requirement import Constraint
 
@@ -30,7 +30,11 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
     told = shared(within(sketches, draft.text), draft.text, lexicon)
-    for offered in (one for sketch in told for one in done_again(sketch, draft.scanned.words)):
+    words = draft.scanned.words
+    split = (
+        one for sketch in told for each in each_of(sketch, draft.instances) for one in done_again(each, words)
+    )
+    for offered in split:
         whole, later = _first_offered(offered, draft.text)
         remarks += (_not_used(draft.text, span) for span in later)
         for phrases, dropped in _alternatives(draft, whole.phrases):

@@ -89,6 +89,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             name.text: frozenset(" ".join(form) for form in speech.words("told", name.text))
             for name, _ in speech.rows("told")
         },
+        instances={name: frozenset(speech.words("instances", name)) for name in ("first", "further")},
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         catching=frozenset(form[0] for form in speech.words("catching")),
@@ -137,7 +138,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "conversation", "vague_adverbs", "told",
+    "happening", "frames", "conversation", "vague_adverbs", "told", "instances",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
