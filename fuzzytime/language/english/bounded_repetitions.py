@@ -186,6 +186,12 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     return bounded_repeat(repeat, said)
 
 
+@grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
+def within_range(said: Said, repeat: Repeat) -> Repeat | None:
+    """From nine to five every day, between lunch and three on fridays."""
+    return bounded_repeat(repeat, said) if isinstance(said.time, Range) and repeat.walls else None
+
+
 @grammar.rule(
     "repeat",
     "<repeat> ,|and the? first time|one|dose? <said>",
