@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.actions import Action, action_of, reference_of,
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
-from fuzzytime.language.sentence.deadlines_of_clauses import with_deadlines
+from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
@@ -87,7 +87,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
-    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset)
+    follows = bool(draft.text[:first].strip())
+    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset, follows=follows)
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
@@ -213,7 +214,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
-    if phrase.rule == DATED:
+    if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
     return _reference_at(part, phrase.span, action, lexicon)
