@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
+    Order,
     Question,
     Reading,
     Remark,
@@ -33,6 +34,7 @@ __all__ = [
     "Lexicon",
     "ModelError",
     "Operation",
+    "Order",
     "ParseCache",
     "Policy",
     "Question",

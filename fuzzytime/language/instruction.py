@@ -27,6 +27,13 @@ PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "th
 """Objects that stand before a particle: "wake me up"."""
 
 
+class Order(StrEnum):
+    """Where something is done among all that is asked for: "do the windows first", "make the coffee last"."""
+
+    FIRST = "first"
+    LAST = "last"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
@@ -36,6 +43,7 @@ class Operation:
     "twice"; ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
     ``again`` says that its object was named before ("bake it").
+    ``order`` says where it is done among all that is asked for.
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
     """
 
@@ -52,6 +60,7 @@ class Operation:
     stated: bool = False
     attended: bool = False
     again: bool = False
+    order: Order | None = None
 
     @property
     def phrase(self) -> str:

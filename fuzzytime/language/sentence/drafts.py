@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
-from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_other, without_asides
 from fuzzytime.language.sentence.clause import Clause
@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.in_between import said_apart
 from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.order_words import order_words
 from fuzzytime.language.sentence.segments import segments_of
 from fuzzytime.language.sentence.statements import as_statement, with_worker
 from fuzzytime.language.sentence.told_lengths import told_lengths
@@ -73,7 +74,8 @@ class Draft:
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
-    lines below. ``instances`` are several of one kind, of which each has a time.
+    lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
+    words that say where something comes among others.
     """
 
     text: str
@@ -87,6 +89,7 @@ class Draft:
     heading: Heading | None = None
     leads: bool = False
     instances: Instances = NONE
+    orders: tuple[tuple[Span, Order], ...] = ()
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -126,10 +129,23 @@ def drafted(
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
+        source = Source(now, scanned, tuple(phrases), tuple(remarks))
+        orders = tuple(order_words(scanned.words, source.covered, lexicon))
+        sources.append(replace(source, orders=orders))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside, instances=each)
+        Draft(
+            text,
+            s.now,
+            s.scanned,
+            s.phrases,
+            tuple(own),
+            s.remarks,
+            step,
+            aside,
+            instances=each,
+            orders=s.orders,
+        )
         for (text, _), s, own, step, aside, each in zip(
             texts, sources, parts, steps, asides, several, strict=True
         )

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.leftovers import not_understood
 from fuzzytime.language.grammar.lengths import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
@@ -141,6 +141,14 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         parameters=parameters_of(reader, action),
         remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
     )
+
+
+def order_of(draft: Draft, part: Part) -> Order | None:
+    """Give where an instruction comes among all: "first, open the windows", "make the coffee last"."""
+    if part.segment.connective == Order.FIRST:
+        return Order.FIRST
+    first, end = part.segment.span
+    return next((order for span, order in draft.orders if first <= span[0] < end), None)
 
 
 def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:

@@ -17,7 +17,7 @@ from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.said_again import apart, done_again, each_of, with_shared_clock
-from fuzzytime.language.sentence.sketch import Sketch, sketch_of
+from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
@@ -43,7 +43,16 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
+    found = [_ordered(sketch, draft) for sketch in found]
     return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
+
+
+def _ordered(sketch: Sketch, draft: Draft) -> Sketch:
+    """Give what is to be done its place among others; what happens has none."""
+    operation, order = sketch.operation, order_of(draft, sketch.part)
+    if operation is None or order is None or operation.stated:
+        return sketch
+    return replace(sketch, operation=replace(operation, order=order))
 
 
 def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:
