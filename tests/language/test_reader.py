@@ -45,7 +45,7 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.name if operation is not None else None
             case "to":
                 found[key] = operation.addressee if operation is not None else None
-            case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "attended":
+            case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
                 found[key] = getattr(operation, key)
             case "duration":
                 found[key] = instruction.duration

@@ -11,6 +11,7 @@ from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.called import with_called, with_worker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
@@ -20,7 +21,7 @@ from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.order_words import order_words
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.statements import as_statement, with_worker
+from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
@@ -206,7 +207,10 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
-    found = [with_worker(tree, lexicon) for tree in found]
+    found = [
+        with_called(with_worker(tree, lexicon), one.timed(tree), lexicon)
+        for one, tree in zip(waiting, found, strict=True)
+    ]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

@@ -65,7 +65,7 @@ class Source:
 
     @property
     def sound(self) -> str:
-        """The text with spaces for words that are taken back ("at five, I mean six") or say an order ("last")."""
+        """The text with spaces for words taken back ("at five, I mean six") and words of order ("last")."""
         text = self.scanned.text
         for (start, end), _ in self.orders:
             text = text[:start] + " " * (end - start) + text[end:]
