@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.references import (
     ARRIVING,
+    BE,
     BEGINNING,
     ENDING,
     PRONOUNS,
@@ -236,6 +237,12 @@ class Anchors:
         before = self._operation(self.position - 1) if self.position else None
         same = before is not None and not before.stated and before.lemma == operation.lemma
         return same and before is not None and before.object == operation.object
+
+    def goes_on(self, operation: Operation) -> bool:
+        """Whether what is told is what something with a time does then, told right before in its text."""
+        before = self._operation(self.position - 1) if self.position > self.first else None
+        begins = before is not None and before.stated and before.lemma in BEGINNING | {BE}
+        return begins and before is not None and before.object == operation.object
 
     def _operation(self, target: int) -> Operation | None:
         place = target - self.first

@@ -36,6 +36,9 @@ def length_of(
         # "Soak the seeds, they have to soak for three hours"
         same = operation.again and anchors.is_same_as_before(operation)
         return Anchor(text=text, target=anchors.position - 1) if same else None
+    if anchors.goes_on(operation):
+        # "We're on at nine and play for an hour"
+        return Anchor(text=text, target=anchors.position - 1)
     anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
     if anchor is None or (operation.lemma in GOING and anchor.target is None):
         return None

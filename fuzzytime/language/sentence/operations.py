@@ -50,7 +50,11 @@ class Reader(Stated):
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
             direct, complement = subject, direct
+        attended = stated and self._is_attended(verb)
         where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
+        if attended and not where and direct is None and complement is None:
+            taken = self.attending(verb)
+            direct, particle = self.said(taken), None if particle in taken else particle
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=node.lower if doer is None else node.lemma,
@@ -66,7 +70,7 @@ class Reader(Stated):
             addressee=doer,
             negated=action.negated,
             stated=stated,
-            attended=stated and self._is_attended(verb),
+            attended=attended,
         )
 
     # -- particles --------------------------------------------------------------------------------------

@@ -190,11 +190,14 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             shared = len(named & known)
         same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
         return same or _named_after(named, operation)
+    word = None if clause.condition is None else clause.condition.word
+    if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
+        # "Half an hour before we're on"
+        return SAME_VERB
     # "While she is there" names no dinner that is at seven.
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
-    word = None if clause.condition is None else clause.condition.word
     goes_on = clause.verb == BE and word in GOING_ON and clause.kind == "while"
     if operation.stated and shared and (goes_on or clause.verb in BEGINNING | ENDING):
         # "Five minutes before the meeting starts", where the meeting is at three.
