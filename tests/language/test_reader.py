@@ -340,3 +340,19 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
     readings = language().read_independent([(text, NOW) for text in texts])
     unused = [(r.text, m.message) for r in readings for m in r.remarks if m.message.endswith("is not used")]
     assert unused == [("Stay behind after class to tidy the art room", "'art room' is not used")]
+
+
+def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
+    reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
+    (remark, _) = reading.remarks
+    assert (remark.kind, reading.text[slice(*remark.span)]) == (RemarkKind.UNRESOLVED, "by noon")
+
+
+def test_a_line_before_tells_the_day_of_an_event() -> None:
+    lines = [
+        "The christening is on Saturday at three",
+        "Fetch the cake by noon the day before the christening",
+    ]
+    (_, fetch) = language().read_all([(line, NOW) for line in lines])
+    assert [part.t_spec for part in fetch.instructions[0].requirements] == [183600]
+    assert fetch.remarks == ()

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from datetime import date
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers import leftovers
@@ -28,6 +29,7 @@ from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.connectives import anchored_by_connective, within_after
 from fuzzytime.language.sentence.contradictions import contradictions
+from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
@@ -86,6 +88,7 @@ class _Composer:
         self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
+        self.days: dict[int, date] = {}
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
 
@@ -118,6 +121,9 @@ class _Composer:
             due = self._due(sketches[:place], sketch, instructions)
             self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
             instructions.append(self._instruction(sketch, self.first + place, operations))
+            day = day_of(instructions[-1], self.draft.now)
+            if day is not None:
+                self.days[self.first + place] = day
         if not sketches:
             instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
@@ -203,13 +209,18 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = awaiting(sketch)
+        anchors = Anchors(
+            position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
+        )
+        self.explained += sketch.heard
+        sketch, remarks = on_days_of_events(
+            sketch, anchors, {**self.mentions.days, **self.days}, self.draft.text
+        )
+        self.remarks += remarks
         times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        anchors = Anchors(
-            position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
-        )
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -229,7 +240,6 @@ class _Composer:
                 self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         for clause in sketch.clauses:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
-            self.explained.append(clause.span)
             self.remarks += remarks
             requirements.append(required)
         requirements += self._headed(sketch, anchors)

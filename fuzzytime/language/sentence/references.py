@@ -4,6 +4,7 @@ import heapq
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from datetime import date
 from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -63,12 +64,13 @@ class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
     What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
-    those that were said to go on for some time.
+    those that were said to go on for some time, ``days`` the days that those are on of which that is known.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
     lasting: list[int] = field(default_factory=list)
+    days: dict[int, date] = field(default_factory=dict)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)

@@ -16,6 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
+from fuzzytime.language.meaning.relations import days_away
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
@@ -212,6 +213,11 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
         said = Said(distance, None, None, clause.distance.hedges)
+        days = time.said.time.days if time.said.time.clock is None and time.said.time.part is None else None
+        away = None if days is None else days_away(distance.duration, days, direction)
+        if away is not None:
+            # "The day before the wedding on saturday"
+            said = replace(said, time=Wall(away))
     places = [
         place
         for place, word in enumerate(draft.scanned.words)
