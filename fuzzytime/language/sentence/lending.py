@@ -5,8 +5,8 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Said, TimeWord
-from fuzzytime.language.sentence.anchors import INTO
 from fuzzytime.language.sentence.cuts import AGAIN
+from fuzzytime.language.sentence.phrase_anchors import INTO
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
