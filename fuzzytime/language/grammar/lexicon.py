@@ -62,6 +62,12 @@ class Lexicon:
         Adverbs that say nothing of how something is done: "just", "also".
     told
         Words that tell how long something takes, or how far it is, by what they do there.
+    asides
+        Words of asides that say how long something takes, by what they do there.
+    becoming, levels
+        What something becomes, and how strong it is on: "pat it dry", "cook it on low".
+    passing
+        What is said of what is called by a number: "train 14 stops at nine".
     instances
         What tells several of one kind apart: the ``first``, and the ``further`` ones.
     appointing
@@ -133,6 +139,10 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]
+    asides: Mapping[str, frozenset[str]]
+    becoming: frozenset[str]
+    levels: frozenset[str]
+    passing: frozenset[str]
     instances: Mapping[str, frozenset[tuple[str, ...]]]
     told: Mapping[str, frozenset[str]]
     appointing: frozenset[str]

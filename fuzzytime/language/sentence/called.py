@@ -7,9 +7,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.statements import DUE, FUTURE, PHASES, singular_verb
 from fuzzytime.language.sentence.tree import Node, Tree
 
-MOVING = PHASES | {"lands", "comes", "goes", "returns", "checks", "docks", "boards", "stops", "meets", "lets"}
-"""What is said of what is called so, where its name may be a verb, too: "train 14 departs at nine"."""
-
 
 def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
@@ -50,7 +47,7 @@ def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
         return False
     finite = word.tag in {"NNS", "VBZ", "NNPS"} and word.lower.endswith("s")
     # "Train 14 guards at nine" asks for it.
-    sure = lettered or not name.may_act or word.lower in MOVING
+    sure = lettered or not name.may_act or word.lower in PHASES | lexicon.passing
     return finite and sure
 
 

@@ -10,9 +10,6 @@ SIDES = frozenset({"left", "right"})
 BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
 """Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
 
-BECOMING = frozenset({"dry", "clean", "flat", "smooth", "thin", "open", "shut", "loose", "tight", "crisp"})
-"""What something becomes, where a tree has it for how it is done: "pat it dry"."""
-
 EACH = frozenset({"every", "each"})
 """Words that say of which things: "measure every tenth part"."""
 
@@ -72,7 +69,7 @@ class Places(Wording):
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
-        known = node.lower in self.lexicon.places | BECOMING
+        known = node.lower in self.lexicon.places | self.lexicon.becoming
         return node.relation == "prep" or counted or known
 
     def _is_numbered(self, place: int) -> bool:
