@@ -50,7 +50,13 @@ def test_who_does_something_elsewhere_goes_there_before() -> None:
 
 
 @pytest.mark.parametrize(
-    "told_way", ["It's 20 minutes to the framer", "It's 20 minutes to work", "It's 20 minutes to get there"]
+    "told_way",
+    [
+        "It takes 20 minutes to get to the framer",
+        "It's 20 minutes to the framer",
+        "It's 20 minutes to work",
+        "It's 20 minutes to get there",
+    ],
 )
 def test_how_far_a_place_is_is_travelled(told_way: str) -> None:
     made = told(["Collect the frames at 3 pm", told_way])

@@ -356,3 +356,9 @@ def test_a_line_before_tells_the_day_of_an_event() -> None:
     (_, fetch) = language().read_all([(line, NOW) for line in lines])
     assert [part.t_spec for part in fetch.instructions[0].requirements] == [183600]
     assert fetch.remarks == ()
+
+
+def test_a_length_that_is_of_nothing_is_pointed_at() -> None:
+    reading = language().read("Give it a week, then bring it back", now=NOW)
+    assert reading.text[slice(*reading.remarks[0].span)].startswith("Give it a week")
+    assert reading.remarks[0].kind is RemarkKind.UNRESOLVED

@@ -123,6 +123,11 @@ class _Composer:
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
                 self.days[self.first + place] = day
+        for aside in self.draft.asides:
+            if sketches and aside.span[1] <= sketches[0].part.segment.span[0]:
+                # "Give it a week, then bring it back"
+                said = self.draft.text[slice(*aside.span)].strip(" .,!")
+                self.remarks += unknown_length(Anchor(text=said), aside.span)
         if not sketches:
             instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)

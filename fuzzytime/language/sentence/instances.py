@@ -43,9 +43,11 @@ def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[
     for first, end in found.counting:
         text = text[:first] + " " * (end - first) + text[end:]
     bare = Scanned.of(text, grammar, lexicon)
-    times = {phrase.span[0] for phrase in phrases_of(bare, lexicon)}
+    times = [phrase.span for phrase in phrases_of(bare, lexicon)]
     begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
-    return (bare, found) if times.issuperset(begins) else (scanned, NONE)
+    # "Two visits today, one at nine": the first may have its day in front.
+    timed = [any(first <= begin < end for first, end in times) for begin in begins]
+    return (bare, found) if all(timed) else (scanned, NONE)
 
 
 def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
@@ -70,7 +72,7 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
         str(len(starts)),
     }:
         counting.append((number.start, number.end))
-        return Instances(tuple(starts), tuple(counting), counted=_behind(words, number))
+        return Instances(tuple(starts), tuple(counting), counted=_behind(scanned, number))
     return Instances(tuple(starts), tuple(counting))
 
 
@@ -81,5 +83,7 @@ def _counts(words: Sequence[Word], counting: Sequence[Span], lexicon: Lexicon) -
             yield word
 
 
-def _behind(words: Sequence[Word], number: Word) -> str:
-    return next(word.text for word in words if word.start >= number.end)
+def _behind(scanned: Scanned, number: Word) -> str:
+    """Give the word behind a number, as typed."""
+    counted = next(word for word in scanned.words if word.start >= number.end)
+    return scanned.text[counted.start : counted.end]

@@ -46,8 +46,12 @@ def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
         return [sketch]
     if instances.counted and operation.object is not None:
         # "Give him two pills" has who gets them in front.
-        before, counted, behind = operation.object.partition(instances.counted)
+        before, counted, behind = (
+            operation.object.removesuffix(" and").rstrip(" ,").partition(instances.counted)
+        )
         operation = replace(operation, object=f"{before}{ONE_OF}{counted}{behind}" if counted else before)
+    leading = (span[0] for span in sketch.heard if span[0] < starts[0] < span[1])
+    starts[0] = next(leading, starts[0])
     named = replace(sketch, operation=operation)
     return [_of(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
 

@@ -26,6 +26,7 @@ from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.references import PRONOUNS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
@@ -189,7 +190,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    if any(part.tree.nodes[p].lower == "it" for p in part.tree.children(action.place, "nsubj", "expl")):
+    if any(part.tree.nodes[p].lower in PRONOUNS for p in part.tree.children(action.place, "nsubj", "expl")):
         # "It takes twenty minutes to get there"
         return action
     nodes = enumerate(part.tree.nodes)

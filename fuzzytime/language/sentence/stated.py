@@ -124,6 +124,12 @@ class Stated(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        if self.tree.nodes[verb].lemma == "be" and not helping:
+            # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
+            asked = self.lexicon.results
+            rest = [
+                p for p in rest if self.tree.nodes[p].relation != "acomp" or self.tree.nodes[p].lower in asked
+            ]
         # "The delivery arrives between ten and eleven"
         rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)

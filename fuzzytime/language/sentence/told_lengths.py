@@ -89,6 +89,8 @@ class _Telling:
             named = [word for word in said[:-1] if word not in told["there"] | told["determiners"]]
             return len(named) == 1 and named[0] in told["going"]
         to_there = len(after) > 2 and after[0] == "to" and after[-1] in told["there"]
+        # "It takes half an hour to get to the scrapyard"
+        to_there = to_there or (len(after) > 3 and after[:3] == ["to", "get", "to"])
         # "It takes ten minutes to get there", "it's ten minutes to get there"
         led = bool(said) and said[0] in told["subjects"] and said[-1] in told["taking"] | told["being"]
         return to_there and led
