@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.beside import bounded_repeat, is_of_day, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
@@ -189,7 +189,10 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
 @grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
 def within_range(said: Said, repeat: Repeat) -> Repeat | None:
     """From nine to five every day, between lunch and three on fridays."""
-    return bounded_repeat(repeat, said) if isinstance(said.time, Range) and repeat.walls else None
+    time = said.time
+    # "Monday to friday every week" has no hours.
+    hours = isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last)
+    return bounded_repeat(repeat, said) if hours and repeat.walls else None
 
 
 @grammar.rule(

@@ -157,7 +157,7 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
         return replace(repeat, until=Offset(time)) if bound else None
     if isinstance(time, Coming):
         return replace(repeat, until=Offset(time.duration))
-    if repeat.walls and isinstance(time, Range) and _is_of_day(time.first) and _is_of_day(time.last):
+    if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
         return within_hours(repeat, time.first, time.last)
     if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
         return _on_side(repeat, time.clock, said.constraint)
@@ -181,7 +181,7 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     return None
 
 
-def _is_of_day(time: Time) -> TypeGuard[Wall]:
+def is_of_day(time: Time) -> TypeGuard[Wall]:
     """Whether it is a clock time or a part of any day."""
     said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
     return said and isinstance(time, Wall) and time.days is None

@@ -8,8 +8,14 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Span
 from fuzzytime.language.sentence.segments import ARTICLES, BOUND, ENDS
 
-NAMING = ARTICLES | BOUND | ENDS | {"it", "them", "second", "next", "long", "far", "at", "to", "and", ","}
-"""Words behind which "first" and "last" are no place in an order: "make it last", "at last"."""
+NAMING = (
+    ARTICLES
+    | BOUND
+    | ENDS
+    | {"it", "them", "second", "next", "long", "far", "at", "to", "and", ","}
+    | {"comes", "come", "came", "goes", "is", "are", "was", "were", "that"}
+)
+"""Words behind which "first" and "last" are no place in an order: "make it last", "whoever comes first"."""
 
 LASTING = frozenset({"for", "until", "till"})
 """Words before which "last" is a verb: "make the milk last until friday"."""
