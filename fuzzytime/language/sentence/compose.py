@@ -29,7 +29,7 @@ from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
-from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
+from fuzzytime.language.sentence.lengths import length_of, lengths_in_front, time_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
@@ -123,12 +123,10 @@ class _Composer:
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
                 self.days[self.first + place] = day
-        for aside in self.draft.asides:
-            if sketches and aside.span[1] <= sketches[0].part.segment.span[0]:
-                # "Give it a week, then bring it back"
-                said = self.draft.text[slice(*aside.span)].strip(" .,!")
-                self.remarks += unknown_length(Anchor(text=said), aside.span)
-        if not sketches:
+        if sketches:
+            first = sketches[0].part.segment.span[0]
+            self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
+        else:
             instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
