@@ -136,6 +136,7 @@ def _name(operation: Answer) -> str:
         place=operation["place"],
         particle=operation.get("particle"),
         complement=operation.get("complement"),
+        manner=operation.get("manner"),
         stated=bool(operation.get("stated")),
     ).name
 

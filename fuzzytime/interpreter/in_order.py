@@ -6,13 +6,13 @@ of a list is looser than one in words: it gives way where it would keep a step f
 follows a step that cannot be done goes on without it.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Reading, comes, content_words, shares_thing
+from fuzzytime.language import Instruction, Order, Reading, comes, content_words, shares_thing
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -116,10 +116,8 @@ class Rows:
 
     def add(self, skills: Sequence[Interpreted], places: range) -> None:
         """Add what an instruction asks for; what happens by itself, or again and again, is no step."""
-        if len(places) == 1:
-            made = skills[places[0]]
-            if made.operation is not None and not made.operation.stated and not _repeats(made):
-                self.row.add(Step(places[0], made))
+        if len(places) == 1 and _is_asked(skills[places[0]]):
+            self.row.add(Step(places[0], skills[places[0]]))
 
     def join(
         self, reading: Reading, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted]
@@ -181,6 +179,36 @@ def free_of_circles(order: Iterable[Precedence], precedences: Iterable[Precedenc
         for entry in order
         if not before.says(entry.first, entry.second) and before.add(entry.first, entry.second)
     )
+
+
+def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
+    """Give the order that words ask for among all: "do the windows first", "make the coffee last".
+
+    Where two have times of their own, these say their order, unless they are the same.
+    """
+    steps = [Step(place, one) for place, one in enumerate(skills) if _is_asked(one)]
+    for step in steps:
+        order = _order_of(step)
+        for other in steps if order is not None else ():
+            apart = step.timed and other.timed and _times(step) != _times(other)
+            if other.position != step.position and not apart and _order_of(other) is not order:
+                first, second = (step, other) if order is Order.FIRST else (other, step)
+                yield first.precedence(second)
+
+
+def _order_of(step: Step) -> Order | None:
+    return None if step.interpreted.operation is None else step.interpreted.operation.order
+
+
+def _times(step: Step) -> set[tuple[float | None, float | None]]:
+    """Give when a step is to be done: "Saturday" for all that is asked for below it."""
+    own = (part for part in step.interpreted.requirements if part.constraint in OWN_TIME)
+    return {(part.earliest, part.latest) for part in own}
+
+
+def _is_asked(made: Interpreted) -> bool:
+    """Whether something is asked for, once."""
+    return made.operation is not None and not made.operation.stated and not _repeats(made)
 
 
 def without_now(instruction: Instruction) -> Instruction:

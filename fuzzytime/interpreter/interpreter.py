@@ -9,7 +9,7 @@ from fuzzytime.errors import InstructionError
 from fuzzytime.interpreter.asked import by_agents
 from fuzzytime.interpreter.gathering import Gathering
 from fuzzytime.interpreter.horizon import horizon_of, within_horizon
-from fuzzytime.interpreter.in_order import Rows, free_of_circles
+from fuzzytime.interpreter.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.interpretation import Interpretation, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
@@ -129,7 +129,7 @@ class Interpreter:
         skills, called = by_agents(happened, request)
         problems += called
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)
-        order = free_of_circles(gathered.rows.kept(), precedences)
+        order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]
         horizon = horizon_of(skills, request)

@@ -287,5 +287,10 @@ def _is_attended(one: Interpreted) -> bool:
 def _parameters(operation: Operation | None) -> dict[str, str]:
     if operation is None:
         return {}
-    parts = {"verb": operation.verb, "object": operation.object, "place": operation.place}
+    parts = {
+        "verb": operation.verb,
+        "object": operation.object,
+        "place": operation.place,
+        "manner": operation.manner,
+    }
     return {name: words for name, words in parts.items() if words}

@@ -16,6 +16,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
+    Order,
     Question,
     Reading,
     Remark,
@@ -44,6 +45,7 @@ __all__ = [
     "News",
     "NewsKind",
     "Operation",
+    "Order",
     "ParseCache",
     "Policy",
     "Question",

@@ -27,14 +27,23 @@ PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "th
 """Objects that stand before a particle: "wake me up"."""
 
 
+class Order(StrEnum):
+    """Where something is done among all that is asked for: "do the windows first", "make the coffee last"."""
+
+    FIRST = "first"
+    LAST = "last"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Operation:
     """What is to be done: the verb as typed in lower case, its object and place, and the verb's span.
 
     ``particle`` belongs to the verb ("put on", "turn off"), ``complement`` says what the object does or
-    becomes ("let the dough rest", "have the slides ready"); ``addressee`` is who was asked ("Anna, …").
+    becomes ("let the dough rest", "have the slides ready"), ``manner`` how it is done or how often: "slowly",
+    "twice"; ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
     ``again`` says that its object was named before ("bake it").
+    ``order`` says where it is done among all that is asked for.
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
     """
 
@@ -45,11 +54,13 @@ class Operation:
     place: str | None = None
     particle: str | None = None
     complement: str | None = None
+    manner: str | None = None
     addressee: str | None = None
     negated: bool = False
     stated: bool = False
     attended: bool = False
     again: bool = False
+    order: Order | None = None
 
     @property
     def phrase(self) -> str:
@@ -70,7 +81,7 @@ class Operation:
             # "Dinner is at seven": what is, is its name.
             verb = None if self.attended or self.lemma == "be" else self.verb
             said = (self.object, verb, self.particle, None if verb is None else self.complement, self.place)
-        return " ".join(part for part in said if part)
+        return " ".join(part for part in (*said, self.manner) if part)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

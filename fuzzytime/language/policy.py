@@ -22,6 +22,13 @@ class DateOrder(StrEnum):
     DAY_MONTH = "day-month"
 
 
+class Midnight(StrEnum):
+    """Which midnight "midnight on Friday" is: where Friday begins, or where it is over."""
+
+    START = "start"
+    END = "end"
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Policy:
     """Decisions for what is ambiguous.
@@ -37,6 +44,8 @@ class Policy:
         on; any other that is repeated, its first from ``plausible_from`` on.
     same_weekday
         Which day a weekday means on that very day, where no time of day decides it.
+    midnight
+        Which midnight is meant beside a day; that of an eve, and of a night, is at its end.
     week_starts
         First day of the week, 0 for Monday.
     weekend_from, weekend_days
@@ -54,6 +63,7 @@ class Policy:
     ahead_from: time = time(6)
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT
+    midnight: Midnight = Midnight.END
     week_starts: int = 0
     weekend_from: int = 5
     weekend_days: int = 2

@@ -12,6 +12,7 @@ from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.compose import composed
+from fuzzytime.language.sentence.days_of_events import day_of
 from fuzzytime.language.sentence.drafts import Draft, drafted
 from fuzzytime.language.sentence.headings import under_headings
 from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
@@ -124,6 +125,9 @@ class Language:
                     meant = len(mentions.operations) if told is None else told.target
                     if meant is not None:
                         mentions.lasting.append(meant)
+                day = day_of(instruction, reading.now)
+                if day is not None:
+                    mentions.days[len(mentions.operations)] = day
                 mentions.add(instruction.operation)
             readings.append(reading)
         first = len(given)

@@ -23,7 +23,7 @@ LEAST_TOGETHER, MOST_TOGETHER = 30, 90
 KICKS_A_STRETCH = 20
 """Kicks before another stretch has its turn."""
 
-HOT, COLD = 1.0, 0.1
+HOT, COLD = 0.5, 0.1
 """The temperature at first and at last, in mean weights of a job: what a kick may lose and still be kept."""
 
 

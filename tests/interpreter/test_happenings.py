@@ -2,7 +2,7 @@
 
 import pytest
 
-from interpreter.telling import notes, starts, told
+from interpreter.telling import notes, order, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -110,3 +110,11 @@ def test_appointments_that_overlap_are_pointed_at() -> None:
     assert found == ["a meeting (10:00 to 11:00) and a dentist appointment (10:30 to 12:00) overlap"]
     after = told([lines[0], "I have a call from 11 to 12"])
     assert not any("overlap" in note for note in notes(after))
+
+
+def test_what_somebody_is_on_for_is_an_event_with_its_length() -> None:
+    made = told(["We're on at 20:30 and play for 75 minutes", "iron the shirts an hour before we're on"])
+    assert [one.skill.name for one in made.skills] == ["on", "iron the shirts"]
+    assert made.skills[0].skill.time_until_done == 75 * 60
+    assert starts(made)["s1"] == "20:30"
+    assert order(made) == ["s2", "s1"]

@@ -49,6 +49,27 @@ def test_who_does_something_elsewhere_goes_there_before() -> None:
     assert starts(made) == {"s1": "15:00", "s1.2": "14:40"}
 
 
+@pytest.mark.parametrize(
+    "told_way",
+    [
+        "It takes 20 minutes to get to the framer",
+        "It's 20 minutes to the framer",
+        "It's 20 minutes to work",
+        "It's 20 minutes to get there",
+    ],
+)
+def test_how_far_a_place_is_is_travelled(told_way: str) -> None:
+    made = told(["Collect the frames at 3 pm", told_way])
+    assert [one.skill.name for one in made.skills] == ["collect the frames", "travel to collect the frames"]
+    assert starts(made)["s2"] == "14:40"
+
+
+@pytest.mark.parametrize("line", ["It's 20 minutes to the meeting", "It's 20 minutes to nine"])
+def test_how_long_it_is_to_an_event_is_no_way(line: str) -> None:
+    made = told(["Collect the frames at 3 pm", line])
+    assert [one.skill.name for one in made.skills] == ["collect the frames"]
+
+
 @pytest.mark.parametrize("line", ["Stay ten minutes away from it", "Take a 20 minute walk"])
 def test_how_far_is_told_of_nothing_that_is_asked_for(line: str) -> None:
     assert len(told([line]).skills) <= 1

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from fuzzytime.language import Policy, find_times
 from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.instruction import RemarkKind
-from fuzzytime.language.policy import DateOrder, SameWeekday
+from fuzzytime.language.policy import DateOrder, Midnight, SameWeekday
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.times import instant_after
 
@@ -91,6 +91,32 @@ def test_a_weekday_on_that_day_is_a_policy() -> None:
     assert at("on wednesday", WEDNESDAY, Policy(same_weekday=SameWeekday.TODAY)).day == 4
     assert at("on wednesday", WEDNESDAY, Policy(same_weekday=SameWeekday.NEXT)).day == 11
     assert at("on wednesday at 8 am", WEDNESDAY, Policy(same_weekday=SameWeekday.TODAY)).day == 11
+
+
+def test_which_midnight_of_a_day_is_meant_is_a_policy() -> None:
+    begins, ends = Policy(midnight=Midnight.START), Policy(midnight=Midnight.END)
+    assert at("at midnight on friday", WEDNESDAY, ends).day == 7
+    assert at("at midnight on friday", WEDNESDAY, begins).day == 6
+    assert at("at midnight on christmas eve", WEDNESDAY, begins).day == 25
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("at midnight on friday", True),
+        ("from midnight on friday to noon on saturday", True),
+        ("every friday at midnight", True),
+        ("at midnight tonight", False),
+        ("at midnight today", False),
+        ("on friday night at midnight", False),
+        ("at midnight on new year's eve", False),
+        ("at ten to midnight on friday", False),
+        ("every day at midnight", False),
+    ],
+)
+def test_a_midnight_that_may_be_either_of_a_day_is_said(text: str, said: bool) -> None:  # noqa: FBT001
+    noted = [remark.message for remark in find_times(text, WEDNESDAY).remarks]
+    assert any("where that day is over" in message for message in noted) is said
 
 
 def test_the_order_of_day_and_month_is_a_policy() -> None:

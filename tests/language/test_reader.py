@@ -45,7 +45,7 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.name if operation is not None else None
             case "to":
                 found[key] = operation.addressee if operation is not None else None
-            case "lemma" | "negated" | "object" | "place" | "attended":
+            case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
                 found[key] = getattr(operation, key)
             case "duration":
                 found[key] = instruction.duration
@@ -340,3 +340,25 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
     readings = language().read_independent([(text, NOW) for text in texts])
     unused = [(r.text, m.message) for r in readings for m in r.remarks if m.message.endswith("is not used")]
     assert unused == [("Stay behind after class to tidy the art room", "'art room' is not used")]
+
+
+def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
+    reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
+    (remark, _) = reading.remarks
+    assert (remark.kind, reading.text[slice(*remark.span)]) == (RemarkKind.UNRESOLVED, "by noon")
+
+
+def test_a_line_before_tells_the_day_of_an_event() -> None:
+    lines = [
+        "The christening is on Saturday at three",
+        "Fetch the cake by noon the day before the christening",
+    ]
+    (_, fetch) = language().read_all([(line, NOW) for line in lines])
+    assert [part.t_spec for part in fetch.instructions[0].requirements] == [183600]
+    assert fetch.remarks == ()
+
+
+def test_a_length_that_is_of_nothing_is_pointed_at() -> None:
+    reading = language().read("Give it a week, then bring it back", now=NOW)
+    assert reading.text[slice(*reading.remarks[0].span)].startswith("Give it a week")
+    assert reading.remarks[0].kind is RemarkKind.UNRESOLVED

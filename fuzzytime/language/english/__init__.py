@@ -20,6 +20,7 @@ from fuzzytime.language.english import (
     repeated_days,
     repetitions,
     stacks,
+    stretches_of_weekdays,
     zones,
 )
 from fuzzytime.language.grammar.chart import Grammar
@@ -43,6 +44,7 @@ _ROOMS = (
     repetitions,
     repeated_days,
     bounded_repetitions,
+    stretches_of_weekdays,
 )
 
 

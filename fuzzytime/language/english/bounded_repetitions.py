@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat, within_hours
+from fuzzytime.language.meaning.beside import bounded_repeat, is_of_day, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
@@ -186,6 +186,15 @@ def bounded(repeat: Repeat, said: Said) -> Repeat | None:
     return bounded_repeat(repeat, said)
 
 
+@grammar.rule("repeat", "<said> ,|on? <repeat>", weight=-1)
+def within_range(said: Said, repeat: Repeat) -> Repeat | None:
+    """From nine to five every day, between lunch and three on fridays."""
+    time = said.time
+    # "Monday to friday every week" has no hours.
+    hours = isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last)
+    return bounded_repeat(repeat, said) if hours and repeat.walls else None
+
+
 @grammar.rule(
     "repeat",
     "<repeat> ,|and the? first time|one|dose? <said>",
@@ -224,37 +233,6 @@ def _moment_of(repeat: Repeat, said: Said) -> Wall | None:
 def from_then_on(repeat: Repeat) -> Repeat:
     """(now and) every thirty seconds thereafter."""
     return repeat
-
-
-@grammar.rule("week stretch", "from? <weekday> to|-|through|thru|till|until <weekday>")
-def week_stretch(first: int, last: int) -> tuple[int, ...]:
-    """Monday to friday, beside hours: on each of these days."""
-    return tuple((first + day) % 7 for day in range((last - first) % 7 + 1))
-
-
-@grammar.rule("repeat", "<said> ,? <week stretch>", weight=1.3)
-def hours_of_week(said: Said, days: tuple[int, ...]) -> Repeat | None:
-    """From 9 to 5, monday to friday."""
-    return of_week(days, said)
-
-
-@grammar.rule("repeat", "<week stretch> ,? <said>", weight=1.3)
-def week_of_hours(days: tuple[int, ...], said: Said) -> Repeat | None:
-    """Monday to friday from 9 to 5, mon-fri at noon."""
-    return of_week(days, said)
-
-
-def of_week(days: tuple[int, ...], said: Said) -> Repeat | None:
-    """Give a repetition on some days of the week, at a clock time or within hours."""
-    whole = Repeat(walls=tuple(Wall(Fields(weekday=day)) for day in days))
-    time = said.time
-    ends = (time.first, time.last) if isinstance(time, Range) else (time,)
-    clocks = [end for end in ends if isinstance(end, Wall) and end.clock is not None and end.days is None]
-    if len(clocks) != len(ends) or said.constraint in {Constraint.BEFORE, Constraint.AFTER} or said.hedges:
-        return None
-    if isinstance(time, Range):
-        return within_hours(whole, clocks[0], clocks[1])
-    return narrowed_repeat(whole, clocks[0]) if said.preposition is not None or not clocks[0].bare else None
 
 
 @grammar.rule("said", "<repeat>", weight=0.1)

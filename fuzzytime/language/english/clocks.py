@@ -257,7 +257,8 @@ def moment(part: Part) -> Part | None:
 def named(part: Part) -> Clock:
     """Noon, midnight."""
     grain = Unit.HOUR if part.start % 3600 == 0 else Unit.MINUTE
-    return Clock(part.start // 3600, part.start // 60 % 60, 0, grain, full_day=True)
+    hour, minute = part.start // 3600, part.start // 60 % 60
+    return Clock(hour, minute, 0, grain, full_day=True, midnight=not part.start)
 
 
 @grammar.rule("clock", "<integer> o'clock? <moment part>", weight=0.3)
@@ -265,7 +266,7 @@ def named_twice(hour: Integer, part: Part) -> Clock | None:
     """Twelve noon, 12 midnight, 1 o'clock midnight."""
     if hour.value > 12:
         return None
-    return Clock(hour.value % 12 or 12, half=part.half)
+    return Clock(hour.value % 12 or 12, half=part.half, midnight=not part.start and hour.value == 12)
 
 
 @grammar.rule("wall", "<clock>")

@@ -5,13 +5,21 @@ from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Coming, Duration, Quantity, UnitWord, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import WeekOf, Within
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Stretch, Which
+from fuzzytime.language.meaning.relations import (
+    Away,
+    Deictic,
+    Following,
+    Relative,
+    Stretch,
+    Which,
+    days_away,
+)
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
-SUB_DAY = frozenset({Unit.SECOND, Unit.MINUTE, Unit.HOUR})
 PAST_WORDS = frozenset({Which.LAST, Which.PAST})
 
 
@@ -128,7 +136,7 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
     duration, number = (first, second) if isinstance(first, Duration) else (second, first)
     if not isinstance(duration, Duration) or not isinstance(number, int):
         return None
-    away = from_anchor(duration, Relative(0), 1)
+    away = days_away(duration, Relative(0), 1)
     return None if away is None else Within(Fields(weekday=number), WeekOf(away))
 
 
@@ -148,27 +156,17 @@ def weekday_week(number: int) -> Calendar:
 # -- so long after a day --------------------------------------------------------------------------------
 
 
-def from_anchor(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
-    """Give the day some whole days, weeks, months after another; None for hours."""
-    found = anchor
-    for amount, unit in duration.terms:
-        if unit in SUB_DAY or amount != int(amount) or duration.until is not None:
-            return None
-        found = Away(int(amount) * direction, unit, found)
-    return found
-
-
 @grammar.rule("days", "<duration> on <weekday>", weight=0.6)
 def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
     """A fortnight on friday: two weeks after the next."""
-    return from_anchor(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
+    return days_away(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
 
 
 @grammar.rule("days", "<duration> <day>", weight=0.6)
 def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
     """A week tomorrow, a fortnight today."""
     whole = duration.unit is Unit.WEEK and day.days >= 0 and not duration.hedges
-    return from_anchor(duration, day, 1) if whole else None
+    return days_away(duration, day, 1) if whole else None
 
 
 @grammar.rule("days", "<weekday> fortnight", weight=0.2)
@@ -180,13 +178,13 @@ def weekday_fortnight(number: int) -> Calendar:
 @grammar.rule("days", "<duration> from|after|following|since <days>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""
-    return from_anchor(duration, anchor, 1) if not duration.hedges else None
+    return days_away(duration, anchor, 1) if not duration.hedges else None
 
 
 @grammar.rule("days", "<duration> before <days>", "<duration> prior to <days>", weight=0.2)
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Two weeks before christmas."""
-    return from_anchor(duration, anchor, -1) if not duration.hedges else None
+    return days_away(duration, anchor, -1) if not duration.hedges else None
 
 
 @grammar.rule("days", "<days> in|after <duration>", weight=0.1)

@@ -2,12 +2,11 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.days import from_anchor
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Wall
-from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
@@ -59,5 +58,5 @@ def wall_at_clock(wall: Wall, clock: Clock) -> Wall | None:
 )
 def after_days_at(duration: Duration, wall: Wall) -> Wall | None:
     """In seven days at 5pm, in three days on friday."""
-    away = from_anchor(duration, Relative(0), 1)
+    away = days_away(duration, Relative(0), 1)
     return None if away is None or wall.bare else joined(Wall(away), wall)

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
 from fuzzytime.requirement import Constraint
 
@@ -56,6 +57,7 @@ class Borders:
             or self._begins_another(piece)
             or self._is_named(piece)
             or self._says_how(piece)
+            or self._says_order(piece)
         )
 
     def runs_on(self, piece: Piece) -> bool:
@@ -100,6 +102,14 @@ class Borders:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""
         first = self.texts[piece.start]
         return first in {"late", "early"} and self.around.before(piece) in BEING
+
+    def _says_order(self, piece: Piece) -> bool:
+        """Whether it begins with where something comes among others: "feed the cat first at six"."""
+        ordinal = self.texts[piece.start] in self.lexicon.ordinals and self.words[piece.start].is_letters
+        wall = piece.value.time
+        days = wall.days if isinstance(wall, Wall) and wall.clock is not None else None
+        alone = isinstance(days, Fields) and days == Fields(day=days.day)
+        return ordinal and alone and self.around.before(piece) not in NAMED
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""

@@ -58,6 +58,18 @@ class Lexicon:
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
         Words that begin what says where.
+    vague_adverbs
+        Adverbs that say nothing of how something is done: "just", "also".
+    told
+        Words that tell how long something takes, or how far it is, by what they do there.
+    asides
+        Words of asides that say how long something takes, by what they do there.
+    becoming, levels
+        What something becomes, and how strong it is on: "pat it dry", "cook it on low".
+    passing
+        What is said of what is called by a number: "train 14 stops at nine".
+    instances
+        What tells several of one kind apart: the ``first``, and the ``further`` ones.
     appointing
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
@@ -126,6 +138,13 @@ class Lexicon:
     alone: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
+    vague_adverbs: frozenset[str]
+    asides: Mapping[str, frozenset[str]]
+    becoming: frozenset[str]
+    levels: frozenset[str]
+    passing: frozenset[str]
+    instances: Mapping[str, frozenset[tuple[str, ...]]]
+    told: Mapping[str, frozenset[str]]
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]

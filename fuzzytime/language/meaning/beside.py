@@ -1,6 +1,7 @@
 """Times said beside each other, or apart for the same thing to be done: one time of both."""
 
 from dataclasses import replace
+from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Range, Repeat, Said, Time, Wall
@@ -156,7 +157,7 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
         return replace(repeat, until=Offset(time)) if bound else None
     if isinstance(time, Coming):
         return replace(repeat, until=Offset(time.duration))
-    if repeat.walls and isinstance(time, Range) and isinstance(time.first, Wall) and time.first.clock:
+    if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
         return within_hours(repeat, time.first, time.last)
     if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
         return _on_side(repeat, time.clock, said.constraint)
@@ -180,13 +181,27 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     return None
 
 
-def within_hours(repeat: Repeat, first: Wall, last: Time) -> Repeat | None:
-    """Give a repetition within hours of the day: every weekday from 9 to 5."""
-    if first.clock is None or not isinstance(last, Wall) or last.clock is None:
+def is_of_day(time: Time) -> TypeGuard[Wall]:
+    """Whether it is a clock time or a part of any day."""
+    said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    return said and isinstance(time, Wall) and time.days is None
+
+
+def within_hours(repeat: Repeat, first: Wall, last: Wall) -> Repeat | None:
+    """Give a repetition within hours of the day: every weekday from 9 to 5, every night from dusk on."""
+    if first.clock is not None:
+        clock = first.clock if first.part is None else halved(first.clock, first.part.half)
+        begins = _hour_of(repeat, clock)
+    elif first.part is not None:
+        # "Between lunch and five": from its end.
+        begins = (first.part.end if first.part.meal else first.part.start) % DAY_SECONDS
+    else:
         return None
-    begins = _hour_of(repeat, first.clock)
-    ends = min((end - begins) % DAY_SECONDS for end in last.clock.candidates())
-    return narrowed_repeat(repeat, Wall(part=Part("", begins, begins + ends, Half.EITHER)))
+    known = last.clock.candidates() if last.clock is not None else ()
+    known = (last.part.start,) if not known and last.part is not None else known
+    length = min(((end - begins) % DAY_SECONDS for end in known), default=0)
+    hours = Part("", begins, begins + length, Half.EITHER)
+    return narrowed_repeat(repeat, Wall(part=hours)) if length else None
 
 
 def _hour_of(repeat: Repeat, clock: Clock) -> int:

@@ -38,8 +38,9 @@ def decided(here: "Grounding", moments: list[datetime], clock: Clock, wall: Wall
         chosen = next(moment for moment in moments if here.since < moment)
     elif here.since is not None and chosen < here.since:
         # "Open it at eight and close it at nine": the nine that follows.
-        # Of "at eight, twelve and five", none is at night only because another is in the evening.
-        known = plausible if here.listed or here.carried else moments
+        # Of "at eight, twelve and five", none is at night only because another is in the evening, and nobody
+        # has lunch at midnight.
+        known = plausible if here.listed or here.carried or here.usual else moments
         within = CLOSE if here.carried else FOLLOWING
         follows = [moment for moment in known if here.since < moment <= here.since + within]
         if wall.days is not None and not here.carried:

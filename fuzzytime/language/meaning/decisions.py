@@ -1,13 +1,15 @@
 """What the policy decided where words leave it open: said in a sentence, and as a question."""
 
 from dataclasses import dataclass
-from datetime import datetime
+from datetime import datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Range, Time, Wall
+from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence
+from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 
 
@@ -24,6 +26,8 @@ class Deciding:
         remarks = []
         for wall in walls:
             clock = wall.clock
+            if isinstance(wall.days, Fields) and _has_two(wall):
+                remarks.append(self._noted(f" is taken as {self._where}"))
             if clock is None or wall.part is not None or not isinstance(recurrence, CalendarRecurrence):
                 continue
             chosen = recurrence.time_of_day(wall, clock)
@@ -52,6 +56,27 @@ class Deciding:
                 questions.append(Question(self.span, self._with_zone(found.choices), chosen))
         return tuple(remarks), tuple(questions)
 
+    def of_midnight(self, time: Time, found: Instants) -> tuple[Remark, ...]:
+        """Say which midnight was chosen, where a day that is named has one at either end."""
+        if isinstance(time, Range):
+            return self._of_midnight(time.first, found.start) or self._of_midnight(time.last, found.end)
+        return self._of_midnight(time, found.start)
+
+    def _of_midnight(self, time: Time, moment: datetime) -> tuple[Remark, ...]:
+        now = self.moment.now
+        if not isinstance(time, Wall) or time.days is None or now is None or not _has_two(time):
+            return ()
+        ends = self.moment.policy.midnight is Midnight.END
+        if (moment - timedelta(days=ends)).date() <= now.date():
+            # The other one has passed.
+            return ()
+        return (self._noted(f" is taken as {moment:%Y-%m-%d %H:%M}, {self._where}"),)
+
+    @property
+    def _where(self) -> str:
+        ends = self.moment.policy.midnight is Midnight.END
+        return "where that day is over" if ends else "where that day begins"
+
     def _taken(self, chosen: str, others: str) -> Remark:
         return self._noted(f" is taken as {chosen}, not {others}: say am or pm")
 
@@ -61,6 +86,11 @@ class Deciding:
     def _with_zone(self, choices: tuple[datetime, ...]) -> tuple[datetime, ...]:
         zone = None if self.moment.now is None else self.moment.now.tzinfo
         return tuple(choice.replace(tzinfo=zone) for choice in choices)
+
+
+def _has_two(wall: Wall) -> bool:
+    """Whether a midnight may be that at either end of its day."""
+    return wall.clock is not None and wall.clock.may_end_day and not is_eve(wall)
 
 
 def _hours(seconds: int) -> str:

@@ -19,7 +19,15 @@ from fuzzytime.language.meaning.expressions import (
     Time,
     Wall,
 )
-from fuzzytime.language.meaning.instants import SUB_DAY, Instants, UngroundedError, halved, midnight, shifted
+from fuzzytime.language.meaning.instants import (
+    SUB_DAY,
+    Instants,
+    UngroundedError,
+    halved,
+    midnight,
+    over_at_midnight,
+    shifted,
+)
 from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
@@ -57,6 +65,8 @@ class Grounding:
         Whether it is a deadline, which is not now: nothing can be done by then.
     due : datetime, optional
         When that happens which is to be prepared.
+    usual : bool
+        Whether the plausible hours are those at which people do what is asked for.
     """
 
     now: datetime
@@ -68,6 +78,7 @@ class Grounding:
     carried: bool = False
     ends: bool = False
     due: datetime | None = None
+    usual: bool = False
 
     @property
     def today(self) -> Today:
@@ -210,6 +221,8 @@ class Grounding:
             moments = [midnight(days.first) + timedelta(seconds=seconds) for seconds in clock.candidates()]
             if night:
                 moments = [self._of_night(moment, days.first) for moment in moments]
+            else:
+                moments = [moment + over_at_midnight(wall, self.policy) for moment in moments]
             # A weekday or a date that is today means today only while its clock time is ahead.
             ahead = [moment for moment in moments if moment >= self.now]
             dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None

@@ -18,6 +18,7 @@ class Moment:
     thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it, ``carried``
     whether another text said it, given at the same time: the line before. ``due`` is when in seconds that
     happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
+    ``usual`` says that the hours of the policy are those at which people do what is asked for.
     """
 
     now: datetime | None
@@ -27,6 +28,7 @@ class Moment:
     follows: bool = False
     carried: bool = False
     due: float | None = None
+    usual: bool = False
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -50,6 +52,7 @@ class Moment:
             follows=self.follows,
             carried=self.carried,
             due=None if self.due is None else here + timedelta(seconds=self.due),
+            usual=self.usual,
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

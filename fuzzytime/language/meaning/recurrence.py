@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
-from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight, over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.requirement import Unit
 
@@ -163,6 +163,9 @@ class CalendarRecurrence:
         begins = midnight(days.first)
         if wall.clock is not None:
             moment = begins + timedelta(seconds=self.time_of_day(wall, wall.clock))
+            if isinstance(wall.days, Fields):
+                # "Every friday at midnight"
+                moment += over_at_midnight(wall, self.moment.policy)
             return moment, moment
         if wall.part is not None:
             return begins + timedelta(seconds=wall.part.start), begins + timedelta(seconds=wall.part.end)

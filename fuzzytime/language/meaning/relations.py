@@ -16,6 +16,8 @@ from fuzzytime.language.meaning.calendar import (
     Weekend,
     moved,
 )
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Within
 from fuzzytime.requirement import Unit
 
@@ -168,6 +170,16 @@ class Away(Calendar):
         """Give each day counted from the anchor's last ones."""
         for anchor in self.anchor.past(today, until):
             yield Days.single(moved(anchor.first, self.unit, self.count))
+
+
+def days_away(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
+    """Give the day some whole days, weeks, months after another; None for hours."""
+    found = anchor
+    for amount, unit in duration.terms:
+        if unit in SUB_DAY or amount != int(amount) or duration.until is not None:
+            return None
+        found = Away(int(amount) * direction, unit, found)
+    return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -32,7 +32,8 @@ class Half(StrEnum):
 class Clock:
     """A time of day as said; ``full_day`` where the hour counts from 0 to 24 ("15h30", "0730").
 
-    ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty").
+    ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty"); ``midnight`` that
+    it is named by that word, which people say of the end of a day, too.
     """
 
     hour: int
@@ -44,6 +45,12 @@ class Clock:
     bare: bool = False
     pair: bool = False
     shift: int = 0
+    midnight: bool = False
+
+    @property
+    def may_end_day(self) -> bool:
+        """Whether it may be where its day is over: midnight, or minutes after it; not "ten to midnight"."""
+        return self.midnight and self.shift >= 0
 
     @property
     def seconds(self) -> int:

@@ -14,19 +14,7 @@ from fuzzytime.language.meaning.expressions import Duration, Phrase
 
 OPENING = frozenset({",", "(", "-"})
 BRACKET = "("
-NAMING = frozenset({"which", "that", "this", "that'll", "this'll", "it'll", "that'd", "it'd"})
-"""Words for what stands before, some with what helps the verb."""
-
-BACK = frozenset({"it", "they"})
 ENDING = frozenset({".", "!"})
-HELPING = frozenset(
-    [
-        *("will", "should", "would", "can", "could", "may", "might", "must", "only"),
-        *("usually", "normally", "typically", "probably", "generally"),
-    ]
-)
-TAKING = frozenset(["take", "takes", "taking", "last", "lasts", "lasting", "need", "needs", "requires"])
-WHOM = frozenset({"me", "us", "you", "for"})
 CLOSING = frozenset({",", ")", ".", "!", ";", "-", "and", "then", "so", "but", "before"})
 PURPOSE = 3
 """Words at most of what a length is for: "to cool down"."""
@@ -43,10 +31,10 @@ class Aside:
 
 def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
     """Give the asides of a text in order."""
-    if TAKING.isdisjoint(word.text for word in scanned.words):
+    if lexicon.asides["taking"].isdisjoint(word.text for word in scanned.words):
         return ()
     lengths = (p for p in phrases_of(scanned, lexicon) if isinstance(p.said.time, Duration))
-    found = (_aside(scanned, phrase) for phrase in lengths)
+    found = (_aside(scanned, phrase, lexicon) for phrase in lengths)
     return tuple(aside for aside in found if aside is not None)
 
 
@@ -63,23 +51,26 @@ def without_asides(text: str, asides: Sequence[Aside]) -> str:
     return text
 
 
-def _aside(scanned: Scanned, phrase: Phrase) -> Aside | None:
-    words = scanned.words
+def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
+    words, told = scanned.words, lexicon.asides
     place = phrase.first - 1
-    while place > 0 and words[place].text in WHOM | HELPING:
+    while place > 0 and words[place].text in told["whom"] | told["helping"]:
         place -= 1
-    if place < 1 or words[place].text not in TAKING:
+    if place < 1 or words[place].text not in told["taking"]:
         return None
     place -= 1
-    while place > 0 and words[place].text in HELPING:
+    while place > 0 and words[place].text in told["helping"]:
         place -= 1
     bracketed = words[place].text == BRACKET or words[place - 1].text in {BRACKET, "-"}
     behind = phrase.end == len(words) or words[phrase.end].text in ENDING
-    if words[place].text in NAMING or (words[place].text in BACK and (bracketed or behind)):
+    if words[place].text in told["naming"] or (words[place].text in told["back"] and (bracketed or behind)):
         place -= 1
     if place < 1 or words[place].text not in OPENING:
         return None
-    if words[place].text != BRACKET and words[place + 1].text not in NAMING | HELPING | BACK:
+    if (
+        words[place].text != BRACKET
+        and words[place + 1].text not in told["naming"] | told["helping"] | told["back"]
+    ):
         # "Wash up, need 20 minutes"
         return None
     end = _end(scanned, phrase)

@@ -12,11 +12,11 @@ from fuzzytime.language.meaning.expressions import (
     Offset,
     Phrase,
     Repeat,
-    Said,
     TimeWord,
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.sentence.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
 from fuzzytime.language.sentence.clause_sides import sided
@@ -45,9 +45,6 @@ EXCEPTING = (["not"], ["except"], ["excluding"])
 
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
-
-BESIDE = 2
-"""Words of a length of time that is a unit alone: "the day"."""
 
 
 def clauses_of(
@@ -101,6 +98,7 @@ class _Clauses:
         self.covered = covered
         self.named = named
         self.contents = Contents(tree, phrases, lexicon)
+        self.before = BeforeMarker(words, phrases, lexicon, covered)
 
     def awaited(self, place: int) -> tuple[str, ...] | None:
         """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
@@ -113,7 +111,7 @@ class _Clauses:
 
     def bounded(self, place: int) -> tuple[str, ...] | None:
         """Give the "of" of "within an hour of calling" as what begins a clause."""
-        return ("of",) if self.words[place].text == "of" and self._bound(place) is not None else None
+        return ("of",) if self.words[place].text == "of" and self.before.bound(place) is not None else None
 
     def inverted(self, place: int) -> tuple[str, ...] | None:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
@@ -145,7 +143,7 @@ class _Clauses:
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
-        bound = self._bound(place) if form in WITHIN else None
+        bound = self.before.bound(place) if form in WITHIN else None
         edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
         if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
             # "One after the other"
@@ -165,7 +163,7 @@ class _Clauses:
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
         start = self.words[place].start
-        distance = bound or self._distance(place)
+        distance = bound or self.before.distance(place)
         duration, side = None, None
         if distance is not None:
             side, distance = sided(distance, self.words, self.lexicon)
@@ -249,51 +247,6 @@ class _Clauses:
         """Whether a mark joins digits: "below 1,200"."""
         around = self.words[place - 1 : place + 2]
         return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits
-
-    def _distance(self, place: int) -> Phrase | None:
-        """Give the length of time right before a marker: "five minutes before"."""
-        for phrase in self.phrases:
-            if (
-                phrase.end == place
-                and phrase.said.preposition is None
-                and isinstance(phrase.said.time, Duration)
-                and not self._lasts(phrase.first - 1)
-            ):
-                return phrase
-        return self._whole_unit(place)
-
-    def _bound(self, place: int) -> Phrase | None:
-        """Give the length of time right before a marker that something must not be later than."""
-        found = (phrase for phrase in self.phrases if phrase.end == place)
-        return next((p for p in found if _counts_within(p)), None)
-
-    def _whole_unit(self, place: int) -> Phrase | None:
-        """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
-        words = self.words[max(0, place - 2) : place]
-        if len(words) < BESIDE or words[0].text not in {"the", "a"} or place - 2 in self.covered:
-            return None
-        found = (e for e in self.lexicon.entries.get(words[1].text, ()) if e.category == "unit")
-        unit = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
-        if unit is None or unit.form in {"night", "second"} or words[1].text.endswith("s"):
-            # "Write the minutes right after the meeting"
-            return None
-        said = Said(Duration(((unit.count, unit.unit),)), Constraint.FOR)
-        return Phrase(said, place - 2, place, (words[0].start, words[1].end), "unit")
-
-    def _lasts(self, place: int) -> bool:
-        """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
-        return place >= 0 and self.words[place].text in self.lexicon.lasting
-
-
-def _counts_within(phrase: Phrase) -> bool:
-    """Whether it is so long from what is named behind it: "within an hour of", "for the first hour of"."""
-    first = isinstance(phrase.said.time, Coming) and phrase.said.time.direction > 0
-    return first or (phrase.said.preposition == "within" and not _is_dated(phrase))
-
-
-def _is_dated(phrase: Phrase) -> bool:
-    time = phrase.said.time
-    return not isinstance(time, Duration) and not (isinstance(time, Offset) and time.anchor is None)
 
 
 def _happens(clause: Clause) -> bool:

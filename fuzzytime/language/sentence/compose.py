@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from datetime import date
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers import leftovers
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.words import words_of
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -15,25 +15,24 @@ from fuzzytime.language.instruction import (
     Remark,
     RemarkKind,
     Span,
-    StrictReading,
-    Token,
 )
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
-from fuzzytime.language.sentence.anchors import INSIDE, ORDERING, Anchors
+from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.connectives import anchored_by_connective, within_after
 from fuzzytime.language.sentence.contradictions import contradictions
+from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
-from fuzzytime.language.sentence.labels import strict_reading
-from fuzzytime.language.sentence.lengths import length_of, time_of, unknown_length
+from fuzzytime.language.sentence.lengths import length_of, lengths_in_front, time_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
+from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
+from fuzzytime.language.sentence.prepared import due_of
 from fuzzytime.language.sentence.references import (
     PRONOUNS,
     SEVERAL,
@@ -41,8 +40,10 @@ from fuzzytime.language.sentence.references import (
     is_several,
     resolved_object,
 )
-from fuzzytime.language.sentence.sketch import DATED, Sketch
+from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
+from fuzzytime.language.sentence.tokens import tokens_of
+from fuzzytime.language.sentence.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
@@ -86,6 +87,7 @@ class _Composer:
         self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
+        self.days: dict[int, date] = {}
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
 
@@ -115,14 +117,20 @@ class _Composer:
         for place, sketch in enumerate(sketches):
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
-            due = self._due(sketches[:place], sketch, instructions)
+            due = due_of(self.draft.text, sketches[:place], sketch, instructions)
             self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
             instructions.append(self._instruction(sketch, self.first + place, operations))
-        if not sketches:
+            day = day_of(instructions[-1], self.draft.now)
+            if day is not None:
+                self.days[self.first + place] = day
+        if sketches:
+            first = sketches[0].part.segment.span[0]
+            self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
+        else:
             instructions += map(self._told_alone, self.draft.asides[:1])
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
-        tokens, strict = self._tokens()
+        tokens, strict = tokens_of(self.draft, self.lexicon)
         return Reading(
             text=self.draft.text,
             now=self.draft.now,
@@ -149,20 +157,6 @@ class _Composer:
             length_of=told,
             way=seconds if aside.way else None,
         )
-
-    def _due(
-        self, before: Sequence[Sketch], sketch: Sketch, instructions: Sequence[Instruction]
-    ) -> float | None:
-        """Give when that happens which an instruction prepares: "it leaves at 8:05, so be there by 8"."""
-        words = self.draft.text[: sketch.part.segment.span[0]].lower().split()
-        if not before or words[-1:] != ["so"] or before[-1].operation is None:
-            return None
-        if not before[-1].operation.stated:
-            return None
-        said = [requirement.earliest for requirement in instructions[-1].requirements]
-        repeats = instructions[-1].repeats
-        said += repeats.occurrences(DAY_SECONDS)[:1] if repeats is not None else ()
-        return next((seconds for seconds in said if seconds is not None), None)
 
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
         """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
@@ -203,13 +197,22 @@ class _Composer:
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = awaiting(sketch)
-        times = ground_all(sketch.phrases, self.draft.text, self._moment(sketch))
-        self._remember(times)
-        self.remarks += times.remarks
-        self.questions += times.questions
         anchors = Anchors(
             position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
         )
+        self.explained += sketch.heard
+        sketch, remarks = on_days_of_events(
+            sketch, anchors, {**self.mentions.days, **self.days}, self.draft.text
+        )
+        self.remarks += remarks
+        times = ground_all(
+            sketch.phrases,
+            self.draft.text,
+            at_usual_hours(self.moment, sketch, self.draft.text, self.lexicon),
+        )
+        self._remember(times)
+        self.remarks += times.remarks
+        self.questions += times.questions
         requirements: list[TimeRequirement] = []
         for grounded in times.found:
             phrase, reference = next(
@@ -220,7 +223,7 @@ class _Composer:
             requirement = grounded.requirement
             if phrase.rule == HEADED and self.draft.heading is not None:
                 requirement = replace(requirement, text=self.draft.heading.name)
-            requirement = anchors.of_phrase(phrase, requirement)
+            requirement = of_phrase(anchors, phrase, requirement)
             requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
                 alone = _follows_nothing(requirement.text, requirement.span)
@@ -229,7 +232,6 @@ class _Composer:
                 self.remarks.append(_follows_nothing(requirement.text, requirement.span))
         for clause in sketch.clauses:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
-            self.explained.append(clause.span)
             self.remarks += remarks
             requirements.append(required)
         requirements += self._headed(sketch, anchors)
@@ -285,47 +287,11 @@ class _Composer:
             self.remarks += (replace(remark, span=sketch.part.segment.span) for remark in remarks)
             yield replace(required, span=(0, 0))
 
-    def _moment(self, sketch: Sketch) -> Moment:
-        """Give the moment for one operation: people have dinner in the evening, and wake in the morning."""
-        named = [sketch.operation.name] if sketch.operation is not None else []
-        # "Let me sleep until ten"
-        prepositions = [phrase.said.preposition or "" for phrase in sketch.phrases]
-        named += [f"{name} {preposition}" for name in named for preposition in prepositions]
-        dated = (self.draft.text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
-        words = words_of(" ; ".join((*dated, *named)))
-        for place in range(len(words)):
-            form = longest_match(words, place, self.lexicon.usual_hours)
-            numbered = place + 1 < len(words) and words[place + 1].is_digits
-            if form is not None and not numbered:
-                # "Bed 5" is no bedtime
-                first, last = self.lexicon.usual_hours[form]
-                policy = replace(self.moment.policy, ahead_from=first)
-                if last is not None:
-                    policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
-                return replace(self.moment, policy=policy)
-        return self.moment
-
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
         since = last_said(times.requirements, None)
         if since is not None:
             self.moment = replace(self.moment, since=since, carried=False)
-
-    def _tokens(self) -> tuple[tuple[Token, ...], StrictReading]:
-        """Give the words of all trees with places in the whole text, and the paper's reading of the first."""
-        tokens: list[Token] = []
-        strict: StrictReading | None = None
-        for part in self.draft.parts:
-            trees = [(part.front, part.segment.span[0])] if part.front is not None else []
-            for tree, offset in (*trees, (part.tree, part.offset)):
-                own, reading = strict_reading(tree, self.lexicon)
-                base = len(tokens)
-                tokens += [
-                    replace(t, span=(t.span[0] + offset, t.span[1] + offset), head=t.head + base) for t in own
-                ]
-                if strict is None and own and tree is part.tree:
-                    strict = reading.moved(base)
-        return tuple(tokens), strict or StrictReading()
 
 
 def _follows_nothing(said: str, span: Span) -> Remark:

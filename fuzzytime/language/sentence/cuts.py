@@ -8,8 +8,8 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import TimeWord
-from fuzzytime.language.sentence.anchors import ORDERING
 from fuzzytime.language.sentence.further_orders import further_verbs
+from fuzzytime.language.sentence.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments import ARTICLES, Segment
 from fuzzytime.language.sentence.statements import second_statement
 from fuzzytime.language.sentence.tree import Node

@@ -19,8 +19,8 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
-from fuzzytime.language.sentence.anchors import ORDERING
 from fuzzytime.language.sentence.drafts import Heading
+from fuzzytime.language.sentence.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit

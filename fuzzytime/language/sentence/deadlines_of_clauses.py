@@ -1,24 +1,29 @@
-"""Deadlines of what must be so: "unless I call before six", "if she isn't back by noon"."""
+"""Deadlines of what must be so: "unless I call before six", "if it isn't fixed within the hour"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import Edge, Phrase
+from fuzzytime.language.meaning.expressions import Coming, Duration, Edge, Offset, Phrase, Said
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.statements import NOBODY
 from fuzzytime.requirement import Constraint
+
+WITHIN = "within"
+LATER = "later"
+"""The preposition of what counts from the instruction before."""
 
 DEADLINE = "deadline of a clause"
 """The rule of such a time."""
 
 
 def with_deadlines(
-    clauses: Sequence[Clause], phrases: Sequence[Phrase], text: str, main: int
+    clauses: Sequence[Clause], phrases: Sequence[Phrase], text: str, main: int, *, follows: bool
 ) -> tuple[list[Clause], list[Phrase]]:
     """Give clauses with the deadlines right behind them, and from when on it is known that one has passed.
 
     Whether he has not come by six is known at six: what is to be done if so is done after it, where no other
     time is said. What is to be done begins at ``main``; behind it, "if he comes by six" bounds that too.
+    A length within which it must be so counts from what it ``follows`` in the same text.
     """
     found: list[Clause] = []
     passed: list[Phrase] = []
@@ -30,18 +35,33 @@ def with_deadlines(
         found.append(replace(clause, span=(clause.span[0], deadline.span[1])))
         timed = any(p is not deadline and p.said.constraint is not Constraint.FOR for p in phrases)
         if _denies(clause) and not timed:
-            passed.append(_passed(deadline))
+            passed.append(_passed(deadline, later=follows))
     return found, passed
 
 
-def _passed(deadline: Phrase) -> Phrase:
+def _passed(deadline: Phrase, *, later: bool) -> Phrase:
     """Give from when on a deadline has passed."""
-    known = replace(deadline.said, constraint=Constraint.AFTER, preposition="after", edge=Edge.START)
+    said, time = deadline.said, deadline.said.time
+    length = time.duration if isinstance(time, (Offset, Coming)) else time
+    if _is_length(said) and isinstance(length, Duration):
+        # "Ring the bell; if nobody answers within ten minutes, ring again"
+        known = Said(Offset(length), None if later else Constraint.AFTER, LATER if later else "after")
+    else:
+        known = replace(said, constraint=Constraint.AFTER, preposition="after", edge=Edge.START)
     return replace(deadline, said=known, rule=DEADLINE)
 
 
+def _is_length(said: Said) -> bool:
+    """Whether something must be so within a length of time."""
+    time = said.time
+    counted = isinstance(time, Duration) or (isinstance(time, (Offset, Coming)) and time.direction > 0)
+    return said.preposition == WITHIN and counted and not (isinstance(time, Offset) and time.anchor)
+
+
 def _is_of(clause: Clause, phrase: Phrase, text: str) -> bool:
-    """Whether a deadline stands right behind what must be so."""
+    """Whether a deadline stands right behind what must be so, or ends it."""
+    if phrase.span[1] == clause.span[1] and _is_length(phrase.said):
+        return clause.kind == "if" and _denies(clause)
     behind = clause.span[1] <= phrase.span[0] and not text[clause.span[1] : phrase.span[0]].strip()
     return clause.kind == "if" and behind and phrase.said.constraint is Constraint.BEFORE
 

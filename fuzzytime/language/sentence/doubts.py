@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.statements import DETERMINERS, NOBODY
-from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.tree import Node, Tree
 from fuzzytime.language.sentence.waiting import Part
 
 SUBJECTS = ("nsubj", "nsubjpass")
@@ -99,7 +99,7 @@ def unused_words(
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
-        if (node.tag.startswith(NAMES) or node.lower in MARKING)
+        if (node.tag.startswith(NAMES) or node.lower in MARKING or _says_how(node, lexicon))
         and node.text[0].isalnum()
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)
@@ -108,6 +108,12 @@ def unused_words(
         last = next(place for place in left if place >= first and place + 1 not in left)
         span = (part.tree.nodes[first].start + part.offset, part.tree.nodes[last].end + part.offset)
         yield Remark(RemarkKind.POLICY, span, f"{text[slice(*span)]!r} is not used")
+
+
+def _says_how(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word is an adverb that says how something is done, or how often."""
+    told = node.tag.startswith("RB") and node.relation == "advmod"
+    return told and node.lower not in lexicon.vague_adverbs | lexicon.particles.keys() | lexicon.places
 
 
 def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:

@@ -8,16 +8,20 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.grammar.surroundings import OWNING
-from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.called import with_called, with_worker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of
 from fuzzytime.language.sentence.fronts import fronts_of
+from fuzzytime.language.sentence.in_between import said_apart
+from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.order_words import order_words
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.statements import as_statement, with_worker
+from fuzzytime.language.sentence.statements import as_statement
 from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
@@ -71,7 +75,8 @@ class Draft:
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
     of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
-    lines below.
+    lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
+    words that say where something comes among others.
     """
 
     text: str
@@ -84,6 +89,8 @@ class Draft:
     asides: tuple[Aside, ...] = ()
     heading: Heading | None = None
     leads: bool = False
+    instances: Instances = NONE
+    orders: tuple[tuple[Span, Order], ...] = ()
 
     @property
     def unfinished(self) -> tuple[Span, ...]:
@@ -109,20 +116,40 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps, asides = [], [], []
+    sources, steps, asides, several = [], [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
-        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned)))
+        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
+        apart = said_apart(scanned, lexicon)
+        if apart != scanned.text:
+            scanned = Scanned.of(apart, grammar, lexicon)
+        scanned, instances = instances_of(scanned, grammar, lexicon)
+        several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        sources.append(Source(now, scanned, tuple(phrases), tuple(remarks)))
+        source = Source(now, scanned, tuple(phrases), tuple(remarks))
+        orders = tuple(order_words(scanned.words, source.covered, lexicon))
+        sources.append(replace(source, orders=orders))
     parts = _parted(sources, lexicon, trees)
     return [
-        Draft(text, s.now, s.scanned, s.phrases, tuple(own), s.remarks, step, aside)
-        for (text, _), s, own, step, aside in zip(texts, sources, parts, steps, asides, strict=True)
+        Draft(
+            text,
+            s.now,
+            s.scanned,
+            s.phrases,
+            tuple(own),
+            s.remarks,
+            step,
+            aside,
+            instances=each,
+            orders=s.orders,
+        )
+        for (text, _), s, own, step, aside, each in zip(
+            texts, sources, parts, steps, asides, several, strict=True
+        )
     ]
 
 
@@ -180,7 +207,10 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
-    found = [with_worker(tree, lexicon) for tree in found]
+    found = [
+        with_called(with_worker(tree, lexicon), one.timed(tree), lexicon)
+        for one, tree in zip(waiting, found, strict=True)
+    ]
     travelling = lexicon.travelling
     return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
 

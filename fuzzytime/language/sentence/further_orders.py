@@ -115,8 +115,17 @@ def _is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or is_order_before_time(tree, place, timed)
-        or (place - 2 in timed and stands_alone(tree, place, lexicon))
+        or (
+            place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
+        )
     )
+
+
+def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb stands before what is called by a number: "…, clear bay 3"."""
+    behind = tree.nodes[place + 1 : place + 3]
+    called = len(behind) > 1 and behind[0].lower in lexicon.machines and behind[1].tag == "CD"
+    return called and tree.nodes[place].may_act and tree.nodes[place - 1].text == ","
 
 
 def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:

@@ -5,8 +5,9 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Said, TimeWord
-from fuzzytime.language.sentence.anchors import INTO
 from fuzzytime.language.sentence.cuts import AGAIN
+from fuzzytime.language.sentence.phrase_anchors import INTO
+from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
@@ -154,9 +155,15 @@ def _length(sketch: Sketch) -> float:
 def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: bool) -> Operation:
     """Give an operation with the object of the one before, which it is about too."""
     tree = sketch.part.tree
-    if operation.object is not None or before.object is None or tree.root is None:
+    if operation.object is not None or tree.root is None:
         return operation
     node = tree.nodes[tree.root]
+    alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    begins = before.stated and before.lemma in BEGINNING | {BE} and bool(sketch.phrases)
+    if before.object is None or before.attended:
+        # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
+        goes_on = begins and (alone or operation.lemma in ENDING) and joined and not operation.stated
+        return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)
     goes_on = node.tag == "VBG" and not before.stated and not operation.stated

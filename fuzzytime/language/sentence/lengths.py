@@ -4,6 +4,7 @@ from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.references import ALL, PRONOUNS
 from fuzzytime.language.sentence.stated import GOING
 from fuzzytime.language.sentence.statements import TAKING
@@ -36,6 +37,9 @@ def length_of(
         # "Soak the seeds, they have to soak for three hours"
         same = operation.again and anchors.is_same_as_before(operation)
         return Anchor(text=text, target=anchors.position - 1) if same else None
+    if anchors.goes_on(operation):
+        # "We're on at nine and play for an hour"
+        return Anchor(text=text, target=anchors.position - 1)
     anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
     if anchor is None or (operation.lemma in GOING and anchor.target is None):
         return None
@@ -83,3 +87,10 @@ def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:
     if anchor is not None and anchor.target is None:
         message = f"{anchor.text!r} tells how long something takes, and no instruction so far is about that"
         yield Remark(RemarkKind.UNRESOLVED, span, message)
+
+
+def lengths_in_front(asides: Sequence[Aside], first: int, text: str) -> Iterator[Remark]:
+    """Point at lengths that are told before the ``first`` character of an order: "give it a week, then …"."""
+    for aside in asides:
+        if aside.span[1] <= first:
+            yield from unknown_length(Anchor(text=text[slice(*aside.span)].strip(" .,!")), aside.span)

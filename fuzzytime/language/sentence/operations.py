@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.actions import SUBJECTS, Action
+from fuzzytime.language.sentence.called import worker_doing
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.stated import Stated
-from fuzzytime.language.sentence.statements import TAKING, others_do, worker_doing
+from fuzzytime.language.sentence.statements import TAKING, others_do
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")
@@ -49,19 +50,27 @@ class Reader(Stated):
         elif subject is not None and node.lemma == "be":
             # "The coffee should be ready by then"
             direct, complement = subject, direct
+        attended = stated and self._is_attended(verb)
+        where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
+        if attended and not where and direct is None and complement is None:
+            taken = self.attending(verb)
+            direct, particle = self.said(taken), None if particle in taken else particle
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=node.lower if doer is None else node.lemma,
             lemma="be" if stated and self._has_frame(verb) else node.lemma,
             span=(node.start, node.end),
             object=direct,
-            place=self.said(sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})),
+            place=self.said(where),
             particle=None if particle is None else self.tree.nodes[particle].lower,
             complement=complement,
+            manner=None
+            if stated and node.lemma == "be"
+            else self.said(self.manner(verb, [*whole, *places, *where])),
             addressee=doer,
             negated=action.negated,
             stated=stated,
-            attended=stated and self._is_attended(verb),
+            attended=attended,
         )
 
     # -- particles --------------------------------------------------------------------------------------

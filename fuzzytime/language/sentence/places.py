@@ -1,4 +1,4 @@
-"""Where something is to be done, by the words below a verb: "in the pan", "back to the dock"."""
+"""Where and how something is done, by the words below a verb: "in the pan", "back to the dock", "twice"."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -10,11 +10,11 @@ SIDES = frozenset({"left", "right"})
 BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
 """Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
 
-BECOMING = frozenset({"dry", "clean", "flat", "smooth", "thin", "open", "shut", "loose", "tight", "crisp"})
-"""What something becomes, where a tree has it for how it is done: "pat it dry"."""
-
 EACH = frozenset({"every", "each"})
 """Words that say of which things: "measure every tenth part"."""
+
+HOW = ("RB", "JJ", "IN")
+"""How tags of words begin that say how: "quite slowly", "at least twice"."""
 
 PLACES = ("prep", "advmod", "npadvmod")
 
@@ -38,6 +38,20 @@ class Places(Wording):
         words = self.with_numbers([p for p in words if self.has_content(p, words)])
         return [*words, *(p for p in led if self.tree.nodes[p].relation != "punct")]
 
+    def manner(self, verb: int, taken: Iterable[int]) -> list[int]:
+        """Give the words that say how something is done, or how often: "read it aloud", "stir it twice"."""
+        kept = {*taken, *self.level(verb)}
+        # "Slice it thinly at noon": a tree may hang it on the time.
+        times = [p for p in self.tree.children(verb) if self.timed(p)]
+        beside = [p for time in times for p in self.tree.children(time, "advmod") if p < time]
+        found: list[int] = []
+        for place in sorted((*self.tree.children(verb, "advmod"), *beside)):
+            said = [p for p in sorted(self.tree.below(place)) if p not in kept]
+            if all(self.tree.nodes[p].tag.startswith(HOW) and not self.timed(p) for p in said):
+                known = self.lexicon.vague_adverbs | self.lexicon.particles.keys()
+                found += [p for p in said if self.tree.nodes[p].lower not in known]
+        return found
+
     def _is_manner(self, place: int) -> bool:
         """Whether a participle says how something is done: "using a fork", "topped with parsley"."""
         node = self.tree.nodes[place]
@@ -55,7 +69,7 @@ class Places(Wording):
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
             # "Go back to the dock"
             return bool(self.tree.children(place, "prep"))
-        known = node.lower in self.lexicon.places | BECOMING
+        known = node.lower in self.lexicon.places | self.lexicon.becoming
         return node.relation == "prep" or counted or known
 
     def _is_numbered(self, place: int) -> bool:

@@ -4,6 +4,7 @@ import heapq
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from datetime import date
 from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -75,12 +76,13 @@ class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
     What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
-    those that were said to go on for some time.
+    those that were said to go on for some time, ``days`` the days that those are on of which that is known.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
     lasting: list[int] = field(default_factory=list)
+    days: dict[int, date] = field(default_factory=dict)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)
@@ -209,11 +211,14 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             shared = len(named & known)
         same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
         return same or _named_after(named, operation)
+    word = None if clause.condition is None else clause.condition.word
+    if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
+        # "Half an hour before we're on"
+        return SAME_VERB
     # "While she is there" names no dinner that is at seven.
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
-    word = None if clause.condition is None else clause.condition.word
     goes_on = clause.verb == BE and word in GOING_ON and clause.kind == "while"
     if operation.stated and shared and (goes_on or clause.verb in BEGINNING | ENDING):
         # "Five minutes before the meeting starts", where the meeting is at three.

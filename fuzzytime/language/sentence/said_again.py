@@ -1,6 +1,6 @@
-"""What is done at several times: "before lunch and again at two", "… and another one later"."""
+"""What is done at several times: "before lunch and again at two", "one at six, the other at ten"."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
@@ -9,6 +9,7 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.sentence.instances import Instances
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -17,6 +18,10 @@ AGAIN = frozenset({"again", "another", "more", "one"})
 
 JOINING = AGAIN | {"and", "&", ",", "then", "once", "time", "dose"}
 """The words that may stand there."""
+
+SEVERAL = 2
+ONE_OF = "one of the "
+"""What is said of one of several: "one of the alarms"."""
 
 
 def done_again(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
@@ -27,23 +32,43 @@ def done_again(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
     cuts = list(_cuts(sketch, words))
     if not cuts or sketch.operation is None:
         return [sketch]
-    found = []
-    for first, end in pairwise([0, *(cut[1] for cut in cuts), len(words) and words[-1].end]):
-        kept = [
-            place
-            for place, phrase in enumerate(sketch.phrases)
-            if first <= phrase.span[0] < end or phrase.said.constraint is Constraint.FOR
-        ]
-        found.append(
-            replace(
-                sketch,
-                phrases=tuple(sketch.phrases[place] for place in kept),
-                references=tuple(sketch.references[place] for place in kept),
-                clauses=tuple(clause for clause in sketch.clauses if first <= clause.span[0] < end),
-                joints=tuple(cuts),
-            )
+    lasting = {phrase.span[0] for phrase in sketch.phrases if phrase.said.constraint is Constraint.FOR}
+    ends = pairwise([0, *(cut[1] for cut in cuts), len(words) and words[-1].end])
+    return [replace(_of(sketch, range(*stretch), lasting), joints=tuple(cuts)) for stretch in ends]
+
+
+def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
+    """Give one sketch for each of several of one kind; what is said before the first holds for all."""
+    first, end = sketch.part.segment.span
+    starts = [start for start in instances.starts if first <= start < end]
+    operation = sketch.operation
+    if len(starts) < SEVERAL or operation is None:
+        return [sketch]
+    if instances.counted and operation.object is not None:
+        # "Give him two pills" has who gets them in front.
+        before, counted, behind = (
+            operation.object.removesuffix(" and").rstrip(" ,").partition(instances.counted)
         )
-    return found
+        operation = replace(operation, object=f"{before}{ONE_OF}{counted}{behind}" if counted else before)
+    leading = (span[0] for span in sketch.heard if span[0] < starts[0] < span[1])
+    starts[0] = next(leading, starts[0])
+    named = replace(sketch, operation=operation)
+    return [_of(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
+
+
+def _of(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketch:
+    """Give a sketch with its times and clauses in a stretch, and those that begin at shared places."""
+
+    def is_its(span: Span) -> bool:
+        return span[0] in stretch or span[0] in shared
+
+    kept = [place for place, phrase in enumerate(sketch.phrases) if is_its(phrase.span)]
+    return replace(
+        sketch,
+        phrases=tuple(sketch.phrases[place] for place in kept),
+        references=tuple(sketch.references[place] for place in kept),
+        clauses=tuple(clause for clause in sketch.clauses if is_its(clause.span)),
+    )
 
 
 def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:

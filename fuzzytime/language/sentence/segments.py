@@ -1,7 +1,6 @@
 """A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
 
 from collections.abc import Iterator, Sequence
-from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -20,9 +19,6 @@ ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
-
-ORDERED = ("first",)
-"""What is said behind an instruction that others follow: "drill the holes first"."""
 
 ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
 
@@ -87,7 +83,7 @@ def segments_of(
         if words[place].text in ENDS and _is_end(text, words, place):
             cuts.append((place, place + 1, ""))
         place += 1
-    return list(_between(text, words, cuts, inside, lexicon))
+    return list(_between(text, words, cuts, lexicon))
 
 
 def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
@@ -176,13 +172,12 @@ def _between(
     text: str,
     words: Sequence[Word],
     cuts: Sequence[tuple[int, int, str]],
-    inside: AbstractSet[int],
     lexicon: Lexicon,
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
         begin = _behind_opening(words, start, first, lexicon)
-        last = _before_courtesies(words, begin, first, inside, lexicon)
+        last = _before_courtesies(words, begin, first, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
             yield segment
@@ -212,14 +207,10 @@ def _counts(word: Word, lexicon: Lexicon) -> bool:
     return word.is_digits or word.text in lexicon.numbers
 
 
-def _before_courtesies(
-    words: Sequence[Word], start: int, end: int, inside: AbstractSet[int], lexicon: Lexicon
-) -> int:
+def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
     """Give where an order ends: "thanks" and "pls" behind it are no part of it."""
     while end > start + 1:
-        said = next((f for f in (*lexicon.courtesies, ORDERED) if _ends_with(words, start, end, f)), None)
-        if said == ORDERED and (end - 1 in inside or words[end - 2].text in {*ARTICLES, *BOUND, "at"}):
-            break
+        said = next((f for f in lexicon.courtesies if _ends_with(words, start, end, f)), None)
         if said is None and words[end - 1].text != ",":
             break
         end -= 1 if said is None else len(said)

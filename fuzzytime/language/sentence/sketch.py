@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from fuzzytime.language.grammar.leftovers import not_understood
 from fuzzytime.language.grammar.lengths import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
@@ -16,15 +16,17 @@ from fuzzytime.language.meaning.expressions import (
     Said,
     Wall,
 )
+from fuzzytime.language.meaning.relations import days_away
 from fuzzytime.language.sentence.actions import Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
-from fuzzytime.language.sentence.deadlines_of_clauses import with_deadlines
+from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.references import PRONOUNS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
@@ -87,7 +89,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
-    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset)
+    follows = bool(draft.text[:first].strip())
+    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset, follows=follows)
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
@@ -142,6 +145,14 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
 
 
+def order_of(draft: Draft, part: Part) -> Order | None:
+    """Give where an instruction comes among all: "first, open the windows", "make the coffee last"."""
+    if part.segment.connective == Order.FIRST:
+        return Order.FIRST
+    first, end = part.segment.span
+    return next((order for span, order in draft.orders if first <= span[0] < end), None)
+
+
 def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:
     """Give the stretch that says when not to do something, with the time behind it."""
     first, end = clause.span
@@ -179,7 +190,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    if any(part.tree.nodes[p].lower == "it" for p in part.tree.children(action.place, "nsubj", "expl")):
+    if any(part.tree.nodes[p].lower in PRONOUNS for p in part.tree.children(action.place, "nsubj", "expl")):
         # "It takes twenty minutes to get there"
         return action
     nodes = enumerate(part.tree.nodes)
@@ -203,6 +214,11 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
         said = Said(distance, None, None, clause.distance.hedges)
+        days = time.said.time.days if time.said.time.clock is None and time.said.time.part is None else None
+        away = None if days is None else days_away(distance.duration, days, direction)
+        if away is not None:
+            # "The day before the wedding on saturday"
+            said = replace(said, time=Wall(away))
     places = [
         place
         for place, word in enumerate(draft.scanned.words)
@@ -213,7 +229,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
 
 def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
-    if phrase.rule == DATED:
+    if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
     return _reference_at(part, phrase.span, action, lexicon)

@@ -16,8 +16,8 @@ from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.said_again import apart, done_again, with_shared_clock
-from fuzzytime.language.sentence.sketch import Sketch, sketch_of
+from fuzzytime.language.sentence.said_again import apart, done_again, each_of, with_shared_clock
+from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
@@ -30,7 +30,11 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
     told = shared(within(sketches, draft.text), draft.text, lexicon)
-    for offered in (one for sketch in told for one in done_again(sketch, draft.scanned.words)):
+    words = draft.scanned.words
+    split = (
+        one for sketch in told for each in each_of(sketch, draft.instances) for one in done_again(each, words)
+    )
+    for offered in split:
         whole, later = _first_offered(offered, draft.text)
         remarks += (_not_used(draft.text, span) for span in later)
         for phrases, dropped in _alternatives(draft, whole.phrases):
@@ -39,7 +43,16 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
+    found = [_ordered(sketch, draft) for sketch in found]
     return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
+
+
+def _ordered(sketch: Sketch, draft: Draft) -> Sketch:
+    """Give what is to be done its place among others; what happens has none."""
+    operation, order = sketch.operation, order_of(draft, sketch.part)
+    if operation is None or order is None or operation.stated:
+        return sketch
+    return replace(sketch, operation=replace(operation, order=order))
 
 
 def _with_asides(sketches: list[Sketch], draft: Draft) -> list[Sketch]:

@@ -16,6 +16,7 @@ DUE = frozenset({"due", "over", "back"})
 """What is said of things that have a time: "the delivery is due at two"."""
 
 IT = "it"
+ON = "on"
 
 FIRST_PERSON = frozenset({"i", "we"})
 
@@ -69,7 +70,21 @@ class Stated(Places):
         if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
             return False
         said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
+        if self._performing(verb):
+            return True
         return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+
+    def _performing(self, verb: int) -> list[int]:
+        """Give the "on" of "we're on at 20:30", which governs nothing."""
+        on = (p for p in self.tree.children(verb, "advmod", "prep", "prt") if self.tree.nodes[p].lower == ON)
+        return [p for p in on if p == verb + 1 and all(map(self.timed, self.tree.children(p)))]
+
+    def attending(self, verb: int) -> list[int]:
+        """Give the words for where somebody is who is taken by that: "I'm out", "we're on"."""
+        out = [
+            p for p in self.tree.below(verb) if self.tree.nodes[p].lower in self.lexicon.taken and p > verb
+        ]
+        return self._performing(verb) or out[:1]
 
     def _has_frame(self, verb: int) -> bool:
         """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
@@ -109,6 +124,12 @@ class Stated(Places):
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
+        if self.tree.nodes[verb].lemma == "be" and not helping:
+            # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
+            asked = self.lexicon.results
+            rest = [
+                p for p in rest if self.tree.nodes[p].relation != "acomp" or self.tree.nodes[p].lower in asked
+            ]
         # "The delivery arrives between ten and eleven"
         rest = [p for p in rest if not self.timed(p)]
         comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)

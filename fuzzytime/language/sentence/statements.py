@@ -66,7 +66,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
     nodes = list(tree.nodes)
-    nodes[root] = replace(nodes[root], tag="VBZ", lemma=_singular(nodes[root].lower))
+    nodes[root] = replace(nodes[root], tag="VBZ", lemma=singular_verb(nodes[root].lower))
     nodes[subject] = replace(nodes[subject], relation="nsubj")
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
@@ -99,7 +99,7 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
         for p, node in enumerate(nodes)
     ]
     turned[verb] = replace(
-        nodes[verb], tag="VBZ", lemma=_singular(nodes[verb].lower), head=verb, relation="ROOT"
+        nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
     )
     turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
     return Tree(tree.text, tuple(turned))
@@ -118,7 +118,7 @@ def _subject(tree: Tree, verb: int) -> int | None:
     return None
 
 
-def _singular(verb: str) -> str:
+def singular_verb(verb: str) -> str:
     """Give the bare form of a verb in -s."""
     return verb[:-2] if verb.endswith(("sses", "shes", "ches", "xes")) else verb[:-1]
 
@@ -213,48 +213,3 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
         return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
     return named and finite
-
-
-def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
-    """Give who does it, called by a number: "robot 2 cleans the tank"; None where nobody is.
-
-    "Machine 3 starts at nine" asks for nothing.
-    """
-    node = tree.nodes[verb]
-    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
-    if node.lower in PHASES and not tree.children(verb, "dobj"):
-        return None
-    if not helping <= FUTURE | DUE | {"to", "can"} or tree.children(verb, "auxpass"):
-        return None
-    for place in tree.children(verb, "nsubj"):
-        for first in (place - 1, place):
-            name = tree.nodes[max(first, 0) : first + 2]
-            numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
-            if first >= 0 and numbered and name[0].lower in lexicon.workers and first + 1 < verb:
-                acts = node.tag in {"VBZ", "VBP"} or helping
-                return " ".join(part.text for part in name) if acts else None
-    return None
-
-
-def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
-    """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
-    root = tree.root
-    verb = next(
-        (p for p in (root, None if root is None else root + 2) if _is_numbered(tree, p, lexicon)), None
-    )
-    if root is None or verb is None:
-        return tree
-    nodes = [replace(node, head=verb) if node.head == root else node for node in tree.nodes]
-    word = tree.nodes[verb]
-    nodes[verb] = replace(word, tag="VBZ", lemma=_singular(word.lower), head=verb, relation="ROOT")
-    nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
-    nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
-    return Tree(tree.text, tuple(nodes))
-
-
-def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
-    """Whether a plural that may be a verb stands right behind a worker's number."""
-    if place is None or not 2 <= place < len(tree.nodes):
-        return False
-    name, number, word = tree.nodes[place - 2 : place + 1]
-    return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()

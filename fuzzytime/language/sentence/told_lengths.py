@@ -6,126 +6,116 @@ They stand beside what they are about, or on a line of their own, and are read a
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.surroundings import TIMELY
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Said
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.requirement import Constraint
+
+PARTS = frozenset({"part", "meal"})
+"""Categories of parts of the day, some of which are places too."""
 
 RULE = "told"
 """The rule of a length that is told."""
 
 MARKS = frozenset({",", "(", ")", "-", ".", ";", ":", "!", "–", "—"})
-JOINTS = frozenset({"and", "but", "so"})
-"""What stands around such words."""
-
-SUBJECTS = frozenset(
-    [
-        "it",
-        "it's",
-        "its",
-        "it’s",
-        "that",
-        "that's",
-        "that’s",
-        "this",
-        "which",
-        "they",
-        "they're",
-        "there",
-        "it'll",
-    ]
-)
-DETERMINERS = frozenset({"the", "my", "our", "your", "a", "an"})
-COPULAS = frozenset({"it's", "it’s", "its", "that's", "that’s", "they're", "is", "are", "'s", "be"})
-TAKING = frozenset({"takes", "take", "lasts", "is", "took", "taking"})
-SMALL = frozenset(
-    {"a", "an", "only", "just", "about", "me", "us", "you", "will", "would", "should", "around"}
-)
-GOING = frozenset(
-    ["drive", "walk", "ride", "journey", "trip", "way", "commute", "getting", "driving", "cycling"]
-)
-THERE = frozenset({"there", "over", "home", "back", "here"})
-BY = frozenset({"by", "on"})
-VEHICLES = frozenset(
-    ["car", "bus", "bike", "train", "tram", "taxi", "foot", "tube", "metro", "ferry", "boat", "plane"]
-)
-
-HELPING = frozenset(
-    {"should", "will", "would", "is", "are", "must", "might", "'ll", "be", "more", "than", "probably"}
-)
-ENOUGH = frozenset({"do", "enough", "plenty", "fine", "sufficient", "suffice", "ample"})
-ALLOWING = (
-    ["allow"],
-    ["reckon"],
-    ["budget"],
-    ["estimate"],
-    ["give", "it"],
-    ["give", "them"],
-    ["they", "get"],
-    ["it", "gets"],
-)
-FOR_IT = frozenset({"for", "it", "that", "this", "them", "each"})
+"""Marks around such words."""
 
 
-def told_lengths(scanned: Scanned) -> tuple[Aside, ...]:
+def told_lengths(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:
     """Give the lengths that a text tells in words of their own, in order."""
     found: list[Aside] = []
+    telling = _Telling(scanned, lexicon)
     pieces = sorted(scanned.pieces("duration"), key=lambda piece: (piece.start, -piece.end))
     for piece in pieces:
-        aside = _told(scanned, piece)
+        aside = telling.aside(piece)
         if aside is not None and not any(aside.span[0] < other.span[1] for other in found):
             found.append(aside)
     return tuple(found)
 
 
-def _told(scanned: Scanned, piece: Piece) -> Aside | None:
-    words, texts = scanned.words, [word.text for word in scanned.words]
-    if not isinstance(piece.value, Duration):
-        return None
-    start = piece.start
-    while start > 0 and texts[start - 1] not in MARKS | JOINTS:
-        start -= 1
-    end = piece.end
-    while end < len(texts) and texts[end] not in MARKS | JOINTS:
-        end += 1
-    before, after = texts[start : piece.start], texts[piece.end : end]
-    way = _is_way(before, after, alone=start == 0)
-    if not way and not _is_length(before, after):
-        return None
-    if end < len(texts) and texts[end] == ")":
-        end += 1
-    first = words[start - 1 if start > 0 and texts[start - 1] in MARKS - {".", "!"} else start].start
-    span = (words[piece.start].start, words[piece.end - 1].end)
-    return Aside(
-        (first, words[end - 1].end),
-        Phrase(Said(piece.value, Constraint.FOR), piece.start, piece.end, span, RULE),
-        way=way,
-    )
+class _Telling:
+    def __init__(self, scanned: Scanned, lexicon: Lexicon) -> None:
+        self.scanned = scanned
+        self.lexicon = lexicon
+        self.told = lexicon.told
+        self.texts = [word.text for word in scanned.words]
 
+    def aside(self, piece: Piece) -> Aside | None:
+        words, texts = self.scanned.words, self.texts
+        if not isinstance(piece.value, Duration):
+            return None
+        around = MARKS | self.told["joints"]
+        start = piece.start
+        while start > 0 and texts[start - 1] not in around:
+            start -= 1
+        end = piece.end
+        while end < len(texts) and texts[end] not in around:
+            end += 1
+        before, after = texts[start : piece.start], texts[piece.end : end]
+        way = self._is_way(before, after, alone=start == 0) or self._leads(before, piece.end, end)
+        if not way and not self._is_length(before, after):
+            return None
+        if end < len(texts) and texts[end] == ")":
+            end += 1
+        first = words[start - 1 if start > 0 and texts[start - 1] in MARKS - {".", "!"} else start].start
+        span = (words[piece.start].start, words[piece.end - 1].end)
+        return Aside(
+            (first, words[end - 1].end),
+            Phrase(Said(piece.value, Constraint.FOR), piece.start, piece.end, span, RULE),
+            way=way,
+        )
 
-def _is_way(before: Sequence[str], after: Sequence[str], *, alone: bool) -> bool:
-    """Whether words say how far it is: "it's 20 minutes away", "the drive takes half an hour"."""
-    said = [word for word in before if word not in SMALL]
-    rest = after[1:] if after[:1] in (["'s"], ["’s"]) else after
-    goes = (
-        rest[:1] == ["away"]
-        or (rest[:1] and rest[0] in GOING)
-        or (rest[:1] and rest[0] in BY and VEHICLES & set(rest))
-    )
-    if goes:
-        called = not said and not alone
-        return called or bool(said and said[-1] in COPULAS and said[0] in SUBJECTS | DETERMINERS)
-    if len(said) > 1 and said[-1] in TAKING and not after:
-        # "The drive takes half an hour", "getting there takes ten minutes"
-        named = [word for word in said[:-1] if word not in THERE | DETERMINERS]
-        return len(named) == 1 and named[0] in GOING
-    to_there = len(after) > 2 and after[0] == "to" and after[-1] in THERE
-    return to_there and len(said) > 1 and said[0] in SUBJECTS and said[-1] in TAKING
+    def _said(self, before: Sequence[str]) -> list[str]:
+        """Give the words before a length that say what it is of."""
+        return [word for word in before if word not in self.told["small"]]
 
+    def _is_way(self, before: Sequence[str], after: Sequence[str], *, alone: bool) -> bool:
+        """Whether words say how far it is: "it's 20 minutes away", "the drive takes half an hour"."""
+        said, told = self._said(before), self.told
+        rest = after[1:] if after[:1] in (["'s"], ["’s"]) else after
+        goes = (
+            rest[:1] == ["away"]
+            or (rest[:1] and rest[0] in told["going"])
+            or (rest[:1] and rest[0] in told["by"] and told["vehicles"] & set(rest))
+        )
+        if goes:
+            called = not said and not alone
+            led = bool(said) and said[0] in told["subjects"] | told["determiners"]
+            return called or (led and said[-1] in told["being"])
+        if len(said) > 1 and said[-1] in told["taking"] and not after:
+            # "The drive takes half an hour", "getting there takes ten minutes"
+            named = [word for word in said[:-1] if word not in told["there"] | told["determiners"]]
+            return len(named) == 1 and named[0] in told["going"]
+        to_there = len(after) > 2 and after[0] == "to" and after[-1] in told["there"]
+        # "It takes half an hour to get to the scrapyard"
+        to_there = to_there or (len(after) > 3 and after[:3] == ["to", "get", "to"])
+        # "It takes ten minutes to get there", "it's ten minutes to get there"
+        led = bool(said) and said[0] in told["subjects"] and said[-1] in told["taking"] | told["being"]
+        return to_there and led
 
-def _is_length(before: Sequence[str], after: Sequence[str]) -> bool:
-    """Whether words say how long something takes: "ten minutes should do", "allow an hour for it"."""
-    if not before:
-        return len(after) > 1 and after[-1] in ENOUGH and HELPING.issuperset(after[:-1])
-    said = [word for word in before if word not in SMALL]
-    return said in ALLOWING and FOR_IT.issuperset(after)
+    def _leads(self, before: Sequence[str], place: int, end: int) -> bool:
+        """Whether a length is how far a place is: "it's 20 minutes to the shop"; but "… to the meeting"."""
+        said, told = self._said(before), self.told
+        subject = bool(said) and said[0] in told["subjects"] and said[-1] in told["being"]
+        if not subject or place + 1 >= end or self.texts[place] not in told["between"]:
+            return False
+        named = self.scanned.words[place + 1 : end]
+        known = [p for at in range(place + 1, end) for p in self.lexicon.pieces(self.scanned.words, at)]
+        places = [piece for piece in known if piece.category in PARTS and piece.value.place]
+        timed = any(piece.category in TIMELY and piece not in places for piece in known)
+        # "To the market", which is a place as well.
+        events = self.lexicon.happening | self.lexicon.taken | self.lexicon.events
+        event = named[-1].text in events - self.lexicon.frames
+        numbered = any(word.is_digits or word.text in self.lexicon.numbers for word in named)
+        led = named[0].capital or named[0].text in told["determiners"] | told["there"]
+        return bool(places) or (led and not timed and not numbered and not event)
+
+    def _is_length(self, before: Sequence[str], after: Sequence[str]) -> bool:
+        """Whether words say how long something takes: "ten minutes should do", "allow an hour for it"."""
+        told = self.told
+        if not before:
+            return len(after) > 1 and after[-1] in told["enough"] and told["helping"].issuperset(after[:-1])
+        said = " ".join(self._said(before))
+        return said in told["allowing"] and told["for it"].issuperset(after)

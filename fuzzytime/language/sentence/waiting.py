@@ -7,7 +7,7 @@ from datetime import datetime
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.instruction import Remark
+from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
@@ -55,17 +55,20 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text, scanned for times."""
+    """A text, scanned for times, and the words that say where something comes among others."""
 
     now: datetime | None
     scanned: Scanned
     phrases: tuple[Phrase, ...]
     remarks: tuple[Remark, ...]
+    orders: tuple[tuple[Span, Order], ...] = ()
 
     @property
     def sound(self) -> str:
-        """The text with spaces where words were taken back: "at five, I mean six" is "at six"."""
+        """The text with spaces for words taken back ("at five, I mean six") and words of order ("last")."""
         text = self.scanned.text
+        for (start, end), _ in self.orders:
+            text = text[:start] + " " * (end - start) + text[end:]
         for start, end in (remark.span for remark in self.remarks):
             first = self._behind_preposition(start, end)
             text = text[:first] + " " * (end - first) + text[end:]

@@ -14,9 +14,6 @@ LISTED = frozenset({",", "and", "&", "or"})
 REACHING = frozenset({"to", "-"})
 """What joins the first and the last number of several: "steps 1 to 7"."""
 
-LEVELS = frozenset({"low", "medium", "high", "full", "max", "maximum"})
-"""How strong a fire or a machine is on."""
-
 
 @dataclass(frozen=True, slots=True)
 class Wording:
@@ -36,7 +33,7 @@ class Wording:
         for place in self.tree.children(verb, "prt"):
             behind = place + 1
             if self.tree.nodes[place].lower == "on" and behind < len(self.tree.nodes):
-                return [place, behind] if self.tree.nodes[behind].lower in LEVELS else []
+                return [place, behind] if self.tree.nodes[behind].lower in self.lexicon.levels else []
         return []
 
     def has_to(self, place: int) -> bool:

@@ -84,6 +84,13 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
             for form in (form_of(name.text),)
         },
         places=frozenset(form[0] for form in speech.words("places")),
+        vague_adverbs=frozenset(form[0] for form in speech.words("vague_adverbs")),
+        told=_by_use(speech, "told"),
+        asides=_by_use(speech, "asides"),
+        becoming=frozenset(form[0] for form in speech.words("becoming")),
+        levels=frozenset(form[0] for form in speech.words("levels")),
+        passing=frozenset(form[0] for form in speech.words("passing")),
+        instances={name: frozenset(speech.words("instances", name)) for name in ("first", "further")},
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         catching=frozenset(form[0] for form in speech.words("catching")),
@@ -127,12 +134,19 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     )
 
 
+def _by_use(speech: Tables, section: str) -> dict[str, frozenset[str]]:
+    """Give the words of a section by what they do."""
+    rows = ((name.text, speech.words(section, name.text)) for name, _ in speech.rows(section))
+    return {name: frozenset(" ".join(form) for form in forms) for name, forms in rows}
+
+
 _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "conversation",
+    "happening", "frames", "conversation", "vague_adverbs", "told", "instances",
+    "asides", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

@@ -4,7 +4,7 @@ from datetime import time
 
 from fuzzytime.language.grammar.lexicon import form_of
 from fuzzytime.language.grammar.word_tables.tables import Form, Tables
-from fuzzytime.language.policy import DateOrder, Hours, Policy, SameWeekday
+from fuzzytime.language.policy import DateOrder, Hours, Midnight, Policy, SameWeekday
 from fuzzytime.yaml_nodes import Node
 
 
@@ -39,6 +39,7 @@ def read_policy(tables: Tables) -> Policy:
         "ahead_from",
         "workday_from",
         "same_weekday",
+        "midnight",
         "week_starts",
         "weekend",
         "date_order",
@@ -62,6 +63,9 @@ def read_policy(tables: Tables) -> Policy:
         same_weekday=SameWeekday(
             reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))
             or SameWeekday.NEXT
+        ),
+        midnight=Midnight(
+            reader.choice(fields["midnight"], "policy.midnight", tuple(Midnight)) or Midnight.END
         ),
         week_starts=weekdays.get(reader.choice(fields["week_starts"], "policy.week_starts", weekdays), 0),
         weekend_from=weekdays.get(reader.choice(weekend["from"], "policy.weekend.from", weekdays), 5),

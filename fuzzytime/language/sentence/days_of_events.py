@@ -1,0 +1,93 @@
+"""Times of day on a day that is counted from an event: "by noon the day before the wedding".
+
+Where something told says when the event is, they are on that day; where nothing does, they are on none, and
+least of all on today.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from datetime import date, datetime, timedelta
+
+from fuzzytime.language.instruction import Instruction, Remark, RemarkKind
+from fuzzytime.language.meaning.beside import joined
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.clause_sides import FIRST
+from fuzzytime.language.sentence.sketch import Sketch
+from fuzzytime.requirement import Constraint
+
+ON_THE_DAY = "on the day of"
+"""The marker of what is on the day of an event."""
+
+DAY = timedelta(days=1)
+WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
+
+
+def day_of(instruction: Instruction, now: datetime | None) -> date | None:
+    """Give the day that something is on, where its words say it."""
+    said = (part.earliest for part in instruction.requirements if part.constraint in WHEN)
+    first = next((seconds for seconds in said if seconds is not None), None)
+    return None if first is None or now is None else (now + timedelta(seconds=first)).date()
+
+
+def on_days_of_events(
+    sketch: Sketch, anchors: Anchors, days: Mapping[int, date], text: str
+) -> tuple[Sketch, list[Remark]]:
+    """Put the times of day of an instruction on the day that its clause counts from an event.
+
+    ``days`` are those of instructions, by their positions.
+    """
+    remarks: list[Remark] = []
+    for clause in sketch.clauses:
+        away = _days_away(clause)
+        if away is None or not any(map(_is_of_day, sketch.phrases)):
+            continue
+        target = anchors.target_of(clause)
+        day = None if target is None else days.get(target)
+        if day is None:
+            remarks += (_unknown(text, phrase, clause) for phrase in sketch.phrases if _is_of_day(phrase))
+            sketch = _without_times_of_day(sketch)
+            continue
+        there = day + away * DAY
+        wall = Wall(Fields(there.year, there.month, there.day))
+        phrases = tuple(_on(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
+        kept = tuple(other for other in sketch.clauses if other is not clause)
+        sketch = replace(sketch, phrases=phrases, clauses=kept)
+    return sketch, remarks
+
+
+def _days_away(clause: Clause) -> int | None:
+    """Give how many whole days a clause is from its event; None where it counts none."""
+    if clause.marker == ON_THE_DAY:
+        return 0
+    distance = clause.distance
+    if distance is None or any(unit in SUB_DAY for _, unit in distance.terms) or distance.until is not None:
+        return None
+    return round(distance.seconds / DAY.total_seconds()) * (-1 if clause.kind in FIRST else 1)
+
+
+def _is_of_day(phrase: Phrase) -> bool:
+    """Whether it is a time of day, on a day that is not said."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.days is None and (time.clock is not None or time.part is not None)
+
+
+def _on(phrase: Phrase, day: Wall) -> Phrase:
+    time = phrase.said.time
+    both = joined(day, time) if isinstance(time, Wall) else None
+    return phrase if both is None else replace(phrase, said=replace(phrase.said, time=both))
+
+
+def _without_times_of_day(sketch: Sketch) -> Sketch:
+    kept = [place for place, phrase in enumerate(sketch.phrases) if not _is_of_day(phrase)]
+    phrases = tuple(sketch.phrases[place] for place in kept)
+    return replace(sketch, phrases=phrases, references=tuple(sketch.references[place] for place in kept))
+
+
+def _unknown(text: str, phrase: Phrase, clause: Clause) -> Remark:
+    said, what = text[slice(*phrase.span)], text[slice(*clause.span)]
+    message = f"{said!r} is not used: on which day it is, {what!r}, is not known"
+    return Remark(RemarkKind.UNRESOLVED, phrase.span, message)

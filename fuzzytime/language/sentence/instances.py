@@ -1,0 +1,89 @@
+"""Several of one kind, each with its own time: "set two alarms, one for 6.45 and the other for 7".
+
+What counts them is read as if it were not there, and each is an instruction of its own.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
+
+MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
+"""What stands before the first of several."""
+
+JOINTS = MARKS | {"and", "&", "then"}
+"""What stands before a further one."""
+
+
+@dataclass(frozen=True, slots=True)
+class Instances:
+    """Where each of several begins, as characters, and the stretches that only count them.
+
+    ``counted`` is the word behind their number, where that is said too: "two alarms".
+    """
+
+    starts: tuple[int, ...] = ()
+    counting: tuple[Span, ...] = ()
+    counted: str | None = None
+
+
+NONE = Instances()
+
+
+def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[Scanned, Instances]:
+    """Give a text without the words that tell several of one kind apart, each of which has a time."""
+    found = _marked(scanned, lexicon)
+    if len(found.starts) < 2:
+        return scanned, NONE
+    text = scanned.text
+    for first, end in found.counting:
+        text = text[:first] + " " * (end - first) + text[end:]
+    bare = Scanned.of(text, grammar, lexicon)
+    times = [phrase.span for phrase in phrases_of(bare, lexicon)]
+    begins = [next((word.start for word in bare.words if word.start >= start), -1) for start in found.starts]
+    # "Two visits today, one at nine": the first may have its day in front.
+    timed = [any(first <= begin < end for first, end in times) for begin in begins]
+    return (bare, found) if all(timed) else (scanned, NONE)
+
+
+def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
+    """Give where several of one kind are told apart: "…, one …, the other …"."""
+    words = scanned.words
+    starts: list[int] = []
+    counting: list[Span] = []
+    for place in range(1, len(words)):
+        before = words[place - 1]
+        named = lexicon.instances["further" if starts else "first"]
+        if before.text not in (JOINTS if starts else MARKS):
+            continue
+        form = longest_match(words, place, named)
+        behind = place if form is None else place + len(form)
+        if form is None or behind >= len(words):
+            continue
+        starts.append(words[behind - 1].end)
+        counting.append((before.start if len(starts) == 1 else words[place].start, words[behind - 1].end))
+    number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
+    if number is not None and lexicon.numbers.get(number.text, number.text) in {
+        len(starts),
+        str(len(starts)),
+    }:
+        counting.append((number.start, number.end))
+        return Instances(tuple(starts), tuple(counting), counted=_behind(scanned, number))
+    return Instances(tuple(starts), tuple(counting))
+
+
+def _counts(words: Sequence[Word], counting: Sequence[Span], lexicon: Lexicon) -> Iterator[Word]:
+    """Give the numbers before the first of several: "two alarms"."""
+    for word in words:
+        if word.start < counting[0][0] and (word.text in lexicon.numbers or word.is_digits):
+            yield word
+
+
+def _behind(scanned: Scanned, number: Word) -> str:
+    """Give the word behind a number, as typed."""
+    counted = next(word for word in scanned.words if word.start >= number.end)
+    return scanned.text[counted.start : counted.end]
