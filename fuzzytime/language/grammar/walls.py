@@ -122,8 +122,10 @@ class Walls(Standing):
             # "The day before the flight"
             return True
         followed = self.around.follower(piece) in {"before", "after"}
-        if wall.part is not None and followed and "the" in {self.texts[piece.start], before}:
-            # "The evening before the trip": which evening, is not said.
+        *_, bound, article = ("", "", *self.texts[piece.start : piece.end - 1])
+        inner = article == "the" and (bound == "on" or bound not in self.lexicon.function_words)
+        if wall.part is not None and followed and ("the" in {self.texts[piece.start], before} or inner):
+            # "The evening before the trip", "at ten the evening before": which evening, is not said.
             return True
         if "to" in {said.preposition, before} and self.around.names_place(piece):
             return True
@@ -166,7 +168,8 @@ class Walls(Standing):
 
     def _accepts_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
-        if not self.around.may_end(piece) or self.around.is_unit(piece.end):
+        ends = self.around.may_end(piece) or self._leads_to_distance(piece)
+        if not ends or self.around.is_unit(piece.end):
             return False
         if said.preposition == "for" and self.around.follower(piece) == "at":
             # "Make dinner for eight at seven"
@@ -201,6 +204,12 @@ class Walls(Standing):
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
             return said.preposition is None and bool(said.hedges)
         return True
+
+    def _leads_to_distance(self, piece: Piece) -> bool:
+        """Whether so long before or after something follows: "at ten two days before the fair"."""
+        unit = piece.end + 1
+        counted = self.measures.is_number(piece.end) and self.around.is_unit(unit)
+        return counted and self.texts[unit + 1 : unit + 2] in (["before"], ["after"])
 
     def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Said
+from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Said, Wall
 from fuzzytime.requirement import Constraint
 
 BESIDE = 2
@@ -38,6 +38,21 @@ class BeforeMarker:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
         return next((p for p in found if _counts_within(p)), None)
+
+    def part_of_day(self, place: int) -> Phrase | None:
+        """Give the part of a day right before a marker: "the evening before the trip"."""
+        words = self.words[max(0, place - BESIDE) : place]
+        if (
+            len(words) < BESIDE
+            or words[0].text != "the"
+            or not self.covered.isdisjoint((place - 2, place - 1))
+        ):
+            return None
+        found = (entry for entry in self.lexicon.entries.get(words[1].text, ()) if entry.category == "part")
+        part = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
+        if part is None:
+            return None
+        return Phrase(Said(Wall(part=part)), place - BESIDE, place, (words[0].start, words[1].end), "part")
 
     def _whole_unit(self, place: int) -> Phrase | None:
         """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""

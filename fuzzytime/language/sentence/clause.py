@@ -20,7 +20,8 @@ class Clause:
     where an aside says that. ``beside`` is the hedge that puts it right beside: "just before we leave".
     ``reference`` is which moment of what is to be done it is about: "have it ready when they come".
     ``edge`` is that of the event which it names: "by the end of the lesson"; ``side`` on which side of its
-    distance something must be: "no earlier than an hour after lunch".
+    distance something must be: "no earlier than an hour after lunch"; ``day_part`` the part of the day, a day
+    before or after: "the evening before the trip".
     """
 
     kind: str
@@ -39,6 +40,7 @@ class Clause:
     reference: Reference | None = None
     edge: Edge | None = None
     side: Constraint | None = None
+    day_part: Phrase | None = None
 
     @property
     def is_there(self) -> bool:

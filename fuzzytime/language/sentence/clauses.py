@@ -24,7 +24,7 @@ from fuzzytime.language.sentence.conditions import BE, IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint, Edge
+from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
 OTHER = frozenset({"the", "another"})
@@ -36,6 +36,11 @@ DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
+
+DAYS_APART = ((BEFORE,), ("after",))
+"""Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
+
+A_DAY = Duration(((1, Unit.DAY),))
 
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
@@ -173,6 +178,9 @@ class _Clauses:
             if isinstance(time_before, Duration):
                 hedges = (*distance.said.hedges, *time_before.hedges)
                 duration = replace(time_before, hedges=hedges)
+        day_part = self.before.part_of_day(place) if distance is None and form in DAYS_APART else None
+        if day_part is not None:
+            start, duration = day_part.span[0], A_DAY
         if kind == "into" and duration is None:
             return None
         clause = Clause(
@@ -184,6 +192,7 @@ class _Clauses:
             beside=self._beside(form) if kind == BEFORE else None,
             edge=edge,
             side=side,
+            day_part=day_part,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
         if named is not None and time is None and kind in EVENTFUL:
@@ -263,9 +272,12 @@ def _is_apart(phrase: Phrase, kind: str) -> bool:
 
 
 def _dates(phrase: Phrase, distance: Duration | None) -> bool:
-    """Whether a time is when an event is: neither a bound nor a length; to count from it, it is a moment."""
+    """Whether a time is when an event is: neither a bound nor a length; to count from it, it is a moment.
+
+    Where days are counted, a clock time alone is that of what is to be done on the day.
+    """
     time = phrase.said.time
     if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
         return False
     days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
-    return distance is None or days or time.clock is not None
+    return distance is None or (time.days if days else time.clock) is not None

@@ -43,16 +43,21 @@ def on_days_of_events(
     remarks: list[Remark] = []
     for clause in sketch.clauses:
         away = _days_away(clause)
-        if away is None or not any(map(_is_of_day, sketch.phrases)):
+        if away is None or not (clause.day_part or any(map(_is_of_day, sketch.phrases))):
             continue
         target = anchors.target_of(clause)
         day = None if target is None else days.get(target)
         if day is None:
-            remarks += (_unknown(text, phrase, clause) for phrase in sketch.phrases if _is_of_day(phrase))
+            unused = [phrase for phrase in sketch.phrases if _is_of_day(phrase)]
+            if clause.day_part is not None and target is not None:
+                unused.append(clause.day_part)
+            remarks += (_unknown(text, phrase, clause) for phrase in unused)
             sketch = _without_times_of_day(sketch)
             continue
         there = day + away * DAY
         wall = Wall(Fields(there.year, there.month, there.day))
+        if clause.day_part is not None:
+            sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)
         phrases = tuple(_on(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
         kept = tuple(other for other in sketch.clauses if other is not clause)
         sketch = replace(sketch, phrases=phrases, clauses=kept)
@@ -79,6 +84,15 @@ def _on(phrase: Phrase, day: Wall) -> Phrase:
     time = phrase.said.time
     both = joined(day, time) if isinstance(time, Wall) else None
     return phrase if both is None else replace(phrase, said=replace(phrase.said, time=both))
+
+
+def _in_part(sketch: Sketch, part: Phrase, day: Wall) -> tuple[Sketch, Wall]:
+    """Put a part of the day among the times, or, where there is a time of that day, into the day."""
+    if any(map(_is_of_day, sketch.phrases)):
+        both = joined(day, part.said.time) if isinstance(part.said.time, Wall) else None
+        return sketch, both or day
+    phrases = (*sketch.phrases, part)
+    return replace(sketch, phrases=phrases, references=(*sketch.references, sketch.reference)), day
 
 
 def _without_times_of_day(sketch: Sketch) -> Sketch:

@@ -218,7 +218,8 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
         away = None if days is None else days_away(distance.duration, days, direction)
         if away is not None:
             # "The day before the wedding on saturday"
-            said = replace(said, time=Wall(away))
+            part = None if clause.day_part is None else clause.day_part.said.time
+            said = replace(said, time=Wall(away, part=part.part if isinstance(part, Wall) else None))
     places = [
         place
         for place, word in enumerate(draft.scanned.words)
