@@ -38,13 +38,26 @@ def test_why_explains_from_the_words_to_the_start() -> None:
     assert "rules/lookup.yaml" in answer
 
 
+def test_a_command_takes_words_for_what_is_planned() -> None:
+    talk = Talk()
+    talk.say("Stir the soup in ten minutes")
+    talk.say("Set the table in five minutes")
+    assert talk.say(":why the soup") == talk.say(":why 1")
+    talk.say(":drop table")
+    assert talk.entries == ["Stir the soup in ten minutes"]
+    assert "done: stir the soup" in talk.say(":done the soup")
+    assert talk.entries == []
+
+
 @pytest.mark.parametrize(
     ("line", "rule"),
     [
         (":nonsense", "there is no command 'nonsense'"),
         (":why", "a skill of the plan must follow"),
         (":why 9", "a skill of the plan must follow"),
-        (":drop nine", "a number from the list must follow"),
+        (":drop nine", "nothing that is planned is about nine"),
+        (":drop", "a number from the list must follow"),
+        (":why bread", "nothing that is planned is about bread"),
         (":drop 9", "a number must be one of the list"),
         (":duration 1", "a number and a duration"),
         (":duration 1 soon", "a duration must be a number and a unit"),

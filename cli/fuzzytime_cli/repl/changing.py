@@ -8,6 +8,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.render import fitted, plain, width_of
+from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import (
     Reply,
     Scene,
@@ -30,7 +31,7 @@ def drop(scene: Scene, text: str) -> Reply:
     """Forget an instruction, or all of them."""
     if text.strip().lower() == "all":
         return step(scene, ":drop all", lambda state: replace(state, entries=()))
-    number = number_of(text)
+    number = number_of(identifier_meant(scene, text))
     numbers = (number, *_told_before(scene, number))
 
     def dropped(state: State) -> State:
@@ -93,12 +94,12 @@ def priority(scene: Scene, text: str) -> Reply:
 
 def done(scene: Scene, text: str) -> Reply:
     """Say that a skill is done: one that is running, or one that need not start."""
-    wanted = identifier_of(text)
+    wanted = identifier_meant(scene, text)
     running = {one.identifier: one for one in scene.conversation.running(scene.now)}
     if wanted in running:
         scene.conversation.store.note_done(scene.conversation.name, wanted, scene.now)
         return Reply((Text(f"done: {plain(running[wanted].name)}"),), changed=True)
-    position = position_of(scene, text)
+    position = position_of(scene, wanted)
     skill = scene.plan.skills[position]
     number = number_of(skill.identifier)
     name = Text(f"done: {plain(skill.skill.name)}")

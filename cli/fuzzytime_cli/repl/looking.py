@@ -12,6 +12,7 @@ from fuzzytime.times import seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, moves
+from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
 from fuzzytime_cli.session import State
 
@@ -35,7 +36,7 @@ def why(scene: Scene, text: str) -> Reply:
     """Explain a skill."""
     from fuzzytime_cli.explaining import explanation_lines
 
-    position = position_of(scene, text)
+    position = position_of(scene, identifier_meant(scene, text))
     return Reply(tuple(explanation_lines(scene.plan, position, scene.width, unicode=scene.unicode)))
 
 

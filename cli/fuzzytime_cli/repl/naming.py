@@ -4,7 +4,7 @@ from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import content_words
-from fuzzytime_cli.repl.scene import Scene, number_of
+from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of
 from fuzzytime_cli.session import Entry, Started
 
 FEW = 2
@@ -39,6 +39,26 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     # "It" in its words is what it is called by.
     by_name = (e for e in entries if names <= skills.get(f"s{e.number}", frozenset()) | content_words(e.text))
     return next(comes, None) or next(own, None) or next(by_name, None)
+
+
+def identifier_meant(scene: Scene, text: str) -> str:
+    """Give the identifier of the skill that a number, an identifier or words mean: "2", "s2", "the soup".
+
+    Raises
+    ------
+    FuzzytimeError
+        If words mean none.
+    """
+    names = content_words(text)
+    if text.strip().removeprefix("s").partition(".")[0].isdigit() or not names:
+        return identifier_of(text)
+    entry = entry_of(scene, names)
+    if entry is None:
+        unknown(names)
+    running = running_one(scene, names)
+    if running is not None and number_of(running.identifier) == entry.number:
+        return running.identifier
+    return called(scene, entry.number) or f"s{entry.number}"
 
 
 def called(scene: Scene, number: int) -> str | None:
