@@ -12,7 +12,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
-from fuzzytime.interpreter.told_anew import meant, told_anew
+from fuzzytime.interpreter.told_anew import meant, on_its_day, told_anew
 from fuzzytime.language import (
     LEAVING,
     Instruction,
@@ -67,7 +67,9 @@ class Gathering:
                 continue
             told[news.span] = place
             if news.kind is not NewsKind.LATE:
+                made = self.skills[place]
                 self.skills[place] = self._told_anew(place, news, wish, reading, at)
+                self._take_along(place, made)
             elif not known:
                 self.problems.append(_by_how_much(wish, news, self.skills[place]))
         self.problems += _beside_news(wish, reading, told) if told else ()
@@ -84,6 +86,13 @@ class Gathering:
         anew = told_anew(made, news, wish, reading, self.maker, at)
         # What was taken to have happened does not move: told anew it is another.
         return replace(anew, identifier=self._name(wish)) if over and not anew.cancelled else anew
+
+    def _take_along(self, place: int, before: Interpreted) -> None:
+        """Take along what is on a day that counts from what was told anew."""
+        events = {number for number, places in enumerate(self.links.instructions) if place in places}
+        for other, one in enumerate(self.skills):
+            if one.instruction is not None and one.instruction.day_of in events:
+                self.skills[other] = on_its_day(one, before, self.skills[place], self.maker)
 
     def spoken(self, wish: SpokenWish, reading: Reading, told: Told) -> None:
         """Add the skills of a wish in words; what they told of what happens refers to that."""

@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from datetime import date, datetime, time
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
@@ -80,6 +81,28 @@ def told_anew(
     if news.kind is NewsKind.THERE:
         skill = replace(skill, satisfaction=Rectangle(told, told), preferred=told)
     return replace(anew, identifier=made.identifier, skill=skill, duration=made.duration, told_by=by)
+
+
+def on_its_day(one: Interpreted, before: Interpreted, after: Interpreted, maker: Maker) -> Interpreted:
+    """Give what is on a day that counts from what was told anew: as many days later, or not at all."""
+    if after.cancelled:
+        never = replace(one.skill, satisfaction=NEVER)
+        return replace(one, skill=never, reason=f"{after.skill.name} was told not to happen")
+    first, last = (datetime.combine(_day(told, maker), time()) for told in (before, after))
+    if one.instruction is None or one.reading is None or not isinstance(one.wish, SpokenWish):
+        return one
+    times = tuple(part.shifted(seconds_between(first, last)) for part in one.instruction.requirements)
+    (anew, *_) = maker.spoken(one.wish, one.reading, replace(one.instruction, requirements=times))
+    return replace(anew, identifier=one.identifier, told_by=one.told_by)
+
+
+def _day(one: Interpreted, maker: Maker) -> date:
+    """Give the day on which something happens, or would have, where it was cancelled."""
+    said = (part.earliest for part in one.requirements if part.earliest is not None)
+    first = next(said, None) if one.cancelled else None
+    if first is not None:
+        return instant_after(one.wish.given, first).date()
+    return instant_after(maker.request.now, moment_of(one)).date()
 
 
 def _of(wish: SpokenWish, made: Interpreted) -> SpokenWish:

@@ -109,6 +109,9 @@ class Instruction:
     way
         How many seconds it takes to go where it is done, None where nothing was said: of the instruction
         that ``length_of`` means, if there is one.
+    day_of
+        The position of what happens from whose day that of its times was counted, as in "the evening before
+        the trip"; None where no day was.
     """
 
     span: Span
@@ -120,6 +123,7 @@ class Instruction:
     length_of: Anchor | None = None
     time_of: Anchor | None = None
     way: float | None = None
+    day_of: int | None = None
 
 
 class RemarkKind(StrEnum):

@@ -121,3 +121,30 @@ def test_the_rest_of_a_line_is_asked_for() -> None:
 def test_what_is_lost_beside_news_is_pointed_at() -> None:
     made = later("the bus is cancelled, the next one leaves at 11 am", lines=("the bus leaves at 10 am",))
     assert any("say it in a sentence of its own" in note for note in notes(made))
+
+
+@pytest.mark.parametrize(
+    ("news", "days"),
+    [
+        ([], "Fri Thu Sat"),
+        (["the party is moved to saturday at 8 pm"], "Sat Fri Sun"),
+        (["the party is cancelled"], ""),
+        (["the party is cancelled", "the party is moved to saturday at 8 pm"], "Sat Fri Sun"),
+    ],
+)
+def test_what_is_on_a_day_counted_from_it_moves_by_days(news: Sequence[str], days: str) -> None:
+    lines = (
+        "the party is on friday at 8 pm",
+        "pack the gifts the evening before the party",
+        "return the chairs at ten the morning after the party",
+    )
+    wishes = [
+        SpokenWish(text=line, given=SEVEN + timedelta(minutes=minute))
+        for minute, line in enumerate((*lines, *news))
+    ]
+    now = SEVEN + timedelta(minutes=len(wishes))
+    made = plan(Request(now=now, wishes=tuple(wishes), horizon=8 * 86400.0), interpreter(), limits=Limits())
+    found = starts(made)
+    moments = dict(zip((one.identifier for one in made.skills), made.schedule.start_times, strict=True))
+    assert " ".join(f"{now + timedelta(seconds=moments[name]):%a}" for name in sorted(found)) == days
+    assert [found[name] for name in sorted(found)] == (["20:00", "18:24", "10:00"] if days else [])

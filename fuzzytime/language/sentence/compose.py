@@ -201,7 +201,7 @@ class _Composer:
             position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
         )
         self.explained += sketch.heard
-        sketch, remarks = on_days_of_events(
+        sketch, event, remarks = on_days_of_events(
             sketch, anchors, {**self.mentions.days, **self.days}, self.draft.text
         )
         self.remarks += remarks
@@ -269,6 +269,7 @@ class _Composer:
             length_of=told,
             way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
+            day_of=event,
         )
 
     def _day(self) -> Calendar | None:

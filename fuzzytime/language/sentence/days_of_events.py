@@ -35,12 +35,14 @@ def day_of(instruction: Instruction, now: datetime | None) -> date | None:
 
 def on_days_of_events(
     sketch: Sketch, anchors: Anchors, days: Mapping[int, date], text: str
-) -> tuple[Sketch, list[Remark]]:
+) -> tuple[Sketch, int | None, list[Remark]]:
     """Put the times of day of an instruction on the day that its clause counts from an event.
 
-    ``days`` are those of instructions, by their positions.
+    ``days`` are those of instructions, by their positions. Gives the position of the event, too, if there is
+    one, and what is pointed at.
     """
     remarks: list[Remark] = []
+    event: int | None = None
     for clause in sketch.clauses:
         away = _days_away(clause)
         if away is None or not (clause.day_part or any(map(_is_of_day, sketch.phrases))):
@@ -54,14 +56,14 @@ def on_days_of_events(
             remarks += (_unknown(text, phrase, clause) for phrase in unused)
             sketch = _without_times_of_day(sketch)
             continue
-        there = day + away * DAY
+        event, there = target, day + away * DAY
         wall = Wall(Fields(there.year, there.month, there.day))
         if clause.day_part is not None:
             sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)
         phrases = tuple(_on(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
         kept = tuple(other for other in sketch.clauses if other is not clause)
         sketch = replace(sketch, phrases=phrases, clauses=kept)
-    return sketch, remarks
+    return sketch, event, remarks
 
 
 def _days_away(clause: Clause) -> int | None:
