@@ -68,20 +68,21 @@ def _drawn(plan: Rough, generator: np.random.Generator) -> list[int]:
 def _kick(stretch: Stretch, heat: float, generator: np.random.Generator) -> None:
     """Take several jobs out, neighbours or any, and put them back; undo that where it loses too much."""
     gain, agent_of = stretch.gain, dict(stretch.agent_of)
-    sequences = {agent: list(order.sequence) for agent, order in stretch.orders.items()}
-    ranking = [job for sequence in sequences.values() for job in sequence]
+    states = {agent: order.state() for agent, order in stretch.orders.items()}
+    ranking = [job for state in states.values() for job in state.sequence]
     ranking += [job for job in stretch.members if job not in agent_of]
     size = min(int(generator.integers(2, MOST_KICKED + 1)), len(ranking))
     if generator.random() < 0.5:
         middle = int(generator.integers(len(ranking)))
         ranking = ranking[max(middle - size, 0) : middle + size + 1]
     out = generator.permutation(ranking)[:size].tolist()
+    for agent, order in stretch.orders.items():
+        order.remove_all([job for job in out if agent_of.get(job) == agent])
     for job in out:
-        if job in stretch.agent_of:
-            stretch.orders[stretch.agent_of.pop(job)].remove(job)
+        stretch.agent_of.pop(job, None)
     for job in out:
         stretch.reinsert(job)
     if stretch.gain > gain + IMPROVEMENT + heat * generator.exponential():
         stretch.agent_of = agent_of
         for agent, order in stretch.orders.items():
-            order.rearrange(sequences[agent])
+            order.restore(states[agent])

@@ -27,6 +27,14 @@ class Removed(NamedTuple):
     backward: Floats
 
 
+class Tables(NamedTuple):
+    """A sequence of jobs, and its tables."""
+
+    sequence: tuple[int, ...]
+    forward: Floats
+    backward: Floats
+
+
 class Order:
     """A sequence of jobs on one agent between two slots, its tables kept up to date as jobs come and go.
 
@@ -103,6 +111,28 @@ class Order:
         self._fill(place, place)
         return removed
 
+    def remove_all(self, jobs: Sequence[int]) -> None:
+        """Take several jobs out at once."""
+        places, count = [self.sequence.index(job) for job in jobs], len(self.sequence)
+        if not places:
+            return
+        last = max(places) + 1
+        behind = last - len(places)
+        self._backward[behind : count + 1 - len(places)] = self._backward[last : count + 1]
+        self.sequence = [job for job in self.sequence if job not in set(jobs)]
+        self._fill(min(places), behind)
+
+    def state(self) -> "Tables":
+        """Give what moves, to go back to."""
+        rows = len(self.sequence) + 1
+        return Tables(tuple(self.sequence), self._forward[:rows].copy(), self._backward[:rows].copy())
+
+    def restore(self, state: "Tables") -> None:
+        """Go back to an earlier state."""
+        rows = len(state.sequence) + 1
+        self.sequence = list(state.sequence)
+        self._forward[:rows], self._backward[:rows] = state.forward, state.backward
+
     def put_back(self, removed: "Removed") -> None:
         """Put the job back that was taken out last, where it was."""
         place, count = removed.place, len(self.sequence)
@@ -110,13 +140,6 @@ class Order:
         self.sequence.insert(place, removed.job)
         self._forward[place + 1 : count + 2] = removed.forward
         self._backward[: place + 1] = removed.backward
-
-    def rearrange(self, sequence: Sequence[int]) -> None:
-        """Take another sequence."""
-        if self.sequence != list(sequence):
-            self.sequence = list(sequence)
-            self._backward[len(self.sequence)] = 0.0
-            self._fill(0, len(self.sequence))
 
     def insert(self, place: int, job: int) -> None:
         """Put a job in at a place."""
