@@ -62,10 +62,14 @@ def _without_cancelled(entries: Sequence[Precedence], skills: list[Interpreted])
         if not gone:
             left.append(entry)
         for place in {entry.first, entry.second}.difference(gone) if gone else ():
-            reason = f"its time is told by {skills[gone[0]].skill.name!r}, which will not happen"
-            never = replace(skills[place].skill, satisfaction=NEVER, preferred=None)
-            skills[place] = replace(skills[place], skill=never, reason=reason)
+            skills[place] = without_time(skills[place], skills[gone[0]])
     return left
+
+
+def without_time(one: Interpreted, cancelled: Interpreted) -> Interpreted:
+    """Give what was to come beside something that will not happen: at no time."""
+    reason = f"its time is told by {cancelled.skill.name!r}, which will not happen"
+    return replace(one, skill=replace(one.skill, satisfaction=NEVER, preferred=None), reason=reason)
 
 
 def _tied(

@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from datetime import date, datetime, time
 
+from fuzzytime.interpreter.happening import without_time
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.request import SpokenWish, Started
@@ -75,25 +76,29 @@ def told_anew(
     sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news
     times = _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
     instruction = replace(made.instruction, span=news.span, requirements=times)
-    (anew, *_) = maker.spoken(_of(wish, made), reading, instruction)
-    # What happens takes as long as was said of it, or given.
-    skill = replace(anew.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
+    anew = _made_again(made, maker.spoken(_of(wish, made), reading, instruction)[0])
+    skill = anew.skill
     if news.kind is NewsKind.THERE:
         skill = replace(skill, satisfaction=Rectangle(told, told), preferred=told)
-    return replace(anew, identifier=made.identifier, skill=skill, duration=made.duration, told_by=by)
+    return replace(anew, skill=skill, told_by=by)
 
 
 def on_its_day(one: Interpreted, before: Interpreted, after: Interpreted, maker: Maker) -> Interpreted:
     """Give what is on a day that counts from what was told anew: as many days later, or not at all."""
     if after.cancelled:
-        never = replace(one.skill, satisfaction=NEVER)
-        return replace(one, skill=never, reason=f"{after.skill.name} was told not to happen")
+        return without_time(one, after)
     first, last = (datetime.combine(_day(told, maker), time()) for told in (before, after))
     if one.instruction is None or one.reading is None or not isinstance(one.wish, SpokenWish):
         return one
     times = tuple(part.shifted(seconds_between(first, last)) for part in one.instruction.requirements)
-    (anew, *_) = maker.spoken(one.wish, one.reading, replace(one.instruction, requirements=times))
-    return replace(anew, identifier=one.identifier, told_by=one.told_by)
+    moved = replace(one.instruction, requirements=times)
+    return replace(_made_again(one, maker.spoken(one.wish, one.reading, moved)[0]), told_by=one.told_by)
+
+
+def _made_again(old: Interpreted, anew: Interpreted) -> Interpreted:
+    """Give what is made again its identifier; it takes as long as was said of it, or given."""
+    skill = replace(anew.skill, duration=old.skill.duration, elapsed=old.skill.elapsed)
+    return replace(anew, identifier=old.identifier, skill=skill, duration=old.duration)
 
 
 def _day(one: Interpreted, maker: Maker) -> date:

@@ -106,9 +106,7 @@ class Order:
         place, count = self.sequence.index(job), len(self.sequence)
         forward, backward = self._forward[place + 1 : count + 1], self._backward[: place + 1]
         removed = Removed(job, place, forward.copy(), backward.copy())
-        del self.sequence[place]
-        self._backward[place:count] = self._backward[place + 1 : count + 1]
-        self._fill(place, place)
+        self.remove_all([job])
         return removed
 
     def remove_all(self, jobs: Sequence[int]) -> None:

@@ -317,3 +317,10 @@ def test_lines_that_are_pasted_are_planned_together() -> None:
     talk.say(":undo")
     talk.say(":undo")
     assert talk.entries == []
+
+
+def test_of_pasted_lines_one_that_is_too_long_is_said_and_the_others_kept() -> None:
+    talk = Talk()
+    answers = talk.paste("call mum at noon", "stir " * 1000, "set the table at one pm")
+    assert any("characters" in answer for answer in answers)
+    assert talk.entries == ["call mum at noon", "set the table at one pm"]

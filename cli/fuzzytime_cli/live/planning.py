@@ -146,22 +146,19 @@ class Planning:
             return (), [_problem(message, wish)]
         together = replace(self.request, wishes=(*self.request.wishes, wish)).named()
         wish = replace(wish, identifier=together.wishes[-1].identifier)
-        _, before = understood(self.seen_from(now, started), self.interpreter)
         _, interpretation = understood(self.seen_from(now, started, wish), self.interpreter)
-        own = _made_or_changed(before, interpretation, wish)
+        own = tuple(one.identifier for one in interpretation.skills if one.wish.identifier == wish.identifier)
+        if not own:
+            # "The guests are late" moves what was said before, "it takes an hour" lengthens it.
+            _, before = understood(self.seen_from(now, started), self.interpreter)
+            own = _changed(before, interpretation)
         if own:
             self.request = replace(self.request, wishes=(*self.request.wishes, wish))
         return own, [problem for problem in interpretation.problems if problem.text == wish.text]
 
 
-def _made_or_changed(before: Interpretation, after: Interpretation, wish: SpokenWish) -> tuple[str, ...]:
-    """Give the skills that a wish asks for; of one that only tells of others, those that it tells of.
-
-    "The guests are late" moves what was said before, "it takes an hour" lengthens it.
-    """
-    made = tuple(one.identifier for one in after.skills if one.wish.identifier == wish.identifier)
-    if made:
-        return made
+def _changed(before: Interpretation, after: Interpretation) -> tuple[str, ...]:
+    """Give the skills that a wish which asks for none tells of."""
     skills = {one.identifier: one.skill for one in after.skills}
     return tuple(one.identifier for one in before.skills if skills.get(one.identifier) != one.skill)
 

@@ -1,5 +1,6 @@
 """Plain words about what was asked for already, taken as the commands that they mean."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from datetime import datetime
 
@@ -25,11 +26,19 @@ ASKED_BACK = {
 """What is answered to a protest."""
 
 
-def is_about(language: Language, words: str, now: datetime) -> bool:
-    """Whether words are, or may be, about wishes that were said before."""
-    return about_wishes(words, now, language.lexicon) is not None or bool(
-        reported(language.read(words, now=now))
-    )
+def are_about(language: Language, lines: Sequence[str], now: datetime) -> list[bool]:
+    """Tell of each line whether it is, or may be, about wishes that were said before.
+
+    Raises
+    ------
+    InstructionError
+        If a line is too long.
+    """
+    readings = language.read_independent([(line, now) for line in lines])
+    return [
+        about_wishes(line, now, language.lexicon) is not None or bool(reported(reading))
+        for line, reading in zip(lines, readings, strict=True)
+    ]
 
 
 def reply_about(scene: Scene, words: str) -> Reply | None:

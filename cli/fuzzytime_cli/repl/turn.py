@@ -6,7 +6,7 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.errors import FuzzytimeError
+from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.interpreter import Plan, Problem
 from fuzzytime.language import Question
 from fuzzytime_cli.faults import message_of
@@ -16,7 +16,7 @@ from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines
-from fuzzytime_cli.repl.speaking import is_about, reply_about
+from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
 Line = Text | str
@@ -79,10 +79,10 @@ class Turns:
 
     def together(self, lines: Sequence[str], now: datetime) -> list[list[str]]:
         """Part lines said at once: instructions in a row stand together, all else alone."""
+        said = [line for line in lines if _words_of(line)]
         parts: list[list[str]] = []
         went_on = False
-        for line in filter(_words_of, lines):
-            wish = _words_of(line) == line.strip() and not self._is_about(line.strip(), now)
+        for line, wish in zip(said, self._are_wishes([line.strip() for line in said], now), strict=True):
             if wish and went_on:
                 parts[-1].append(line)
             else:
@@ -90,9 +90,18 @@ class Turns:
             went_on = wish
         return parts
 
-    def _is_about(self, words: str, now: datetime) -> bool:
-        """Whether a line is a command, or about what was said before."""
-        return words[0] in ":/" or is_about(self.conversation.interpreter.language, words, now)
+    def _are_wishes(self, lines: Sequence[str], now: datetime) -> list[bool]:
+        """Tell of each line whether it is neither a command nor about what was said before."""
+        language = self.conversation.interpreter.language
+        try:
+            about = are_about(language, lines, now)
+        except InstructionError:
+            # Taken alone, each line says what is wrong with it.
+            return [False] * len(lines)
+        return [
+            _words_of(line) == line and line[0] not in ":/" and not other
+            for line, other in zip(lines, about, strict=True)
+        ]
 
     def _turn(self, answer: Callable[[], Reply], now: datetime) -> Reply:
         """Give an answer, with the schedule where that changed; every error is an answer too."""

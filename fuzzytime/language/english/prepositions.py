@@ -172,5 +172,4 @@ def hedged_said(hedge: str, said: Said) -> Said | None:
     if hedge == "at most" and isinstance(said.time, Wall):
         # "Up to tomorrow at seven" is a bound: "at most" is said of lengths.
         return None
-
     return replace(said, hedges=(hedge, *said.hedges))

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Said, Wall
 from fuzzytime.requirement import Constraint
 
 BESIDE = 2
-"""Words of a length of time that is a unit alone: "the day"."""
+"""Words of a unit, or a part of a day, behind its article: "the day", "the evening"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,31 +41,30 @@ class BeforeMarker:
 
     def part_of_day(self, place: int) -> Phrase | None:
         """Give the part of a day right before a marker: "the evening before the trip"."""
-        words = self.words[max(0, place - BESIDE) : place]
-        if (
-            len(words) < BESIDE
-            or words[0].text != "the"
-            or not self.covered.isdisjoint((place - 2, place - 1))
-        ):
-            return None
-        found = (entry for entry in self.lexicon.entries.get(words[1].text, ()) if entry.category == "part")
-        part = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
-        if part is None:
-            return None
-        return Phrase(Said(Wall(part=part)), place - BESIDE, place, (words[0].start, words[1].end), "part")
+        part = self._named(place, "part", {"the"})
+        return None if part is None else self._beside(place, Said(Wall(part=part.value)), "part")
 
     def _whole_unit(self, place: int) -> Phrase | None:
         """Give "the day", "the hour" before a marker as a length of time: "the day before the flight"."""
-        words = self.words[max(0, place - 2) : place]
-        if len(words) < BESIDE or words[0].text not in {"the", "a"} or place - 2 in self.covered:
-            return None
-        found = (e for e in self.lexicon.entries.get(words[1].text, ()) if e.category == "unit")
-        unit = next((entry.value for entry in found if entry.words == (words[1].text,)), None)
-        if unit is None or unit.form in {"night", "second"} or words[1].text.endswith("s"):
+        named = self._named(place, "unit", {"the", "a"})
+        unit = None if named is None else named.value
+        if unit is None or unit.form in {"night", "second"} or self.words[place - 1].text.endswith("s"):
             # "Write the minutes right after the meeting"
             return None
-        said = Said(Duration(((unit.count, unit.unit),)), Constraint.FOR)
-        return Phrase(said, place - 2, place, (words[0].start, words[1].end), "unit")
+        return self._beside(place, Said(Duration(((unit.count, unit.unit),)), Constraint.FOR), "unit")
+
+    def _named(self, place: int, category: str, articles: AbstractSet[str]) -> Entry | None:
+        """Give the entry of a category of the word right before a marker, behind an article."""
+        first = place - BESIDE
+        if first < 0 or self.words[first].text not in articles or first in self.covered:
+            return None
+        word = self.words[place - 1].text
+        entries = self.lexicon.entries.get(word, ())
+        return next((e for e in entries if e.category == category and e.words == (word,)), None)
+
+    def _beside(self, place: int, said: Said, rule: str) -> Phrase:
+        first = place - BESIDE
+        return Phrase(said, first, place, (self.words[first].start, self.words[place - 1].end), rule)
 
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""

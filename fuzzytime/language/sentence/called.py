@@ -24,14 +24,7 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
     behind = verb + 1 if particle is None or verb + 1 in timed else verb + 2
     if behind not in timed:
         return tree
-    nodes = [
-        replace(node, head=verb) if node.head <= verb or node.head == tree.root else node
-        for node in tree.nodes
-    ]
-    word = nodes[verb]
-    nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
-    nodes[first] = replace(nodes[first], tag="NN", relation="nsubj")
-    nodes[first + 1] = replace(nodes[first + 1], head=first, relation="nummod")
+    nodes = _acting(tree, verb, {*range(verb + 1), tree.root})
     if first:
         nodes[0] = replace(nodes[0], head=first)
     if behind == verb + 2:
@@ -80,12 +73,17 @@ def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     )
     if root is None or verb is None:
         return tree
-    nodes = [replace(node, head=verb) if node.head == root else node for node in tree.nodes]
+    return Tree(tree.text, tuple(_acting(tree, verb, {root})))
+
+
+def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:
+    """Give the nodes of a tree in which what stands before a word does it, and has what hung on ``heads``."""
+    nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
     word = tree.nodes[verb]
     nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
     nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
     nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
-    return Tree(tree.text, tuple(nodes))
+    return nodes
 
 
 def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
