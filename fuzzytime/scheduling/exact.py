@@ -38,6 +38,9 @@ BEAM, BROAD_BEAM = 50, 200
 FAST, SLOW = 0.6, 0.97
 """To what share the gap falls at least in a round of the search for a bound; and for the highest one."""
 
+PATIENCE = 0.4
+"""Of the time left, for a higher bound of very many skills, as long as it rises at all."""
+
 LEAST = 0.05
 """Of the gap, the threshold is above the bound at least; where labels fail even so, the gap stays."""
 
@@ -160,11 +163,15 @@ class _Search(GridSearch):
     def _raise(self, relaxation: Relaxation) -> None:
         """Make the bound as high as it goes, which takes less long than many more labels.
 
-        Where labels have proved more than the bound already, they go on.
+        Where labels have proved more than the bound already, they go on, unless there are very many skills:
+        prices find their way slowly then, and labels need good ones.
         """
-        if relaxation.lower >= self.lower:
+        if self._are_very_many and self._is_doubtful():
+            patient = self.watch.share(PATIENCE)
+            relaxation.improve(self.best.cost, STEPS, self.left_over, patient, worth=1.0)
+        elif relaxation.lower >= self.lower:
             relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
-            self.lower = relaxation.lower
+        self.lower = max(self.lower, relaxation.lower)
 
     @property
     def _are_very_many(self) -> bool:
