@@ -3,6 +3,7 @@
 from functools import cache
 
 from fuzzytime.language.english import (
+    apart,
     bounded_repetitions,
     bounds,
     clocks,
@@ -42,6 +43,7 @@ _ROOMS = (
     elliptic,
     ranges,
     repetitions,
+    apart,
     repeated_days,
     bounded_repetitions,
     stretches_of_weekdays,

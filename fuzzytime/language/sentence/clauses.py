@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.clause_sides import sided
 from fuzzytime.language.sentence.conditions import BE, IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.language.sentence.waiting import INVERTING
+from fuzzytime.language.sentence.waiting import INVERTING, goes_on_behind
 from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
@@ -242,7 +242,7 @@ class _Clauses:
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
         text = self.words[place].text
-        if text == "," and self._is_inside_number(place):
+        if text == "," and (self._is_inside_number(place) or self._goes_on(place)):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
@@ -251,6 +251,10 @@ class _Clauses:
         clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _goes_on(self, place: int) -> bool:
+        """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
+        return self.words[-1].text == "," and goes_on_behind(self.words, place, len(self.words) - 1)
 
     def _is_inside_number(self, place: int) -> bool:
         """Whether a mark joins digits: "below 1,200"."""

@@ -44,6 +44,7 @@ from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.language.sentence.usual_hours import at_usual_hours
+from fuzzytime.language.sentence.waited import waited
 from fuzzytime.language.sentence.waiting import INVERTING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
 
@@ -94,6 +95,7 @@ class _Composer:
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft, self.lexicon)
+        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
         self.remarks += remarks
         operations: list[Operation | None] = []
         for place, sketch in enumerate(sketches):

@@ -21,7 +21,7 @@ from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.order_words import order_words
 from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.statements import as_statement
+from fuzzytime.language.sentence.statement_trees import as_statement
 from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting

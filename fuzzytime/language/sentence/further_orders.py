@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.orders_beside_times import (
 )
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.statements import (
+    goes_on,
     order_behind_statement,
     result_behind_statement,
     second_statement,
@@ -61,6 +62,8 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
+        return place
+    if goes_on(tree, place, root, timed):
         return place
     if place > 1 and place != root:
         if _follows_so(tree, place, timed):

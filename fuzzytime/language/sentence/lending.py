@@ -163,6 +163,9 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
         goes_on = begins and (alone or operation.lemma in ENDING) and joined and not operation.stated
+        # "We leave at eight and get back at six"
+        comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
+        goes_on = goes_on or (comes and joined and not operation.stated)
         return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)

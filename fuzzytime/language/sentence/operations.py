@@ -58,7 +58,7 @@ class Reader(Stated):
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=node.lower if doer is None else node.lemma,
-            lemma="be" if stated and self._has_frame(verb) else node.lemma,
+            lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
             span=(node.start, node.end),
             object=direct,
             place=self.said(where),

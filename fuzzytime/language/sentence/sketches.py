@@ -16,7 +16,13 @@ from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.said_again import apart, done_again, each_of, with_shared_clock
+from fuzzytime.language.sentence.said_again import (
+    apart,
+    counted_apart,
+    done_again,
+    each_of,
+    with_shared_clock,
+)
 from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
 from fuzzytime.requirement import Constraint
 
@@ -32,7 +38,10 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     told = shared(within(sketches, draft.text), draft.text, lexicon)
     words = draft.scanned.words
     split = (
-        one for sketch in told for each in each_of(sketch, draft.instances) for one in done_again(each, words)
+        counted_apart(one, lexicon)
+        for sketch in told
+        for each in each_of(sketch, draft.instances)
+        for one in done_again(each, words)
     )
     for offered in split:
         whole, later = _first_offered(offered, draft.text)

@@ -20,6 +20,9 @@ ON = "on"
 
 FIRST_PERSON = frozenset({"i", "we"})
 
+POINTS = frozenset({"at", "by", "before", "within"})
+"""Prepositions of a time at which, or up to which, something must have become so."""
+
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
 GOING = frozenset({"run", "go"})
@@ -46,7 +49,8 @@ class Stated(Places):
         subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
         if not subjects:
             return None
-        if self.tree.nodes[subjects[0]].lower in PEOPLE:
+        described = self.tree.children(subjects[0], "det", "amod")
+        if self.tree.nodes[subjects[0]].lower in PEOPLE and not described:
             alone = self.tree.nodes[subjects[0]].lower
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
             return alone if alone in OTHERS and others_do(self.tree, verb, helping, self.lexicon) else None
@@ -93,6 +97,21 @@ class Stated(Places):
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
+    def _is_standing(self, verb: int) -> bool:
+        """Whether it is said in what state something is for a while: "the bridge is closed until noon".
+
+        A clock time or a deadline beside it asks for that: "the gate is closed at ten".
+        """
+        helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
+        points = {self.tree.nodes[p].lower for p in timed} & POINTS
+        named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
+        return (
+            named
+            and bool(helping)
+            and helping <= ARE
+            and self.tree.nodes[verb].lower in self.lexicon.standing
+        )
+
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
         return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
@@ -122,6 +141,8 @@ class Stated(Places):
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
+        if self._is_standing(verb):
+            return True
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
         if self.tree.nodes[verb].lemma == "be" and not helping:
