@@ -22,6 +22,7 @@ from fuzzytime.language.english import (
     repetitions,
     stacks,
     stretches_of_weekdays,
+    workdays,
     zones,
 )
 from fuzzytime.language.grammar.chart import Grammar
@@ -47,6 +48,7 @@ _ROOMS = (
     repeated_days,
     bounded_repetitions,
     stretches_of_weekdays,
+    workdays,
 )
 
 

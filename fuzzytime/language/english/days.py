@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.relations import (
     Stretch,
     Which,
     days_away,
+    weekday_at,
 )
 from fuzzytime.requirement import Unit
 
@@ -138,6 +139,23 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
         return None
     away = days_away(duration, Relative(0), 1)
     return None if away is None else Within(Fields(weekday=number), WeekOf(away))
+
+
+@grammar.rule(
+    "days",
+    "the? <weekday> <duration> after|from|following <days>|<date>",
+    "the? <duration> after|from|following <days>|<date> ,? on a|the? <weekday>",
+    weight=0.7,
+)
+def weekday_after(*said: int | Duration | Calendar) -> Calendar | None:
+    """Sunday three weeks after march 15th, two months from today on a tuesday."""
+    duration = next(part for part in said if isinstance(part, Duration))
+    anchor = next(part for part in said if isinstance(part, Calendar))
+    number = next(part for part in said if isinstance(part, int))
+    away = days_away(duration, anchor, 1) if not duration.hedges else None
+    if not isinstance(away, Away) or away.unit is Unit.DAY:
+        return None
+    return weekday_at(away, Fields(weekday=number))
 
 
 @grammar.rule(

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import refined
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -99,6 +100,25 @@ def until_past(first: Clock, minutes: float) -> Said | None:
         return None
     last = replace(first, minute=int(minutes), grain=Unit.MINUTE)
     return _range(Goal(Wall(clock=first)), Goal(Wall(clock=replace(last, bare=False))), "between")
+
+
+@grammar.rule(
+    "said",
+    "between <month day> and|- <month day> of|in? <days>|<weak date>",
+    "from? <month day> to|-|until|till|through <month day> of|in? <days>",
+    "in? <days>|<weak date> ,? between <month day> and|- <month day>",
+    "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",
+    weight=1.3,
+)
+def days_of_month(*said: int | Calendar) -> Said | None:
+    """Between the 4th and the 22nd of this month, next month from the 4th to the 10th."""
+    numbers = [part for part in said if isinstance(part, int)]
+    months = [part for part in said if isinstance(part, Calendar)]
+    first, last = numbers
+    if months[0].grain is not Unit.MONTH or first >= last:
+        return None
+    ends = (Wall(Nth(number, Cycle(Unit.DAY), months[0])) for number in numbers)
+    return Said(Range(*ends), Constraint.BETWEEN, "between")
 
 
 @grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")

@@ -40,6 +40,9 @@ HOUR = timedelta(hours=1)
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
 
+PASSED = timedelta(days=183)
+"""How long ago a date may be that a weekday beside it says has passed."""
+
 
 @dataclass(frozen=True, slots=True)
 class Grounding:
@@ -158,22 +161,22 @@ class Grounding:
         return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
-        """Give the nearest day, past or future, on which a weekday fits its date."""
+        """Give the day on which a weekday fits its date: the next, or that of the date that passed last.
+
+        Where a month is said and neither fits, the date is believed; a day of the month alone is looked for.
+        """
         today = self.today
-        ahead = next(calendar.upcoming(today, today.day), None)
-        behind = next(calendar.past(today, today.day), None)
-        found = [days for days in (ahead, behind) if days is not None]
-        limit = timedelta(days=366 * FAR)
-        near = [
-            d
-            for d in found
-            if abs(d.first - today.day) <= limit and not (d is behind and calendar.month is None)
-        ]
-        if near:
-            yield min(near, key=lambda days: abs(days.first - today.day))
-            return
-        # No such weekday: the date is believed.
-        yield from self.days(replace(calendar, weekday=None))
+        if calendar.month is None or calendar.year is not None:
+            ahead = next(calendar.upcoming(today, today.day), None)
+            if ahead is not None and (ahead.first - today.day).days <= 366 * FAR:
+                yield ahead
+                return
+        dated = replace(calendar, weekday=None)
+        ahead, behind = next(dated.upcoming(today, today.day), None), next(dated.past(today, today.day), None)
+        if behind is not None and today.day - behind.first > PASSED:
+            behind = None
+        fitting = (days for days in (ahead, behind) if days and days.first.weekday() == calendar.weekday)
+        yield from islice((*fitting, *self.days(dated)), 1)
 
     # -- wall-clock expressions -------------------------------------------------------------------------
 

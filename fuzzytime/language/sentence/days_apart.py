@@ -110,14 +110,20 @@ def _is_open(said: Said, day: Said) -> bool:
     if isinstance(time, Offset):
         return isinstance(time.anchor, Wall) and time.anchor.clock is not None and time.anchor.days is None
     if isinstance(time, Range):
-        ends = (time.first, time.last)
-        return all(isinstance(end, Wall) and end.clock is not None and end.days is None for end in ends)
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocks = all(end.clock is not None and end.days is None for end in ends)
+        return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
     if not isinstance(time, Wall):
         return False
     if time.days is None:
         return True
+    return _is_in_week(time, day)
+
+
+def _is_in_week(wall: Wall, day: Said) -> bool:
+    """Whether it is a weekday in the week, or month, that is said."""
     coarse = isinstance(day.time, Wall) and day.time.days is not None and day.time.days.grain is not Unit.DAY
-    return coarse and isinstance(time.days, Fields) and time.days.weekly
+    return coarse and isinstance(wall.days, Fields) and wall.days.weekly
 
 
 def _on_own_day(sketch: Sketch, place: int) -> Sketch:
