@@ -181,3 +181,8 @@ def test_what_is_so_until_then_on_a_day_to_come_is_so_from_its_beginning() -> No
 def test_a_plan_looks_as_far_ahead_as_it_waits_for_what_has_no_time() -> None:
     made = told(["Feed the hens", "An hour later wash the cups"])
     assert starts(made)["s2"] == "08:03"
+
+
+def test_an_appointment_of_who_speaks_keeps_them_busy() -> None:
+    made = told(["My interview is at ten am", "Wash the car after 9:55 am"])
+    assert starts(made)["s2"] == "10:45"

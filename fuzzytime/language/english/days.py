@@ -117,6 +117,12 @@ def after_next(series: Calendar) -> Calendar:
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
+@grammar.rule("days", "<duration> from now", weight=-0.3)
+def days_from_now(duration: Duration) -> Calendar | None:
+    """Three days from now, beside a time of that day."""
+    return days_away(duration, Relative(0), 1) if not duration.hedges else None
+
+
 @grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
 def weekdays_from_now(number: Integer, weekday: int) -> Calendar | None:
     """Three fridays from now."""

@@ -38,6 +38,14 @@ def every_nth_weekday(number: int, weekday: int) -> Repeat | None:
     return Repeat(walls=(Wall(Fields(weekday=weekday)),), skip=number) if 1 < number < 100 else None
 
 
+@grammar.rule("repeat", "<part> and|& <part>", "<part> , <part> ,? and|& <part>", weight=0.2)
+def parts_of_each_day(*parts: Part) -> Repeat | None:
+    """Morning and evening: of each day; but "the morning and evening" are those of one."""
+    if len({part.name for part in parts}) < len(parts) or any(part.place for part in parts):
+        return None
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part=part) for part in parts))
+
+
 @grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
 def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     """Every monday and thursday, on mondays and fridays."""

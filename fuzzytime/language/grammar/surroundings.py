@@ -93,14 +93,17 @@ class Surroundings:
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
         return any(piece.category in TIMELY for piece in found)
 
+    def is_part(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day."""
+        return any(piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
+
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
         before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
         acted = before[:1].isalpha() and before not in self.lexicon.function_words | SPENDING
-        part = (piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
-        return acted and not led and not self.timely(place - 2) and any(part)
+        return acted and not led and not self.timely(place - 2) and self.is_part(place)
 
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""

@@ -27,6 +27,9 @@ from fuzzytime.language.sentence.waiting import INVERTING, goes_on_behind
 from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
+BEING = frozenset({"is", "starts", "begins", "happens"})
+"""Verbs of asides that say when an event is."""
+
 OTHER = frozenset({"the", "another"})
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -160,6 +163,7 @@ class _Clauses:
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
+        time = self._aside(end) if time is None else time
         if said_end <= first or self.covered.issuperset(range(first, said_end)):
             # "Once today"
             return None
@@ -238,6 +242,14 @@ class _Clauses:
     def _end(self, first: int) -> int:
         """Give where the clause ends: at a mark, or at "and" and a time."""
         return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
+
+    def _aside(self, end: int) -> Phrase | None:
+        """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
+        texts = [word.text for word in self.words[end : end + 3]]
+        named = texts[:2] == [",", "which"] and texts[2:] and texts[2] in BEING
+        first = end + (3 if named else 1)
+        led = named or texts[:1] == ["("]
+        return next((phrase for phrase in self.phrases if led and phrase.first == first), None)
 
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""

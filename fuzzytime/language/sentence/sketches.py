@@ -12,6 +12,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
 )
 from fuzzytime.language.sentence.asides import Aside
+from fuzzytime.language.sentence.at_once import at_once
 from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
@@ -35,7 +36,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    told = shared(within(sketches, draft.text), draft.text, lexicon)
+    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
     words = draft.scanned.words
     split = (
         counted_apart(one, lexicon)

@@ -23,6 +23,12 @@ FIRST_PERSON = frozenset({"i", "we"})
 POINTS = frozenset({"at", "by", "before", "within"})
 """Prepositions of a time at which, or up to which, something must have become so."""
 
+OWN = frozenset({"my", "our"})
+"""Words for whose something is that who speaks takes part in."""
+
+HAPPENING = frozenset({"be", "start", "begin"})
+"""Verbs that say when it is."""
+
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
 GOING = frozenset({"run", "go"})
@@ -71,12 +77,25 @@ class Stated(Places):
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        if self._is_own(verb):
+            return True
         if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
             return False
         said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
         if self._performing(verb):
             return True
         return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+
+    def _is_own(self, verb: int) -> bool:
+        """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
+        owned = [
+            p
+            for p in self.tree.children(verb, "nsubj")
+            if any(self.tree.nodes[owner].lower in OWN for owner in self.tree.children(p, "poss"))
+        ]
+        names = {self.tree.nodes[p].lower for p in owned}
+        taken = self.lexicon.taken - self.lexicon.happening - self.lexicon.frames
+        return self.tree.nodes[verb].lemma in HAPPENING and not names.isdisjoint(taken)
 
     def _performing(self, verb: int) -> list[int]:
         """Give the "on" of "we're on at 20:30", which governs nothing."""

@@ -29,7 +29,8 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
 
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
-    tree = _with_plural(_with_subject(_with_phase(tree, timed, travelling)), timed)
+    tree = _with_being(_with_having(_with_phase(tree, timed, travelling)), timed)
+    tree = _with_plural(_with_subject(tree), timed)
     root = tree.root
     if root is None or behind_particles(tree, root) not in timed:
         return tree
@@ -102,6 +103,38 @@ def _with_subject(tree: Tree) -> Tree:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_having(tree: Tree) -> Tree:
+    """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "VBG":
+        return tree
+    helping = tree.children(root, "aux")
+    if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
+        return tree
+    have, nodes = helping[0], list(tree.nodes)
+    for place in tree.children(root):
+        nodes[place] = replace(nodes[place], head=have)
+    nodes[have] = replace(nodes[have], head=have, relation="ROOT")
+    nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "the drill's at nine" its verb, which was taken for an owner's mark."""
+    root = tree.root
+    being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
+    verb = next(being, None)
+    if root is None or verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
+        return tree
+    nodes = [
+        replace(node, head=verb) if node.head == root and p > root else node
+        for p, node in enumerate(tree.nodes)
+    ]
+    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
+    nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
     return Tree(tree.text, tuple(nodes))
 
 

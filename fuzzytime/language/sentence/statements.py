@@ -81,10 +81,10 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
         return None
     for place in tree.children(root, *BEFORE_ORDER):
         said = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
-        end = max(said) + 1
+        end = max(said) + (tree.nodes[max(said)].lower != "so")
         joined = end < root and tree.nodes[end].lower in JOINTS
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
-        if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place):
+        if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place, timed):
             # "The bus leaves at nine, so be there"
             return end + 1 + (tree.nodes[end].lower != "so" and tree.nodes[end + 1].lower == "so")
     return None
@@ -136,19 +136,37 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     return None
 
 
+def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int | None:
+    """Give where begins what is at a time, behind an order: "get everyone out, the drill's at nine"."""
+    if tree.nodes[place].tag != "POS" or place + 1 not in timed:
+        return None
+    start = place - 1
+    while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *COUNTABLE, "JJ", "NNS"}:
+        start -= 1
+    return start if start > 1 and start < place and tree.nodes[start - 1].lower in JOINTS else None
+
+
 def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what should be so by then: "the boss arrives at ten, coffee should be ready"."""
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
-    if place <= root or not helping & DUE or not _is_statement(tree, root) or timed.isdisjoint(range(place)):
+    if (
+        place <= root
+        or not helping & DUE
+        or not _is_statement(tree, root, timed)
+        or timed.isdisjoint(range(place))
+    ):
         return None
     start = min(p for p in tree.below(place) if tree.nodes[p].relation != "punct")
     return start if start > root and tree.nodes[start - 1].lower in {*JOINTS, "and"} else None
 
 
-def _is_statement(tree: Tree, place: int) -> bool:
+def _is_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a verb before an order says what happens; a tree may take it for who does what is ordered."""
     node = tree.nodes[place]
     if node.relation in SUBJECTS:
+        if tree.nodes[place + 1].tag == "POS" and place + 2 in timed:
+            # "The drill's at nine, clear the hall"
+            return True
         return node.tag in {"VBZ", "NNS"} and plural_subject(tree, place) is not None
     taken = node.tag == "VBZ" and plural_subject(tree, place) is not None
     return node.tag in FINITE and (taken or bool(tree.children(place, *SUBJECTS)))
