@@ -162,11 +162,11 @@ class Judge:
         if "to" in {piece.value.preposition, self.around.before(piece)}:
             # "Hand over to nights"
             return False
-        first = piece.start + (self.texts[piece.start] in BINDING | {"in"})
-        led = first > 0 and self.texts[first - 1] in OWNING | BINDING | {"this", "in"}
-        if self.around.is_part(first) and (led or not self.around.may_end(piece)):
-            # "The morning and evening", "morning and evening classes"
-            return False
+        if piece.rule == "repeated_days.parts_alone":
+            # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
+            led = self.around.before(piece) in OWNING | BINDING | {"this", "in", ","}
+            if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
+                return False
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in {"most", "some", "many", "few"}
         parted = any(wall.part is not None for wall in piece.value.time.walls)

@@ -33,6 +33,13 @@ class _Day:
     said: Said
     phrase: Phrase | None = None
 
+    @property
+    def days(self) -> tuple[Said, ...]:
+        """As said, and without the part of the day in it: "tomorrow morning and evening"."""
+        time = self.said.time
+        parted = isinstance(time, Wall) and time.days is not None and time.part is not None
+        return (self.said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (self.said,)
+
 
 def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
     """Put each time of some instructions on the day that was said for it elsewhere.
@@ -158,7 +165,9 @@ def _on_day(sketch: Sketch, held: _Day) -> Sketch:
         return replace(sketch, phrases=(held.phrase,), references=(None,)) if alone else sketch
     phrases = []
     for phrase in sketch.phrases:
-        told = told_apart(phrase.said, held.said) if _is_open(phrase.said, held.said) else None
+        told = None
+        for day in held.days if _is_open(phrase.said, held.said) else ():
+            told = told or told_apart(phrase.said, day)
         phrases.append(phrase if told is None else replace(phrase, said=told))
     return replace(sketch, phrases=tuple(phrases))
 
@@ -170,6 +179,7 @@ def _day_of(sketch: Sketch) -> _Day | None:
         said = phrase.said
         if said.is_day and phrase.span[1] <= start:
             return _Day(said, phrase)
-        if isinstance(said.time, Wall) and said.time.clock is not None and said.time.days is not None:
-            return _Day(Said(Wall(said.time.days)))
+        time = said.time
+        if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
+            return _Day(Said(Wall(time.days)))
     return None
