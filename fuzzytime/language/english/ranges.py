@@ -141,6 +141,32 @@ def between_minutes_past(minutes: float, more: float, clock: Clock) -> Said | No
     return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
 
 
+@grammar.rule("minutes off", "<minutes of clock>|<bare minutes of clock> to|before")
+def minutes_to(minutes: float) -> float:
+    """A quarter to: of the hour that is said behind it."""
+    return -minutes
+
+
+@grammar.rule("minutes off", "<minutes past>")
+def minutes_after(minutes: float) -> float:
+    """A quarter past."""
+    return minutes
+
+
+@grammar.rule(
+    "said",
+    "between <minutes off> and <minutes off> <clock>",
+    "from <minutes off> to|until|till <minutes off> <clock>",
+    weight=1.2,
+)
+def between_minutes_off(minutes: float, more: float, clock: Clock) -> Said | None:
+    """Between quarter to and quarter past nine."""
+    first, last = moved(clock, minutes), moved(clock, more)
+    if minutes >= more or first is None or last is None:
+        return None
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+
+
 @grammar.rule("said", "<goal> to|-|through|thru the? <goal>", weight=1.0)
 def from_to(first: Goal, last: Goal) -> Said | None:
     """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""

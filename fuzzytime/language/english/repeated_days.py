@@ -57,6 +57,12 @@ def parts_alone(parts: Repeat, bound: Said | None = None) -> Said | None:
     return None if found is None else Said(found, Constraint.EVERY)
 
 
+@grammar.rule("repeat", "<repeat> ,? on a|any <weekday>", weight=0.3)
+def on_a_weekday(repeat: Repeat, number: int) -> Repeat | None:
+    """Once a week on a sunday."""
+    return narrowed_repeat(repeat, Wall(Fields(weekday=number)))
+
+
 @grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
 def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     """Every monday and thursday, on mondays and fridays."""

@@ -11,6 +11,9 @@ from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
 from fuzzytime.requirement import Constraint
 
+ONLY = frozenset({"just", "only", "right"})
+"""Hedges of what stands behind them."""
+
 COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
 """Words behind which "than" makes a length of time a difference."""
 
@@ -58,7 +61,12 @@ class Borders:
             or self._is_named(piece)
             or self._says_how(piece)
             or self._says_order(piece)
+            or self._opens_another(piece)
         )
+
+    def _opens_another(self, piece: Piece) -> bool:
+        """Whether its last word, behind a comma, is of what follows: "after eleven, just finish by two"."""
+        return self.texts[piece.end - 1] in ONLY and self.texts[piece.end - 2] == ","
 
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""

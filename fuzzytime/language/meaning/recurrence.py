@@ -214,9 +214,9 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
         start, step = max(0.0, first or 0.0), repeat.every.seconds
         over = start + (repeat.times - 1) * step
         return EvenRecurrence(step=step, first=start, last=over if last is None else min(over, last))
-    if repeat.times is not None and first is not None and last is not None:
+    if repeat.times is not None and last is not None:
         # "Twice today": once in each half of what is left of it.
-        start = max(0.0, first)
+        start = max(0.0, first or 0.0)
         step = (last - start) / repeat.times
         return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
     if repeat.every is None:
