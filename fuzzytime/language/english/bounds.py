@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
-from fuzzytime.language.meaning.relations import Deictic, Which
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
@@ -75,6 +75,17 @@ def not_until_after(goal: Goal) -> Said | None:
 def past_clock(clock: Clock) -> Said:
     """Past six; but "past tuesday" is the last one."""
     return Said(Wall(clock=clock), Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "past the? <goal>", weight=0.15)
+def past_goal(goal: Goal) -> Said | None:
+    """Past the weekend, past tomorrow evening; but "past tuesday" is the last one."""
+    time = goal.time
+    days = time.days if isinstance(time, Wall) else None
+    timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
+        return None
+    return said_of(goal, "after", Constraint.AFTER, Edge.END)
 
 
 @grammar.rule(

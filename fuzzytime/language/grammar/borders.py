@@ -65,7 +65,10 @@ class Borders:
         )
 
     def _opens_another(self, piece: Piece) -> bool:
-        """Whether its last word, behind a comma, is of what follows: "after eleven, just finish by two"."""
+        """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
+        joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
+        if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
+            return True
         return self.texts[piece.end - 1] in ONLY and self.texts[piece.end - 2] == ","
 
     def runs_on(self, piece: Piece) -> bool:

@@ -6,7 +6,7 @@ from datetime import date, datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
-from fuzzytime.language.meaning.chosen_clocks import before_due, decided
+from fuzzytime.language.meaning.chosen_clocks import before_due, decided, same_day_after
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -70,6 +70,10 @@ class Grounding:
         When that happens which is to be prepared.
     usual : bool
         Whether the plausible hours are those at which people do what is asked for.
+    leads : Clock, optional
+        The clock time of what follows with the same thing.
+    onto : bool
+        Whether this is what follows.
     """
 
     now: datetime
@@ -82,6 +86,8 @@ class Grounding:
     ends: bool = False
     due: datetime | None = None
     usual: bool = False
+    leads: Clock | None = None
+    onto: bool = False
 
     @property
     def today(self) -> Today:
@@ -209,7 +215,7 @@ class Grounding:
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
-        return decided(self, before_due(self, clock) or moments, clock, wall)
+        return decided(self, before_due(self, clock) or same_day_after(self, clock) or moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)

@@ -31,6 +31,7 @@ from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.lengths import length_of, lengths_in_front, time_of, unknown_length
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
+from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
 from fuzzytime.language.sentence.references import (
@@ -120,7 +121,10 @@ class _Composer:
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
             due = due_of(self.draft.text, sketches[:place], sketch, instructions)
-            self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
+            leads, onto = leads_to(sketches, place, self.draft.text), self.moment.leads is not None
+            self.moment = replace(
+                self.moment, listed=listed, follows=follows, due=due, leads=leads, onto=onto
+            )
             instructions.append(self._instruction(sketch, self.first + place, operations))
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:

@@ -127,7 +127,10 @@ def _turns(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
     said = [text for text in texts[1:] if text not in AGAIN]
-    return texts[:1] in (["and"], [","], ["&"]) and len(said) == 1 and said[0] in lexicon.particles
+    # "And back up to 37 degrees"
+    numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
+    alone = len(said) == 1 or numbered
+    return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
 
 
 def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:

@@ -75,9 +75,11 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     said = [span for span in spans if not any(overlap(span, p.span) for p in sketch.phrases)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
     if sketch.phrases:
-        turned = _particle_alone(rest, lexicon)
-        if turned is not None:
-            return replace(before, particle=turned)
+        turned, _, level = rest.partition(" to ")
+        particle = _particle_alone(turned, lexicon)
+        if particle is not None:
+            # "And back up to 37 degrees at six"
+            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
         if rest and set(rest.lower().split()) <= AGAIN:
             # "Ring the bell at six, then again at seven"
             return before

@@ -28,6 +28,9 @@ from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
+COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
+"""Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
+
 OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
 
@@ -147,6 +150,8 @@ def _alternatives(
         joints: set[str] = set()
         for following in phrases[place + 1 :]:
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
+            if between & {"otherwise", "else"}:
+                between -= COURTEOUS
             if not between or between - ADDED - OFFERED or not (_is_when(group[-1]) and _is_when(following)):
                 break
             group.append(following)

@@ -131,6 +131,14 @@ class Stated(Places):
             and self.tree.nodes[verb].lower in self.lexicon.standing
         )
 
+    def _has_visitors(self, verb: int) -> bool:
+        """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
+        named |= {name.removesuffix("s") for name in named}
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        return has and not self.lexicon.persons.isdisjoint(named)
+
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
         return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
@@ -147,7 +155,7 @@ class Stated(Places):
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
-        if finite and self._has_frame(verb):
+        if finite and (self._has_frame(verb) or self._has_visitors(verb)):
             return True
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS

@@ -17,6 +17,9 @@ from fuzzytime.language.sentence.tree import Tree
 SURE_PHASES = PHASES - {"leaves"}
 """Those of them that are hardly ever things: "rake leaves at nine"."""
 
+HAVE = frozenset({"'ve", "’ve", "have", "has", "ve", "'s"})
+"""Forms of "have" before "got"."""
+
 BARE_PHASES = frozenset(phase[:-1] for phase in SURE_PHASES - {"finishes"}) | {"finish"}
 """What several with a time of their own do: "the shops open at nine"."""
 
@@ -29,7 +32,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
 
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
-    tree = _with_being(_with_having(_with_phase(tree, timed, travelling)), timed)
+    tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
     tree = _with_plural(_with_subject(tree), timed)
     root = tree.root
     if root is None or behind_particles(tree, root) not in timed:
@@ -103,6 +106,29 @@ def _with_subject(tree: Tree) -> Tree:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_got(tree: Tree) -> Tree:
+    """Give "I've got a meeting at ten" the verb that it means: to have; and of who comes, what they do."""
+    root = tree.root
+    if root is None or tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
+        return tree
+    helping = [p for p in tree.children(root, "aux", "auxpass") if tree.nodes[p].lower in HAVE]
+    nodes = list(tree.nodes)
+    coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
+    if coming and helping and tree.children(coming[0], "nsubj"):
+        for place in (root, *(p for p in tree.children(root) if p != coming[0])):
+            nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
+        nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
+        return Tree(tree.text, tuple(nodes))
+    if not helping or not tree.children(root, "dobj"):
+        return tree
+    nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
+    for place in helping:
+        nodes[place] = replace(nodes[place], relation="dep")
+    for place in tree.children(root, "nsubjpass"):
+        nodes[place] = replace(nodes[place], relation="nsubj")
     return Tree(tree.text, tuple(nodes))
 
 
