@@ -235,7 +235,7 @@ def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
     """Every day except sundays, on weekdays but friday."""
     left_out = days if isinstance(days, tuple) else (days,)
     fields = [wall.days for wall in repeat.walls]
-    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1 and repeat.starting is None and repeat.until is None:
+    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1:
         walls = tuple(replace(repeat.walls[0], days=Fields(weekday=day)) for day in range(7))
     else:
         walls = repeat.walls

@@ -5,7 +5,8 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Edge, Range, Said, Wall
-from fuzzytime.language.meaning.relations import Relative, Which, Workdays
+from fuzzytime.language.meaning.relations import Relative, Which
+from fuzzytime.language.meaning.workdays import Workday, Workdays
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -26,6 +27,12 @@ def workdays(number: Integer) -> int | None:
 def one_workday() -> int:
     """(in) a working day."""
     return 1
+
+
+@grammar.rule("series", "working|business|work day")
+def workday() -> Calendar:
+    """Working day, in "the last working day of the month"."""
+    return Workday()
 
 
 @grammar.rule("days", "<workdays> from now|today|hence", "in <workdays> time?", weight=0.6)

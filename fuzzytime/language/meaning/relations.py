@@ -172,43 +172,6 @@ class Away(Calendar):
             yield Days.single(moved(anchor.first, self.unit, self.count))
 
 
-@dataclass(frozen=True, slots=True)
-class Workdays(Calendar):
-    """So many working days after (or before) another day: "in two working days"."""
-
-    count: int
-    anchor: Calendar
-
-    @property
-    def grain(self) -> Unit:
-        """A day."""
-        return Unit.DAY
-
-    @property
-    def fixed(self) -> bool:
-        """Whether the anchor is."""
-        return self.anchor.fixed
-
-    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
-        """Give each day counted from the anchor's next ones."""
-        for anchor in self.anchor.upcoming(today, since):
-            yield Days.single(self._counted(today, anchor.first))
-
-    def past(self, today: Today, until: date) -> Iterator[Days]:
-        """Give each day counted from the anchor's last ones."""
-        for anchor in self.anchor.past(today, until):
-            yield Days.single(self._counted(today, anchor.first))
-
-    def _counted(self, today: Today, day: date) -> date:
-        policy = today.policy
-        free = {(policy.weekend_from + days) % 7 for days in range(policy.weekend_days)}
-        left = abs(self.count)
-        while left:
-            day += timedelta(days=1 if self.count > 0 else -1)
-            left -= day.weekday() not in free
-        return day
-
-
 def days_away(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:
     """Give the day some whole days, weeks, months after another; None for hours."""
     found = anchor

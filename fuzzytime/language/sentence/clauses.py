@@ -27,9 +27,6 @@ from fuzzytime.language.sentence.waiting import INVERTING, goes_on_behind
 from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
-BEING = frozenset({"is", "starts", "begins", "happens"})
-"""Verbs of asides that say when an event is."""
-
 OTHER = frozenset({"the", "another"})
 EVENTFUL = frozenset({"after", "before", "until", "by the time"})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -40,7 +37,8 @@ DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
 
-DAYS_APART = ((BEFORE,), ("after",))
+AFTER = ("after",)
+DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
 
 A_DAY = Duration(((1, Unit.DAY),))
@@ -80,7 +78,7 @@ def clauses_of(
             continue
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         form = form or reader.edged(place)
-        clause = None if form is None else reader.read(place, form)
+        clause = None if form is None else reader.denied(place, form) or reader.read(place, form)
         if form is None or clause is None:
             place += 1
             continue
@@ -149,6 +147,12 @@ class _Clauses:
             return "within"
         return "by the time" if form == BY else kind
 
+    def denied(self, place: int, form: tuple[str, ...]) -> Clause | None:
+        """Read what begins so long after something: "don't start it until ten minutes after the bell"."""
+        behind = self.before.behind_denied(place, form)
+        clause = None if behind is None else self.read(behind, AFTER)
+        return clause and replace(clause, kind="until", span=(self.words[place].start, clause.span[1]))
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
@@ -163,7 +167,7 @@ class _Clauses:
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
-        time = self._aside(end) if time is None else time
+        time = self.before.aside(end) if time is None else time
         if said_end <= first or self.covered.issuperset(range(first, said_end)):
             # "Once today"
             return None
@@ -242,14 +246,6 @@ class _Clauses:
     def _end(self, first: int) -> int:
         """Give where the clause ends: at a mark, or at "and" and a time."""
         return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
-
-    def _aside(self, end: int) -> Phrase | None:
-        """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
-        texts = [word.text for word in self.words[end : end + 3]]
-        named = texts[:2] == [",", "which"] and texts[2:] and texts[2] in BEING
-        first = end + (3 if named else 1)
-        led = named or texts[:1] == ["("]
-        return next((phrase for phrase in self.phrases if led and phrase.first == first), None)
 
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
