@@ -186,3 +186,8 @@ def test_a_plan_looks_as_far_ahead_as_it_waits_for_what_has_no_time() -> None:
 def test_an_appointment_of_who_speaks_keeps_them_busy() -> None:
     made = told(["My interview is at ten am", "Wash the car after 9:55 am"])
     assert starts(made)["s2"] == "10:45"
+
+
+def test_what_is_done_more_often_then_begins_where_the_first_series_ends() -> None:
+    made = told(["Turn the pork every twenty minutes for 40 minutes, then every ten minutes until 8 am"])
+    assert list(starts(made).values()) == ["07:20", "07:40", "07:50", "08:00"]

@@ -55,7 +55,7 @@ def _as_clock(goal: Goal) -> Goal:
     return goal if clock is None else replace(goal, time=Wall(clock=clock))
 
 
-@grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
+@grammar.rule("said", "until|till|til after|past|gone the? <goal>", weight=0.4)
 def until_after(goal: Goal) -> Said | None:
     """Until after lunch: until its end; "don't start it until after ten" is turned like every deadline."""
     if isinstance(goal.time, TimeWord):
@@ -63,7 +63,7 @@ def until_after(goal: Goal) -> Said | None:
     return said_of(goal, "until", Constraint.BEFORE, Edge.END)
 
 
-@grammar.rule("said", "not until|till|before after the? <goal>", weight=0.4)
+@grammar.rule("said", "not until|till|before after|past|gone the? <goal>", weight=0.4)
 def not_until_after(goal: Goal) -> Said | None:
     """Not until after ten."""
     if isinstance(goal.time, TimeWord):
@@ -71,7 +71,7 @@ def not_until_after(goal: Goal) -> Said | None:
     return said_of(goal, "not before", Constraint.AFTER, Edge.END)
 
 
-@grammar.rule("said", "past <clock>", weight=0.1)
+@grammar.rule("said", "past|gone <clock>", weight=0.1)
 def past_clock(clock: Clock) -> Said:
     """Past six; but "past tuesday" is the last one."""
     return Said(Wall(clock=clock), Constraint.AFTER, "after")

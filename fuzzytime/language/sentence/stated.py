@@ -148,7 +148,8 @@ class Stated(Places):
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
-        if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
+        words = {self.tree.nodes[p].lower for p in (verb, *self.tree.children(verb, "acomp", "attr"))}
+        if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
         helping = self._helping(verb)
