@@ -379,3 +379,9 @@ def test_days_counted_from_an_event_are_whole_days() -> None:
     (day,) = order.requirements
     assert (day.constraint, day.earliest, day.latest) == (Constraint.BETWEEN, 54000, 140400)
     assert order.day_of == 0
+
+
+def test_what_is_done_even_so_waits_for_nothing() -> None:
+    reading = language().read("Call me even if it's the middle of the night", now=NOW)
+    assert reading.instructions[0].requirements == ()
+    assert [remark.message.endswith("all the same") for remark in reading.remarks] == [True]

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint
 
 ONLY = frozenset({"just", "only", "right"})
@@ -68,6 +68,9 @@ class Borders:
         """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
         joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
         if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
+            return True
+        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+            # "When you have ten minutes left"
             return True
         return self.texts[piece.end - 1] in ONLY and self.texts[piece.end - 2] == ","
 

@@ -46,9 +46,10 @@ A_DAY = Duration(((1, Unit.DAY),))
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
 
-EXCEPTING = (["not"], ["except"], ["excluding"])
-"""Words before a marker whose clause says when not to do something."""
+EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
+"""Words before a marker whose clause says when not to do something, or that it is done all the same."""
 
+EVEN = "even"
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
@@ -232,7 +233,7 @@ class _Clauses:
         before = [word.text for word in self.words[max(0, place - 2) : place]]
         if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
             return clause
-        if clause.condition is None or clause.kind not in {"when", "if", "while"}:
+        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
             return replace(clause, excepted=True)
         condition = replace(clause.condition, negated=not clause.condition.negated)
         return replace(

@@ -102,7 +102,10 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
     joined = joint > 0 and tree.nodes[start - 1].lower in {*JOINTS, "and", "&", "but"}
-    return start if joined and (joint - 1 in timed or _is_told_so(tree, joint)) else None
+    # "Light the fire before we get back, we'll be home by six"
+    speaks = tree.nodes[start].lower in SEVERAL and tree.nodes[joint].lower in JOINTS
+    told = joint - 1 in timed or speaks or _is_told_so(tree, joint)
+    return start if joined and told else None
 
 
 def _is_told_so(tree: Tree, joint: int) -> bool:
@@ -120,7 +123,9 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     """Give where a statement begins, by the place of its verb, which a tree may take for a plural."""
     node = tree.nodes[place]
     subjects = [p for p in tree.children(place, *SUBJECTS) if p < place]
-    if node.tag in FINITE - {"VBG"} and subjects:
+    helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
+    coming = node.tag == "VB" and bool(helping) and helping <= FUTURE
+    if (node.tag in FINITE - {"VBG"} or coming) and subjects:
         return min(tree.below(subjects[-1]))
     if node.lower in PHASES | {phase[:-1] for phase in PHASES} and place > 0:
         # "The last bus leaves", "doors open"
