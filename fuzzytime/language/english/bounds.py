@@ -12,7 +12,7 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -75,6 +75,15 @@ def not_until_after(goal: Goal) -> Said | None:
 def past_clock(clock: Clock) -> Said:
     """Past six; but "past tuesday" is the last one."""
     return Said(Wall(clock=clock), Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "ending on|with the? <wall>", weight=0.3)
+def ending_on(wall: Wall) -> Said | None:
+    """Ending on friday; but "a card ending with 12" is no time."""
+    days = wall.days
+    if days is None or wall.clock is not None or wall.part is not None or days.grain is Unit.YEAR:
+        return None
+    return Said(wall, Constraint.BEFORE, "through", (), Edge.LAST)
 
 
 @grammar.rule("said", "past the? <goal>", weight=0.15)

@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.relations import (
     days_away,
     weekday_at,
 )
+from fuzzytime.language.meaning.workdays import Workday
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -90,9 +91,9 @@ def feast_series(found: Feast) -> Calendar:
 
 
 @grammar.rule("days", "<deictic> <series>", weight=0.1)
-def this_or_next(which: Which, series: Calendar) -> Calendar:
+def this_or_next(which: Which, series: Calendar) -> Calendar | None:
     """Next week, this monday, last march."""
-    return Deictic(which, series)
+    return None if isinstance(series, Workday) and which is Which.THIS else Deictic(which, series)
 
 
 @grammar.rule("days", "one|some|any day <days>", "one|some|any day in|of|during <days>", weight=0.5)
@@ -104,7 +105,7 @@ def some_day(days: Calendar) -> Calendar | None:
 @grammar.rule("days", "the <series>", "over the <series>", weight=-0.2)
 def the_present(series: Calendar) -> Calendar | None:
     """The week: this week; but "the day" alone is none."""
-    if isinstance(series, Fields) or series == Cycle(Unit.DAY):
+    if isinstance(series, (Fields, Workday)) or series == Cycle(Unit.DAY):
         return None
     return Deictic(Which.THIS, series)
 

@@ -69,6 +69,9 @@ class Borders:
         joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
         if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
             return True
+        if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
+            # "Past the weekend market"
+            return True
         if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
             # "When you have ten minutes left"
             return True

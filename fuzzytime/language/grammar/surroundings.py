@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic
@@ -80,6 +80,9 @@ class Surroundings:
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
         before = self.texts[piece.start - 1] if piece.start else ""
+        if before in self.lexicon.ordinals and piece.start > 1:
+            # "The second friday meeting"
+            before = self.texts[piece.start - 2]
         if before not in {"a", "an", "the", "my", "our", "your"}:
             return False
         # "A monday morning call": times behind it describe the same noun.
@@ -178,6 +181,9 @@ class Surroundings:
             return wall.days is None and wall.clock.full_day and worded
         days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
         owned = self.texts[piece.start] in OWNING
+        if owned and isinstance(days, Weekend):
+            # "The weekend market"
+            return True
         return isinstance(days, (Feast, Season)) or (
             owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
         )
