@@ -41,7 +41,10 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
 def _waits(interpreted: Interpreted) -> float:
     """Give how long a skill waits at least behind others, where its window does not show it."""
     anchors = (part.anchor for part in interpreted.requirements)
-    return max((anchor.lag for anchor in anchors if anchor is not None and not anchor.exact), default=0.0)
+    # "An hour later" is no window of its own, where nothing says when that comes which it counts from.
+    shown = math.isfinite(interpreted.skill.satisfaction.acceptable(THRESHOLD).high)
+    lags = (anchor.lag for anchor in anchors if anchor is not None and not (anchor.exact and shown))
+    return max(lags, default=0.0)
 
 
 def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -> Interpreted:

@@ -8,6 +8,10 @@ from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequi
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
+UNTIL = "until"
+LASTING = frozenset({"be", "have"})
+"""What is said of somebody or something that is so for a while: "I'm out until four"."""
+
 
 def from_to(instruction: Instruction) -> Instruction:
     """Take two ends as a start and a length: "I have a meeting from two to four", "paint from two to four".
@@ -25,7 +29,24 @@ def from_to(instruction: Instruction) -> Instruction:
             begin, length = part.earliest, part.latest - part.earliest
             requirements[place] = replace(part, constraint=Constraint.AT, t_spec=begin, latest=begin)
             return replace(instruction, requirements=tuple(requirements), duration=length)
-    return instruction
+    return _until(instruction) if operation.stated and operation.lemma in LASTING else instruction
+
+
+def _until(instruction: Instruction) -> Instruction:
+    """Let what is so until a time be so from now on, or from when the day begins that is said."""
+    ends = [part for part in instruction.requirements if part.preposition == UNTIL and part.anchor is None]
+    days = [part for part in instruction.requirements if part not in ends]
+    if len(ends) != 1 or ends[0].latest is None or any(part.anchor is not None for part in days):
+        return instruction
+    last = ends[0].latest
+    if any(part.earliest is None or part.latest is None or last > part.latest for part in days):
+        return instruction
+    begin = max((part.earliest or 0.0 for part in days), default=0.0)
+    if not 0 <= begin < last:
+        return instruction
+    whole = replace(ends[0], constraint=Constraint.AT, reference=Reference.START, t_spec=begin)
+    whole = replace(whole, earliest=begin, latest=begin, unit=None, number=None)
+    return replace(instruction, requirements=(whole,), duration=last - begin)
 
 
 def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequirement:

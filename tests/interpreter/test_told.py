@@ -166,3 +166,28 @@ def test_them_that_are_told_something_are_people() -> None:
 def test_a_noun_at_a_time_and_after_another_happens() -> None:
     made = told(["Incision at 8:00 am", "Soundcheck 9:30-10:30", "Dinner for the band after soundcheck"])
     assert starts(made) == {"s1": "08:00", "s2": "09:30", "s3": "10:30"}
+
+
+def test_who_is_busy_until_then_is_busy_from_now_on() -> None:
+    made = told(["I'm busy until three pm", "Call the bank"])
+    assert starts(made) == {"s1": "07:00", "s2": "15:00"}
+
+
+def test_what_is_so_until_then_on_a_day_to_come_is_so_from_its_beginning() -> None:
+    made = told(["Tomorrow I'm away until three pm"])
+    assert [(one.skill.preferred, one.skill.elapsed) for one in made.skills] == [(61200, 54000)]
+
+
+def test_a_plan_looks_as_far_ahead_as_it_waits_for_what_has_no_time() -> None:
+    made = told(["Feed the hens", "An hour later wash the cups"])
+    assert starts(made)["s2"] == "08:03"
+
+
+def test_an_appointment_of_who_speaks_keeps_them_busy() -> None:
+    made = told(["My interview is at ten am", "Wash the car after 9:55 am"])
+    assert starts(made)["s2"] == "10:45"
+
+
+def test_what_is_done_more_often_then_begins_where_the_first_series_ends() -> None:
+    made = told(["Turn the pork every twenty minutes for 40 minutes, then every ten minutes until 8 am"])
+    assert list(starts(made).values()) == ["07:20", "07:40", "07:50", "08:00"]

@@ -9,7 +9,7 @@ import yaml
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
-from fuzzytime.requirement import Edge, TimeRequirement
+from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
 
 pytestmark = pytest.mark.model
@@ -357,7 +357,31 @@ def test_a_line_before_tells_the_day_of_an_event() -> None:
     assert fetch.remarks == ()
 
 
-def test_a_length_that_is_of_nothing_is_pointed_at() -> None:
+def test_a_length_in_front_of_then_is_what_is_waited() -> None:
     reading = language().read("Give it a week, then bring it back", now=NOW)
-    assert reading.text[slice(*reading.remarks[0].span)].startswith("Give it a week")
+    assert [part.t_spec for part in reading.instructions[0].requirements] == [7 * 86400]
+    lines = [("Send the offer", NOW), ("Give it an hour, then call the client", NOW)]
+    anchor = language().read_all(lines)[1].instructions[0].requirements[0].anchor
+    assert anchor is not None
+    assert (anchor.target, anchor.lag, anchor.exact) == (0, 3600, True)
+
+
+def test_a_length_told_of_what_is_cooked_so_long_is_left_to_it() -> None:
+    lines = [("Bake the bread", NOW), ("Give it an hour, then take it out", NOW)]
+    reading = language().read_all(lines)[1]
     assert reading.remarks[0].kind is RemarkKind.UNRESOLVED
+    assert reading.text[slice(*reading.remarks[0].span)].startswith("Give it an hour")
+
+
+def test_days_counted_from_an_event_are_whole_days() -> None:
+    lines = ["The wedding is on Saturday at 3 pm", "Two days before the wedding order the flowers"]
+    order = language().read_all([(line, NOW) for line in lines])[1].instructions[0]
+    (day,) = order.requirements
+    assert (day.constraint, day.earliest, day.latest) == (Constraint.BETWEEN, 54000, 140400)
+    assert order.day_of == 0
+
+
+def test_what_is_done_even_so_waits_for_nothing() -> None:
+    reading = language().read("Call me even if it's the middle of the night", now=NOW)
+    assert reading.instructions[0].requirements == ()
+    assert [remark.message.endswith("all the same") for remark in reading.remarks] == [True]

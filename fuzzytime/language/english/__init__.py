@@ -3,6 +3,7 @@
 from functools import cache
 
 from fuzzytime.language.english import (
+    apart,
     bounded_repetitions,
     bounds,
     clocks,
@@ -18,9 +19,11 @@ from fuzzytime.language.english import (
     prepositions,
     ranges,
     repeated_days,
+    repeated_moments,
     repetitions,
     stacks,
     stretches_of_weekdays,
+    workdays,
     zones,
 )
 from fuzzytime.language.grammar.chart import Grammar
@@ -42,9 +45,12 @@ _ROOMS = (
     elliptic,
     ranges,
     repetitions,
+    apart,
     repeated_days,
+    repeated_moments,
     bounded_repetitions,
     stretches_of_weekdays,
+    workdays,
 )
 
 

@@ -10,9 +10,9 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
-from fuzzytime.language.meaning.relations import Deictic, Which
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -55,7 +55,7 @@ def _as_clock(goal: Goal) -> Goal:
     return goal if clock is None else replace(goal, time=Wall(clock=clock))
 
 
-@grammar.rule("said", "until|till|til after the? <goal>", weight=0.4)
+@grammar.rule("said", "until|till|til after|past|gone the? <goal>", weight=0.4)
 def until_after(goal: Goal) -> Said | None:
     """Until after lunch: until its end; "don't start it until after ten" is turned like every deadline."""
     if isinstance(goal.time, TimeWord):
@@ -63,7 +63,7 @@ def until_after(goal: Goal) -> Said | None:
     return said_of(goal, "until", Constraint.BEFORE, Edge.END)
 
 
-@grammar.rule("said", "not until|till|before after the? <goal>", weight=0.4)
+@grammar.rule("said", "not until|till|before after|past|gone the? <goal>", weight=0.4)
 def not_until_after(goal: Goal) -> Said | None:
     """Not until after ten."""
     if isinstance(goal.time, TimeWord):
@@ -71,10 +71,30 @@ def not_until_after(goal: Goal) -> Said | None:
     return said_of(goal, "not before", Constraint.AFTER, Edge.END)
 
 
-@grammar.rule("said", "past <clock>", weight=0.1)
+@grammar.rule("said", "past|gone <clock>", weight=0.1)
 def past_clock(clock: Clock) -> Said:
     """Past six; but "past tuesday" is the last one."""
     return Said(Wall(clock=clock), Constraint.AFTER, "after")
+
+
+@grammar.rule("said", "ending on|with the? <wall>", weight=0.3)
+def ending_on(wall: Wall) -> Said | None:
+    """Ending on friday; but "a card ending with 12" is no time."""
+    days = wall.days
+    if days is None or wall.clock is not None or wall.part is not None or days.grain is Unit.YEAR:
+        return None
+    return Said(wall, Constraint.BEFORE, "through", (), Edge.LAST)
+
+
+@grammar.rule("said", "past the? <goal>", weight=0.15)
+def past_goal(goal: Goal) -> Said | None:
+    """Past the weekend, past tomorrow evening; but "past tuesday" is the last one."""
+    time = goal.time
+    days = time.days if isinstance(time, Wall) else None
+    timed = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    if not (isinstance(time, Ending) or timed or isinstance(days, (Deictic, Relative))):
+        return None
+    return said_of(goal, "after", Constraint.AFTER, Edge.END)
 
 
 @grammar.rule(

@@ -15,7 +15,9 @@ from fuzzytime.language.meaning.relations import (
     Stretch,
     Which,
     days_away,
+    weekday_at,
 )
+from fuzzytime.language.meaning.workdays import Workday
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -89,9 +91,9 @@ def feast_series(found: Feast) -> Calendar:
 
 
 @grammar.rule("days", "<deictic> <series>", weight=0.1)
-def this_or_next(which: Which, series: Calendar) -> Calendar:
+def this_or_next(which: Which, series: Calendar) -> Calendar | None:
     """Next week, this monday, last march."""
-    return Deictic(which, series)
+    return None if isinstance(series, Workday) and which is Which.THIS else Deictic(which, series)
 
 
 @grammar.rule("days", "one|some|any day <days>", "one|some|any day in|of|during <days>", weight=0.5)
@@ -103,7 +105,7 @@ def some_day(days: Calendar) -> Calendar | None:
 @grammar.rule("days", "the <series>", "over the <series>", weight=-0.2)
 def the_present(series: Calendar) -> Calendar | None:
     """The week: this week; but "the day" alone is none."""
-    if isinstance(series, Fields) or series == Cycle(Unit.DAY):
+    if isinstance(series, (Fields, Workday)) or series == Cycle(Unit.DAY):
         return None
     return Deictic(Which.THIS, series)
 
@@ -114,6 +116,12 @@ def after_next(series: Calendar) -> Calendar:
     if isinstance(series, Fields) and series.weekly:
         return Deictic(Which.NEXT, series)
     return Following(1, series, Deictic(Which.NEXT, series))
+
+
+@grammar.rule("days", "<duration> from now", weight=-0.3)
+def days_from_now(duration: Duration) -> Calendar | None:
+    """Three days from now, beside a time of that day."""
+    return days_away(duration, Relative(0), 1) if not duration.hedges else None
 
 
 @grammar.rule("days", "<integer> <weekdays>|<weekday> from now|today|hence", weight=0.5)
@@ -138,6 +146,23 @@ def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | No
         return None
     away = days_away(duration, Relative(0), 1)
     return None if away is None else Within(Fields(weekday=number), WeekOf(away))
+
+
+@grammar.rule(
+    "days",
+    "the? <weekday> <duration> after|from|following <days>|<date>",
+    "the? <duration> after|from|following <days>|<date> ,? on a|the? <weekday>",
+    weight=0.7,
+)
+def weekday_after(*said: int | Duration | Calendar) -> Calendar | None:
+    """Sunday three weeks after march 15th, two months from today on a tuesday."""
+    duration = next(part for part in said if isinstance(part, Duration))
+    anchor = next(part for part in said if isinstance(part, Calendar))
+    number = next(part for part in said if isinstance(part, int))
+    away = days_away(duration, anchor, 1) if not duration.hedges else None
+    if not isinstance(away, Away) or away.unit is Unit.DAY:
+        return None
+    return weekday_at(away, Fields(weekday=number))
 
 
 @grammar.rule(

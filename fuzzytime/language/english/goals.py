@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import (
     Duration,
+    Edge,
     Ending,
     Goal,
     HourMark,
@@ -89,6 +90,12 @@ def goal_like_now(time: SameTime | HourMark) -> Goal:
 def hedged(hedge: str, goal: Goal) -> Goal | None:
     """About noon, almost six."""
     return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
+
+
+@grammar.rule("goal", "the? <edge> of <hedge> <days>|<date>", weight=0.3)
+def about_the_end(edge: Edge, hedge: str, days: Calendar) -> Goal:
+    """The end of about next week."""
+    return Goal(Ending(edge, days), (hedge,))
 
 
 @grammar.rule("goal", "<goal> <hedge_after>", "<goal> - <hedge_after>", "<goal> , <hedge_after>", weight=0.05)

@@ -11,6 +11,9 @@ from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
+MOST_WEEKDAYS = 5
+"""How often a weekday is in one month, at most."""
+
 
 @grammar.rule("whole", "<date>|<weak date>|<days>")
 def whole(days: Calendar) -> Calendar:
@@ -30,6 +33,12 @@ def nth(number: int, series: Calendar, outer: Calendar) -> Calendar | None:
     return (
         None if series.grain is outer.grain and series.grain is not Unit.DAY else Nth(number, series, outer)
     )
+
+
+@grammar.rule("weak date", "the? <ordinal> <weekday>", weight=0.1)
+def nth_of_month(number: int, weekday: int) -> Calendar | None:
+    """The third tuesday: of this month, or of the next."""
+    return Nth(number, Fields(weekday=weekday), Cycle(Unit.MONTH)) if 1 <= number <= MOST_WEEKDAYS else None
 
 
 @grammar.rule("date", "the? last <series> of|in <whole>", "the? last <series> <weak date>", weight=0.45)

@@ -5,11 +5,14 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
-from fuzzytime.language.meaning.expressions import Edge, Ending, Goal, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import Clock, Part
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+LEISURE = 3600
+"""Seconds that somebody may have to spare, at most."""
 
 
 def said_of(
@@ -52,6 +55,7 @@ def when_it_is(wall: Wall) -> Said | None:
 @grammar.rule(
     "word",
     "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
+    "when|whenever|if|once you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once|as soon as you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once you're|youre free|available|idle",
     "when|whenever|if|once you are free|available|idle",
@@ -68,6 +72,12 @@ def when_you_have_time(_leisure: str | None = None) -> TimeWord:
 def leisure() -> str:
     """A moment for something."""
     return "time"
+
+
+@grammar.rule("leisure", "<duration>", "<duration> to spare|free")
+def minutes_to_spare(duration: Duration) -> str | None:
+    """(when you've got) five minutes; but not two days."""
+    return "time" if duration.seconds <= LEISURE and duration.unit is not Unit.SECOND else None
 
 
 @grammar.rule("said", "with|alongside <meal>", "with the|my|our|your|his|her|their <meal>", weight=0.2)

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import refined
-from fuzzytime.language.meaning.calendar import Calendar, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
     Edge,
@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -101,6 +102,25 @@ def until_past(first: Clock, minutes: float) -> Said | None:
     return _range(Goal(Wall(clock=first)), Goal(Wall(clock=replace(last, bare=False))), "between")
 
 
+@grammar.rule(
+    "said",
+    "between <month day> and|- <month day> of|in? <days>|<weak date>",
+    "from? <month day> to|-|until|till|through <month day> of|in? <days>",
+    "in? <days>|<weak date> ,? between <month day> and|- <month day>",
+    "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",
+    weight=1.3,
+)
+def days_of_month(*said: int | Calendar) -> Said | None:
+    """Between the 4th and the 22nd of this month, next month from the 4th to the 10th."""
+    numbers = [part for part in said if isinstance(part, int)]
+    months = [part for part in said if isinstance(part, Calendar)]
+    first, last = numbers
+    if months[0].grain is not Unit.MONTH or first >= last:
+        return None
+    ends = (Wall(Nth(number, Cycle(Unit.DAY), months[0])) for number in numbers)
+    return Said(Range(*ends), Constraint.BETWEEN, "between")
+
+
 @grammar.rule("minutes past", "<minutes of clock>|<bare minutes of clock> past")
 def minutes_past(minutes: float) -> float:
     """Half past: of the hour that was said before, or is said behind it."""
@@ -115,6 +135,32 @@ def minutes_past(minutes: float) -> float:
 )
 def between_minutes_past(minutes: float, more: float, clock: Clock) -> Said | None:
     """Between ten and twenty past three."""
+    first, last = moved(clock, minutes), moved(clock, more)
+    if minutes >= more or first is None or last is None:
+        return None
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
+
+
+@grammar.rule("minutes off", "<minutes of clock>|<bare minutes of clock> to|before")
+def minutes_to(minutes: float) -> float:
+    """A quarter to: of the hour that is said behind it."""
+    return -minutes
+
+
+@grammar.rule("minutes off", "<minutes past>")
+def minutes_after(minutes: float) -> float:
+    """A quarter past."""
+    return minutes
+
+
+@grammar.rule(
+    "said",
+    "between <minutes off> and <minutes off> <clock>",
+    "from <minutes off> to|until|till <minutes off> <clock>",
+    weight=1.2,
+)
+def between_minutes_off(minutes: float, more: float, clock: Clock) -> Said | None:
+    """Between quarter to and quarter past nine."""
     first, last = moved(clock, minutes), moved(clock, more)
     if minutes >= more or first is None or last is None:
         return None
@@ -144,10 +190,17 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     return None if said is None else refined(said, wall)
 
 
-@grammar.rule("said", "from? the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+@grammar.rule("said", "from the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
     return _range(first, last, "between")
+
+
+@grammar.rule("said", "the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+def then_until(first: Goal, last: Goal) -> Said | None:
+    """9:30 until 11; but who is "at work until five" is somewhere."""
+    part = first.time.part if isinstance(first.time, Wall) else None
+    return None if part is not None and part.place else _range(first, last, "between")
 
 
 @grammar.rule("said", "from? the? <goal> until|till|til|to|- <days> at? <clock>", weight=1.5)

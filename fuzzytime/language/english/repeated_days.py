@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, Said, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.times_of_day import Clock, Part
-from fuzzytime.requirement import Unit
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -36,6 +37,30 @@ def every_other_weekday(number: int) -> Repeat:
 def every_nth_weekday(number: int, weekday: int) -> Repeat | None:
     """Every third thursday."""
     return Repeat(walls=(Wall(Fields(weekday=weekday)),), skip=number) if 1 < number < 100 else None
+
+
+@grammar.rule("parts of each day", "<part> and|& <part>", "<part> , <part> ,? and|& <part>", weight=0.2)
+def parts_of_each_day(*parts: Part) -> Repeat | None:
+    """Morning and evening: of each day; but "the morning and evening" are those of one."""
+    if len({part.name for part in parts}) < len(parts) or any(part.place for part in parts):
+        return None
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part=part) for part in parts))
+
+
+@grammar.rule("said", "<parts of each day> ,? <said>?", weight=0.2)
+def parts_alone(parts: Repeat, bound: Said | None = None) -> Said | None:
+    """Morning and evening this week, morning and night until friday."""
+    if bound is None:
+        return Said(parts, Constraint.EVERY)
+    days = bound.time if bound.constraint in {None, Constraint.AT} else None
+    found = narrowed_repeat(parts, days) if isinstance(days, Wall) else bounded_repeat(parts, bound)
+    return None if found is None else Said(found, Constraint.EVERY)
+
+
+@grammar.rule("repeat", "<repeat> ,? on a|any <weekday>", weight=0.3)
+def on_a_weekday(repeat: Repeat, number: int) -> Repeat | None:
+    """Once a week on a sunday."""
+    return narrowed_repeat(repeat, Wall(Fields(weekday=number)))
 
 
 @grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
@@ -210,7 +235,7 @@ def except_on(repeat: Repeat, days: tuple[int, ...] | int) -> Repeat | None:
     """Every day except sundays, on weekdays but friday."""
     left_out = days if isinstance(days, tuple) else (days,)
     fields = [wall.days for wall in repeat.walls]
-    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1 and repeat.starting is None and repeat.until is None:
+    if fields == [Cycle(Unit.DAY)] and repeat.skip == 1:
         walls = tuple(replace(repeat.walls[0], days=Fields(weekday=day)) for day in range(7))
     else:
         walls = repeat.walls

@@ -8,7 +8,10 @@ from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
     Duration,
+    Edge,
     HourMark,
+    Offset,
+    Range,
     Repeat,
     Rest,
     Said,
@@ -204,6 +207,20 @@ def so_often_within(number: int, within: Wall | Rest) -> Repeat | None:
     if number == 1 or timed:
         return None
     return Repeat(times=number, starting=within, until=within)
+
+
+@grammar.rule("repeat", "<times> ,? <said>", weight=0.5)
+def so_often_by(number: int, said: Said) -> Repeat | None:
+    """Three times before lunch, twice between two and four."""
+    time = said.time
+    if number == 1 or said.lasting is not None:
+        return None
+    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
+        return Repeat(times=number, starting=time.first, until=time.last)
+    if said.constraint is not Constraint.BEFORE or not isinstance(time, Wall):
+        return None
+    begins = Offset(Duration(((0, Unit.SECOND),)), -1, time)
+    return Repeat(times=number, until=begins if said.edge is Edge.START else time)
 
 
 @grammar.rule("said", "for? <duration> a|an|per|every|each <unit>", weight=0.6)

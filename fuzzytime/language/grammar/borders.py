@@ -8,8 +8,11 @@ from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint
+
+ONLY = frozenset({"just", "only", "right"})
+"""Hedges of what stands behind them."""
 
 COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
 """Words behind which "than" makes a length of time a difference."""
@@ -58,7 +61,21 @@ class Borders:
             or self._is_named(piece)
             or self._says_how(piece)
             or self._says_order(piece)
+            or self._opens_another(piece)
         )
+
+    def _opens_another(self, piece: Piece) -> bool:
+        """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
+        joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
+        if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
+            return True
+        if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
+            # "Past the weekend market"
+            return True
+        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+            # "When you have ten minutes left"
+            return True
+        return self.texts[piece.end - 1] in ONLY and self.texts[piece.end - 2] == ","
 
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""

@@ -162,6 +162,11 @@ class Judge:
         if "to" in {piece.value.preposition, self.around.before(piece)}:
             # "Hand over to nights"
             return False
+        if piece.rule == "repeated_days.parts_alone":
+            # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
+            led = self.around.before(piece) in OWNING | BINDING | {"this", "in", ","}
+            if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
+                return False
         # "Most evenings": which, is not said.
         some = self.around.before(piece) in {"most", "some", "many", "few"}
         parted = any(wall.part is not None for wall in piece.value.time.walls)

@@ -32,6 +32,11 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
     Behind "after" a number is an hour, unless it is said what goes on meanwhile: "rotating it after 20".
     """
     said, length = phrase.said, before.said
+    again = length.time.every if isinstance(length.time, Repeat) else None
+    if again is not None and isinstance(said.time, Repeat) and said.time.every and said.time.every.bare_end:
+        # "Every two hours, then every four"
+        counted = _counted(said.time.every, again.terms[-1][1])
+        return replace(phrase, said=replace(said, time=replace(said.time, every=counted)))
     if not isinstance(length.time, Duration) or length.constraint is not Constraint.FOR:
         return phrase
     unit = length.time.terms[-1][1]

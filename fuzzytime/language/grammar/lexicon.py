@@ -84,6 +84,8 @@ class Lexicon:
         What keeps who speaks from all else: "I have an appointment", "I'm out".
     frames
         What goes on around other work, and keeps nobody from it: "my shift is from 7 to 3".
+    standing
+        In what state something is for a while: "the bridge is closed until noon".
     happening
         What has a time without a verb: "dinner at seven".
     persons, addressing
@@ -154,6 +156,7 @@ class Lexicon:
     taken: frozenset[str]
     happening: frozenset[str]
     frames: frozenset[str]
+    standing: frozenset[str]
     persons: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic
@@ -80,6 +80,9 @@ class Surroundings:
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
         before = self.texts[piece.start - 1] if piece.start else ""
+        if before in self.lexicon.ordinals and piece.start > 1:
+            # "The second friday meeting"
+            before = self.texts[piece.start - 2]
         if before not in {"a", "an", "the", "my", "our", "your"}:
             return False
         # "A monday morning call": times behind it describe the same noun.
@@ -93,14 +96,17 @@ class Surroundings:
         found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
         return any(piece.category in TIMELY for piece in found)
 
+    def is_part(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day."""
+        return any(piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
+
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
         before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
         acted = before[:1].isalpha() and before not in self.lexicon.function_words | SPENDING
-        part = (piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
-        return acted and not led and not self.timely(place - 2) and any(part)
+        return acted and not led and not self.timely(place - 2) and self.is_part(place)
 
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""
@@ -175,6 +181,9 @@ class Surroundings:
             return wall.days is None and wall.clock.full_day and worded
         days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
         owned = self.texts[piece.start] in OWNING
+        if owned and isinstance(days, Weekend):
+            # "The weekend market"
+            return True
         return isinstance(days, (Feast, Season)) or (
             owned and isinstance(days, Fields) and days.weekly and not isinstance(wall.days, Deictic)
         )

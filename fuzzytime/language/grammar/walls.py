@@ -60,7 +60,9 @@ class Walls(Standing):
             unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
-            return bound and self.around.may_end(piece)
+            # "After the 10 o'clock feed"
+            clocked = self.around.follower(piece) in {"o'clock", "oclock", "am", "pm", "a.m.", "p.m."}
+            return bound and not clocked and self.around.may_end(piece)
         part = wall.days is None and wall.clock is None
         if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
             # "Switch to night mode"

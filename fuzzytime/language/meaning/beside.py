@@ -8,7 +8,7 @@ from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Ran
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
-from fuzzytime.language.meaning.relations import narrowed, same_day
+from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
@@ -31,6 +31,13 @@ def _is_ordinal(wall: Wall) -> bool:
 
 def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
     """Give what two days mean together: a day said again is taken at its word, the date."""
+    if (
+        isinstance(first, Away)
+        and isinstance(second, Fields)
+        and second.weekly
+        and first.unit is not Unit.DAY
+    ):
+        return weekday_at(first, second)
     if same_day(first, second):
         return second
     return first if same_day(second, first) else narrowed(first, second)
@@ -73,7 +80,8 @@ def refined(said: Said, wall: Wall) -> Said | None:
     """Give a bound whose time lies on a day, or in a part of the day, that was said beside it."""
     bounds = {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
     beside = said.constraint is None and bool(said.hedges or said.preposition == "around")
-    if not (said.constraint in bounds or beside) or wall.clock is not None or said.lasting is not None:
+    starts = said.lasting is not None and isinstance(said.time, Wall) and said.time.clock is not None
+    if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
     if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
         # As in "after breakfast tomorrow".
@@ -87,13 +95,27 @@ def refined(said: Said, wall: Wall) -> Said | None:
         and isinstance(said.time.first, Wall)
         and isinstance(said.time.last, Wall)
     ):
-        first, last = joined(said.time.first, wall), said.time.last
+        first, last = joined(_as_clock(said.time.first), wall), said.time.last
+        if first is not None and _is_weekday(said.time.first) and _is_weekday(last):
+            # "Next week between wednesday and friday"
+            last = joined(last, wall) or last
+            return replace(said, time=Range(first, last))
         if first is None or said.time.first.days is not None:
             return None
         if wall.part is not None and last.part is None and last.clock is not None:
             last = replace(last, part=wall.part)
         return replace(said, time=Range(first, last))
     return None
+
+
+def _as_clock(wall: Wall) -> Wall:
+    """Give a number that is the end of a range for the clock time that it is: "from two to four"."""
+    return wall if wall.clock is None else replace(wall, clock=replace(wall.clock, bare=False))
+
+
+def _is_weekday(wall: Wall) -> bool:
+    """Whether it is a day of any week, and no time of it."""
+    return isinstance(wall.days, Fields) and wall.days.weekly and wall.clock is None and wall.part is None
 
 
 def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:

@@ -33,6 +33,10 @@ def decided(here: "Grounding", moments: list[datetime], clock: Clock, wall: Wall
     named = wall.days is not None
     plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
     chosen = (plausible or moments)[0]
+    if here.leads is not None and not named and not here.usual:
+        # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
+        leading = (moment for moment in plausible if _leads(here, moment, here.leads))
+        chosen = next(leading, chosen)
     if here.since is not None and _is_late(here, here.since, moments):
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
         chosen = next(moment for moment in moments if here.since < moment)
@@ -78,6 +82,20 @@ def _is_plausible(here: "Grounding", moment: datetime, *, ahead: bool) -> bool:
     return first <= moment.time() < last and (
         not here.lasting or (end.date() == moment.date() and end.time() <= last)
     )
+
+
+def _leads(here: "Grounding", moment: datetime, clock: Clock) -> bool:
+    """Whether a clock time follows on the same day, while people are up where its half is not said."""
+    there = (midnight(moment.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    return any(m > moment and (not clock.is_open or _is_plausible(here, m, ahead=True)) for m in there)
+
+
+def same_day_after(here: "Grounding", clock: Clock) -> list[datetime]:
+    """Give the moments of a clock time on the day of what it follows with the same thing."""
+    if not here.onto or here.since is None or here.since.date() <= here.now.date():
+        return []
+    there = (midnight(here.since.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
+    return sorted(moment for moment in there if moment > here.since)
 
 
 def before_due(here: "Grounding", clock: Clock) -> list[datetime]:

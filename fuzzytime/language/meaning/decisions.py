@@ -56,6 +56,18 @@ class Deciding:
                 questions.append(Question(self.span, self._with_zone(found.choices), chosen))
         return tuple(remarks), tuple(questions)
 
+    def of_weekday(self, time: Time, found: Instants) -> tuple[Remark, ...]:
+        """Say which day was chosen, where a weekday does not fit the date beside it."""
+        ends = ((time.first, found.start), (time.last, found.end)) if isinstance(time, Range) else ()
+        for said, moment in ends or ((time, found.start),):
+            days = said.days if isinstance(said, Wall) else None
+            fits = (
+                not isinstance(days, Fields) or days.day is None or days.weekday in {None, moment.weekday()}
+            )
+            if not fits and not (isinstance(time, Range) and moment == found.end):
+                return (self._noted(f" is taken as {moment:%Y-%m-%d}, which is a {moment:%A}"),)
+        return ()
+
     def of_midnight(self, time: Time, found: Instants) -> tuple[Remark, ...]:
         """Say which midnight was chosen, where a day that is named has one at either end."""
         if isinstance(time, Range):

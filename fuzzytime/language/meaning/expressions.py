@@ -184,7 +184,9 @@ class Repeat:
     """A repetition: every so long, or at each of some days, parts of the day and clock times.
 
     ``starting`` and ``until`` bound it where that was said; ``shared`` says that each occurrence has its
-    whole share of the time ("twice a day"); ``times`` how often it is between those bounds ("twice today").
+    whole share of the time ("twice a day"); ``times`` how often it is between those bounds ("twice today"),
+    or so long ``every`` time after the one before. ``apart`` says that how often is said elsewhere: "two
+    tablets, six hours apart".
     """
 
     every: Duration | None = None
@@ -194,6 +196,7 @@ class Repeat:
     until: Time | None = None
     shared: bool = False
     times: int | None = None
+    apart: bool = False
 
 
 @dataclass(frozen=True, slots=True)

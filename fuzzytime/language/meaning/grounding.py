@@ -6,7 +6,7 @@ from datetime import date, datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
-from fuzzytime.language.meaning.chosen_clocks import before_due, decided
+from fuzzytime.language.meaning.chosen_clocks import before_due, decided, same_day_after
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -40,6 +40,9 @@ HOUR = timedelta(hours=1)
 FAR = 3
 """Years within which a weekday with a date that does not match is looked for."""
 
+PASSED = timedelta(days=183)
+"""How long ago a date may be that a weekday beside it says has passed."""
+
 
 @dataclass(frozen=True, slots=True)
 class Grounding:
@@ -67,6 +70,10 @@ class Grounding:
         When that happens which is to be prepared.
     usual : bool
         Whether the plausible hours are those at which people do what is asked for.
+    leads : Clock, optional
+        The clock time of what follows with the same thing.
+    onto : bool
+        Whether this is what follows.
     """
 
     now: datetime
@@ -79,6 +86,8 @@ class Grounding:
     ends: bool = False
     due: datetime | None = None
     usual: bool = False
+    leads: Clock | None = None
+    onto: bool = False
 
     @property
     def today(self) -> Today:
@@ -158,22 +167,22 @@ class Grounding:
         return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:
-        """Give the nearest day, past or future, on which a weekday fits its date."""
+        """Give the day on which a weekday fits its date: the next, or that of the date that passed last.
+
+        Where a month is said and neither fits, the date is believed; a day of the month alone is looked for.
+        """
         today = self.today
-        ahead = next(calendar.upcoming(today, today.day), None)
-        behind = next(calendar.past(today, today.day), None)
-        found = [days for days in (ahead, behind) if days is not None]
-        limit = timedelta(days=366 * FAR)
-        near = [
-            d
-            for d in found
-            if abs(d.first - today.day) <= limit and not (d is behind and calendar.month is None)
-        ]
-        if near:
-            yield min(near, key=lambda days: abs(days.first - today.day))
-            return
-        # No such weekday: the date is believed.
-        yield from self.days(replace(calendar, weekday=None))
+        if calendar.month is None or calendar.year is not None:
+            ahead = next(calendar.upcoming(today, today.day), None)
+            if ahead is not None and (ahead.first - today.day).days <= 366 * FAR:
+                yield ahead
+                return
+        dated = replace(calendar, weekday=None)
+        ahead, behind = next(dated.upcoming(today, today.day), None), next(dated.past(today, today.day), None)
+        if behind is not None and today.day - behind.first > PASSED:
+            behind = None
+        fitting = (days for days in (ahead, behind) if days and days.first.weekday() == calendar.weekday)
+        yield from islice((*fitting, *self.days(dated)), 1)
 
     # -- wall-clock expressions -------------------------------------------------------------------------
 
@@ -206,7 +215,7 @@ class Grounding:
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
-        return decided(self, before_due(self, clock) or moments, clock, wall)
+        return decided(self, before_due(self, clock) or same_day_after(self, clock) or moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)

@@ -6,6 +6,7 @@ from datetime import UTC, datetime, timedelta, timezone, tzinfo
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounding import Grounding
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, UngroundedError, shifted
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.policy import Policy
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
@@ -18,6 +19,8 @@ class Moment:
     thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it, ``carried``
     whether another text said it, given at the same time: the line before. ``due`` is when in seconds that
     happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
+    ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
+    that this is what follows: "open it at eight and close it at six".
     ``usual`` says that the hours of the policy are those at which people do what is asked for.
     """
 
@@ -29,6 +32,8 @@ class Moment:
     carried: bool = False
     due: float | None = None
     usual: bool = False
+    leads: Clock | None = None
+    onto: bool = False
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -53,6 +58,8 @@ class Moment:
             carried=self.carried,
             due=None if self.due is None else here + timedelta(seconds=self.due),
             usual=self.usual,
+            leads=self.leads,
+            onto=self.onto,
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

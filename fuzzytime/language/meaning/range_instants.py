@@ -63,7 +63,7 @@ def _day_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
     lent = False
     if isinstance(first_days, Fields) and isinstance(last_days, Fields):
         lent = first_days.year is None and last_days.year is not None
-        first_days = first_days.filled(last_days)
+        first_days = _before(first_days, last_days).filled(last_days)
         if last_days.month is None and last_days.weekday is None:
             last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
         elif last_days.year is None and first_days.year is not None and last_days.month is not None:
@@ -82,6 +82,16 @@ def _day_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
     if end.end < start.start:
         raise UngroundedError("a range must not end before it starts")
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def _before(first: Fields, last: Fields) -> Fields:
+    """Give a day in the month before that of the other, where it is later: "the 27th to the 3rd of may"."""
+    if first.month is not None or first.day is None or last.month is None or last.day is None:
+        return first
+    if first.day <= last.day:
+        return first
+    year = last.year if last.year is None or last.month > 1 else last.year - 1
+    return replace(first, month=last.month - 1 or 12, year=year)
 
 
 def _after(clock: "Grounding", moment: datetime) -> "Grounding":

@@ -207,9 +207,16 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
             first=0.0 if first is None else max(0.0, first),
             last=math.inf if last is None else last,
         )
-    if repeat.times is not None and first is not None and last is not None:
+    if repeat.apart:
+        raise UngroundedError("how many times is not said")
+    if repeat.times is not None and repeat.every is not None:
+        # "Twice, an hour apart"
+        start, step = max(0.0, first or 0.0), repeat.every.seconds
+        over = start + (repeat.times - 1) * step
+        return EvenRecurrence(step=step, first=start, last=over if last is None else min(over, last))
+    if repeat.times is not None and last is not None:
         # "Twice today": once in each half of what is left of it.
-        start = max(0.0, first)
+        start = max(0.0, first or 0.0)
         step = (last - start) / repeat.times
         return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
     if repeat.every is None:

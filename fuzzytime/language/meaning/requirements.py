@@ -192,7 +192,11 @@ class _Grounder:
             constraint, earliest, latest, hedges=hedges, duration=duration, grain=grain
         )
         remarks, questions = self._deciding.of_instants(found, zone)
-        remarks = (*remarks, *self._deciding.of_midnight(time, found))
+        remarks = (
+            *remarks,
+            *self._deciding.of_midnight(time, found),
+            *self._deciding.of_weekday(time, found),
+        )
         if isinstance(time, HourMark) and time.open:
             message = f"{self.text!r} is taken as {found.start:%H:%M}: of which hour is not said"
             remarks = (*remarks, Remark(RemarkKind.POLICY, self.phrase.span, message))

@@ -250,6 +250,9 @@ def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
     node = tree.nodes[place]
     if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
         return Reference.FINISH
+    if lemma == "be" and any(tree.nodes[p].lower in lexicon.results for p in tree.children(place, "acomp")):
+        # "Charge it so that it is ready by noon"
+        return Reference.FINISH
     if lemma in lexicon.causing and any(
         tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
     ):

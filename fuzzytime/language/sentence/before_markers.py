@@ -12,6 +12,12 @@ from fuzzytime.requirement import Constraint
 BESIDE = 2
 """Words of a unit, or a part of a day, behind its article: "the day", "the evening"."""
 
+DENYING = frozenset({"don't", "dont", "don’t", "not", "never"})
+"""Words of what is not to be done until then."""
+
+BEING = frozenset({"is", "starts", "begins", "happens"})
+"""Verbs of asides that say when an event is."""
+
 
 @dataclass(frozen=True, slots=True)
 class BeforeMarker:
@@ -38,6 +44,25 @@ class BeforeMarker:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
         return next((p for p in found if _counts_within(p)), None)
+
+    def behind_denied(self, place: int, form: tuple[str, ...]) -> int | None:
+        """Give where "after" stands in "don't … until ten minutes after it", None in other words."""
+        denied = any(word.text in DENYING for word in self.words[:place])
+        if not denied or self.lexicon.clauses.get(form) != "until":
+            return None
+        behind = place + len(form)
+        ends = (phrase.end for phrase in self.phrases if phrase.first == behind)
+        return next(
+            (end for end in ends if [word.text for word in self.words[end : end + 1]] == ["after"]), None
+        )
+
+    def aside(self, end: int) -> Phrase | None:
+        """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
+        texts = [word.text for word in self.words[end : end + 3]]
+        named = texts[:2] == [",", "which"] and texts[2:] and texts[2] in BEING
+        first = end + (3 if named else 1)
+        led = named or texts[:1] == ["("]
+        return next((phrase for phrase in self.phrases if led and phrase.first == first), None)
 
     def part_of_day(self, place: int) -> Phrase | None:
         """Give the part of a day right before a marker: "the evening before the trip"."""

@@ -4,7 +4,8 @@ from collections.abc import Set as AbstractSet
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.statements import DUE, FUTURE, PHASES, singular_verb
+from fuzzytime.language.sentence.statement_trees import singular_verb
+from fuzzytime.language.sentence.statements import DUE, FUTURE, PHASES
 from fuzzytime.language.sentence.tree import Node, Tree
 
 

@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.clause_sides import sided
 from fuzzytime.language.sentence.conditions import BE, IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.tree import Tree
-from fuzzytime.language.sentence.waiting import INVERTING
+from fuzzytime.language.sentence.waiting import INVERTING, goes_on_behind
 from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
@@ -37,7 +37,8 @@ DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
 
-DAYS_APART = ((BEFORE,), ("after",))
+AFTER = ("after",)
+DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
 
 A_DAY = Duration(((1, Unit.DAY),))
@@ -45,9 +46,10 @@ A_DAY = Duration(((1, Unit.DAY),))
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
 
-EXCEPTING = (["not"], ["except"], ["excluding"])
-"""Words before a marker whose clause says when not to do something."""
+EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
+"""Words before a marker whose clause says when not to do something, or that it is done all the same."""
 
+EVEN = "even"
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
@@ -77,7 +79,7 @@ def clauses_of(
             continue
         form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
         form = form or reader.edged(place)
-        clause = None if form is None else reader.read(place, form)
+        clause = None if form is None else reader.denied(place, form) or reader.read(place, form)
         if form is None or clause is None:
             place += 1
             continue
@@ -146,6 +148,12 @@ class _Clauses:
             return "within"
         return "by the time" if form == BY else kind
 
+    def denied(self, place: int, form: tuple[str, ...]) -> Clause | None:
+        """Read what begins so long after something: "don't start it until ten minutes after the bell"."""
+        behind = self.before.behind_denied(place, form)
+        clause = None if behind is None else self.read(behind, AFTER)
+        return clause and replace(clause, kind="until", span=(self.words[place].start, clause.span[1]))
+
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
@@ -160,6 +168,7 @@ class _Clauses:
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
+        time = self.before.aside(end) if time is None else time
         if said_end <= first or self.covered.issuperset(range(first, said_end)):
             # "Once today"
             return None
@@ -224,7 +233,7 @@ class _Clauses:
         before = [word.text for word in self.words[max(0, place - 2) : place]]
         if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
             return clause
-        if clause.condition is None or clause.kind not in {"when", "if", "while"}:
+        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
             return replace(clause, excepted=True)
         condition = replace(clause.condition, negated=not clause.condition.negated)
         return replace(
@@ -242,7 +251,7 @@ class _Clauses:
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
         text = self.words[place].text
-        if text == "," and self._is_inside_number(place):
+        if text == "," and (self._is_inside_number(place) or self._goes_on(place)):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
@@ -251,6 +260,10 @@ class _Clauses:
         clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _goes_on(self, place: int) -> bool:
+        """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
+        return self.words[-1].text == "," and goes_on_behind(self.words, place, len(self.words) - 1)
 
     def _is_inside_number(self, place: int) -> bool:
         """Whether a mark joins digits: "below 1,200"."""

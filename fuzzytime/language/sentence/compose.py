@@ -17,20 +17,31 @@ from fuzzytime.language.instruction import (
     Span,
 )
 from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Duration, Wall
+from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
-from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import last_said
-from fuzzytime.language.sentence.connectives import anchored_by_connective, within_after
+from fuzzytime.language.sentence.connectives import (
+    anchored_by_connective,
+    follows_nothing,
+    led_by_nothing,
+    within_after,
+)
 from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
-from fuzzytime.language.sentence.lengths import length_of, lengths_in_front, time_of, unknown_length
+from fuzzytime.language.sentence.lengths import (
+    length_of,
+    lengths_in_front,
+    time_of,
+    told_alone,
+    unknown_length,
+)
 from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
+from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
 from fuzzytime.language.sentence.references import (
@@ -44,8 +55,9 @@ from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.language.sentence.usual_hours import at_usual_hours
+from fuzzytime.language.sentence.waited import waited
 from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement
 
 
 def composed(
@@ -94,6 +106,7 @@ class _Composer:
     def reading(self) -> Reading:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft, self.lexicon)
+        sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
         self.remarks += remarks
         operations: list[Operation | None] = []
         for place, sketch in enumerate(sketches):
@@ -118,7 +131,10 @@ class _Composer:
             listed = place > 0 and sketch.part is sketches[place - 1].part
             follows = sketch.part.segment.connective == "then"
             due = due_of(self.draft.text, sketches[:place], sketch, instructions)
-            self.moment = replace(self.moment, listed=listed, follows=follows, due=due)
+            leads, onto = leads_to(sketches, place, self.draft.text), self.moment.leads is not None
+            self.moment = replace(
+                self.moment, listed=listed, follows=follows, due=due, leads=leads, onto=onto
+            )
             instructions.append(self._instruction(sketch, self.first + place, operations))
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
@@ -127,7 +143,9 @@ class _Composer:
             first = sketches[0].part.segment.span[0]
             self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
         else:
-            instructions += map(self._told_alone, self.draft.asides[:1])
+            for aside in self.draft.asides[:1]:
+                instructions.append(told_alone(aside, self.draft.text, self.first, self.moment))
+                self.remarks += unknown_length(instructions[-1].length_of, aside.span)
         self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
         self.remarks += self._unused(sketches)
         tokens, strict = tokens_of(self.draft, self.lexicon)
@@ -140,22 +158,6 @@ class _Composer:
             remarks=tuple(sorted(dict.fromkeys(self.remarks), key=lambda remark: remark.span)),
             questions=tuple(dict.fromkeys(self.questions)),
             step=self.draft.step,
-        )
-
-    def _told_alone(self, aside: Aside) -> Instruction:
-        """Give the length that is all that a line tells, of the instruction before it."""
-        said, length = self.draft.text[slice(*aside.span)], aside.length.said.time
-        told = Anchor(text=said.strip(" .,!"), target=self.first - 1 if self.first else None)
-        self.remarks += unknown_length(told, aside.span)
-        times = ground_all((aside.length,), self.draft.text, self.moment)
-        seconds = length.seconds if isinstance(length, Duration) else None
-        return Instruction(
-            span=aside.span,
-            operation=None,
-            requirements=times.requirements,
-            duration=None if aside.way else seconds,
-            length_of=told,
-            way=seconds if aside.way else None,
         )
 
     def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
@@ -226,10 +228,10 @@ class _Composer:
             requirement = of_phrase(anchors, phrase, requirement)
             requirements.append(referred(requirement, reference))
             if requirement.preposition in INSIDE and requirement.anchor is None:
-                alone = _follows_nothing(requirement.text, requirement.span)
+                alone = follows_nothing(requirement.text, requirement.span)
                 self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:
-                self.remarks.append(_follows_nothing(requirement.text, requirement.span))
+                self.remarks.append(follows_nothing(requirement.text, requirement.span))
         for clause in sketch.clauses:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
             self.remarks += remarks
@@ -237,9 +239,8 @@ class _Composer:
         requirements += self._headed(sketch, anchors)
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
-        if connected is None and position == 0 and segment.connective in {"then", "meanwhile"}:
-            said = self.draft.text[slice(*segment.connective_span)].rstrip(" ,:")
-            self.remarks.append(_follows_nothing(said, segment.connective_span))
+        if connected is None and position == 0:
+            self.remarks += led_by_nothing(segment, self.draft.text)
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)
@@ -293,9 +294,3 @@ class _Composer:
         since = last_said(times.requirements, None)
         if since is not None:
             self.moment = replace(self.moment, since=since, carried=False)
-
-
-def _follows_nothing(said: str, span: Span) -> Remark:
-    """Point at words that order an instruction beside another, where it is the first."""
-    message = f"{said!r} is about an instruction before it, and none was given so far"
-    return Remark(RemarkKind.UNRESOLVED, span, message)

@@ -1,17 +1,32 @@
 """Orders that a connective says: "then", "meanwhile"; how soon after another: "then, within ten minutes"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 WITHIN = "within"
+ORDERING = frozenset({"then", "meanwhile"})
+
+
+def follows_nothing(said: str, span: Span) -> Remark:
+    """Point at words that order an instruction beside another, where it is the first."""
+    message = f"{said!r} is about an instruction before it, and none was given so far"
+    return Remark(RemarkKind.UNRESOLVED, span, message)
+
+
+def led_by_nothing(segment: Segment, text: str) -> Iterator[Remark]:
+    """Point at the connective of what is the first instruction of all."""
+    if segment.connective in ORDERING:
+        said = text[slice(*segment.connective_span)].rstrip(" ,:")
+        yield follows_nothing(said, segment.connective_span)
 
 
 def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
     """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
-    if segment.connective not in {"then", "meanwhile"} or position == 0:
+    if segment.connective not in ORDERING or position == 0:
         return None
     first, end = segment.connective_span
     said = text[first:end].rstrip(" ,:") or text[first:end]

@@ -22,6 +22,9 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
 
+REMEMBERING = frozenset({"remember", "note", "mind"})
+"""Verbs that ask for nothing more than the one below them, beside those of forgetting."""
+
 AGAIN = frozenset({"back", "again", "then"})
 """Words beside the other particle of a verb that is left out."""
 
@@ -56,6 +59,24 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
             segment = replace(one.segment, span=span, addressee=called)
             if Waiting.of(one.position, one.source, segment, lexicon).text:
                 return [segment]
+    return []
+
+
+def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
+    root = part.tree.root
+    if root is None or part.tree.nodes[root].lemma not in lexicon.forgetting | REMEMBERING:
+        return []
+    if part.tree.children(root, "nsubj", "nsubjpass"):
+        return []
+    for told in part.tree.children(root, "ccomp"):
+        subjects = [p for p in part.tree.children(told, "nsubj", "nsubjpass", "expl") if root < p < told]
+        if not subjects or part.tree.nodes[told].tag == "VB" or part.tree.nodes[subjects[0]].lower == "you":
+            continue
+        first = min(part.tree.below(subjects[0]))
+        if first == root + 1 or (first == root + 2 and part.tree.nodes[root + 1].lower == "that"):
+            start = part.tree.nodes[first].start + part.offset
+            return [replace(one.segment, span=(start, one.segment.span[1]))]
     return []
 
 
@@ -106,7 +127,10 @@ def _turns(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
     said = [text for text in texts[1:] if text not in AGAIN]
-    return texts[:1] in (["and"], [","], ["&"]) and len(said) == 1 and said[0] in lexicon.particles
+    # "And back up to 37 degrees"
+    numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
+    alone = len(said) == 1 or numbered
+    return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
 
 
 def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:

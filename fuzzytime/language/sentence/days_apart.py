@@ -33,6 +33,13 @@ class _Day:
     said: Said
     phrase: Phrase | None = None
 
+    @property
+    def days(self) -> tuple[Said, ...]:
+        """As said, and without the part of the day in it: "tomorrow morning and evening"."""
+        time = self.said.time
+        parted = isinstance(time, Wall) and time.days is not None and time.part is not None
+        return (self.said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (self.said,)
+
 
 def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
     """Put each time of some instructions on the day that was said for it elsewhere.
@@ -110,14 +117,20 @@ def _is_open(said: Said, day: Said) -> bool:
     if isinstance(time, Offset):
         return isinstance(time.anchor, Wall) and time.anchor.clock is not None and time.anchor.days is None
     if isinstance(time, Range):
-        ends = (time.first, time.last)
-        return all(isinstance(end, Wall) and end.clock is not None and end.days is None for end in ends)
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocks = all(end.clock is not None and end.days is None for end in ends)
+        return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
     if not isinstance(time, Wall):
         return False
     if time.days is None:
         return True
+    return _is_in_week(time, day)
+
+
+def _is_in_week(wall: Wall, day: Said) -> bool:
+    """Whether it is a weekday in the week, or month, that is said."""
     coarse = isinstance(day.time, Wall) and day.time.days is not None and day.time.days.grain is not Unit.DAY
-    return coarse and isinstance(time.days, Fields) and time.days.weekly
+    return coarse and isinstance(wall.days, Fields) and wall.days.weekly
 
 
 def _on_own_day(sketch: Sketch, place: int) -> Sketch:
@@ -152,7 +165,9 @@ def _on_day(sketch: Sketch, held: _Day) -> Sketch:
         return replace(sketch, phrases=(held.phrase,), references=(None,)) if alone else sketch
     phrases = []
     for phrase in sketch.phrases:
-        told = told_apart(phrase.said, held.said) if _is_open(phrase.said, held.said) else None
+        told = None
+        for day in held.days if _is_open(phrase.said, held.said) else ():
+            told = told or told_apart(phrase.said, day)
         phrases.append(phrase if told is None else replace(phrase, said=told))
     return replace(sketch, phrases=tuple(phrases))
 
@@ -164,6 +179,7 @@ def _day_of(sketch: Sketch) -> _Day | None:
         said = phrase.said
         if said.is_day and phrase.span[1] <= start:
             return _Day(said, phrase)
-        if isinstance(said.time, Wall) and said.time.clock is not None and said.time.days is not None:
-            return _Day(Said(Wall(said.time.days)))
+        time = said.time
+        if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
+            return _Day(Said(Wall(time.days)))
     return None

@@ -11,7 +11,7 @@ from datetime import date, datetime, timedelta
 from fuzzytime.language.instruction import Instruction, Remark, RemarkKind
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.clause import Clause
@@ -21,6 +21,12 @@ from fuzzytime.requirement import Constraint
 
 ON_THE_DAY = "on the day of"
 """The marker of what is on the day of an event."""
+
+COUNTED = frozenset({"before", "after"})
+"""Clauses from whose event days are counted."""
+
+ALL_DAY = "all day"
+"""The rule of such a day where no time of day is said."""
 
 DAY = timedelta(days=1)
 WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
@@ -45,10 +51,13 @@ def on_days_of_events(
     event: int | None = None
     for clause in sketch.clauses:
         away = _days_away(clause)
-        if away is None or not (clause.day_part or any(map(_is_of_day, sketch.phrases))):
+        timed = clause.day_part is not None or any(map(_is_of_day, sketch.phrases))
+        if away is None or not (timed or _is_any_time(clause)):
             continue
         target = anchors.target_of(clause)
         day = None if target is None else days.get(target)
+        if day is None and not timed:
+            continue
         if day is None:
             unused = [phrase for phrase in sketch.phrases if _is_of_day(phrase)]
             if clause.day_part is not None and target is not None:
@@ -60,6 +69,8 @@ def on_days_of_events(
         wall = Wall(Fields(there.year, there.month, there.day))
         if clause.day_part is not None:
             sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)
+        elif not timed:
+            sketch = _with(sketch, Phrase(Said(wall, None, "on"), 0, 0, clause.span, ALL_DAY))
         phrases = tuple(_on(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
         kept = tuple(other for other in sketch.clauses if other is not clause)
         sketch = replace(sketch, phrases=phrases, clauses=kept)
@@ -74,6 +85,12 @@ def _days_away(clause: Clause) -> int | None:
     if distance is None or any(unit in SUB_DAY for _, unit in distance.terms) or distance.until is not None:
         return None
     return round(distance.seconds / DAY.total_seconds()) * (-1 if clause.kind in FIRST else 1)
+
+
+def _is_any_time(clause: Clause) -> bool:
+    """Whether a clause counts days, and leaves open when on the day: "five days before the wedding"."""
+    exact = clause.distance is not None and not clause.distance.hedges and clause.side is None
+    return exact and clause.kind in COUNTED and clause.beside is None
 
 
 def _is_of_day(phrase: Phrase) -> bool:
@@ -93,8 +110,13 @@ def _in_part(sketch: Sketch, part: Phrase, day: Wall) -> tuple[Sketch, Wall]:
     if any(map(_is_of_day, sketch.phrases)):
         both = joined(day, part.said.time) if isinstance(part.said.time, Wall) else None
         return sketch, both or day
-    phrases = (*sketch.phrases, part)
-    return replace(sketch, phrases=phrases, references=(*sketch.references, sketch.reference)), day
+    return _with(sketch, part), day
+
+
+def _with(sketch: Sketch, phrase: Phrase) -> Sketch:
+    """Give a sketch with one more time."""
+    phrases = (*sketch.phrases, phrase)
+    return replace(sketch, phrases=phrases, references=(*sketch.references, sketch.reference))
 
 
 def _without_times_of_day(sketch: Sketch) -> Sketch:

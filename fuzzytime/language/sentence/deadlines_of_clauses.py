@@ -32,7 +32,7 @@ def with_deadlines(
         if deadline is None or not (_denies(clause) or deadline.span[1] <= main):
             found.append(clause)
             continue
-        found.append(replace(clause, span=(clause.span[0], deadline.span[1])))
+        found.append(replace(clause, span=(clause.span[0], max(clause.span[1], deadline.span[1]))))
         timed = any(p is not deadline and p.said.constraint is not Constraint.FOR for p in phrases)
         if _denies(clause) and not timed:
             passed.append(_passed(deadline, later=follows))
@@ -59,8 +59,9 @@ def _is_length(said: Said) -> bool:
 
 
 def _is_of(clause: Clause, phrase: Phrase, text: str) -> bool:
-    """Whether a deadline stands right behind what must be so, or ends it."""
-    if phrase.span[1] == clause.span[1] and _is_length(phrase.said):
+    """Whether a deadline stands right behind what must be so, or in it."""
+    inside = clause.content[0] < phrase.span[0] and phrase.span[1] <= clause.content[1]
+    if inside and _is_length(phrase.said):
         return clause.kind == "if" and _denies(clause)
     behind = clause.span[1] <= phrase.span[0] and not text[clause.span[1] : phrase.span[0]].strip()
     return clause.kind == "if" and behind and phrase.said.constraint is Constraint.BEFORE

@@ -14,14 +14,14 @@ from fuzzytime.language.sentence.asides import Aside, asides_of, beside_each_oth
 from fuzzytime.language.sentence.called import with_called, with_worker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
-from fuzzytime.language.sentence.cuts import addressed, pieces_of
+from fuzzytime.language.sentence.cuts import addressed, pieces_of, reminded
 from fuzzytime.language.sentence.fronts import fronts_of
 from fuzzytime.language.sentence.in_between import said_apart
 from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.order_words import order_words
-from fuzzytime.language.sentence.segments import segments_of
-from fuzzytime.language.sentence.statements import as_statement
+from fuzzytime.language.sentence.segments import Segment, segments_of
+from fuzzytime.language.sentence.statement_trees import as_statement
 from fuzzytime.language.sentence.told_lengths import told_lengths
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Part, Source, Waiting
@@ -178,7 +178,10 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else addressed(one, part, lexicon) or list(pieces_of(one, part, lexicon))
+            cut: list[Segment] = []
+            if not last_round:
+                cut = addressed(one, part, lexicon) or reminded(one, part, lexicon)
+                cut = cut or list(pieces_of(one, part, lexicon))
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part

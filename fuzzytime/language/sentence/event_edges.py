@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.requirement import Edge
@@ -52,12 +53,15 @@ def is_event(
     words: Sequence[Word], first: int, end: int, covered: AbstractSet[int], lexicon: Lexicon
 ) -> bool:
     """Whether the name of what has a time stands at a place: "by the meeting"; but "go by train"."""
-    named = (lexicon.happening | lexicon.taken | {"time"}) - lexicon.travelling
+    eventful = lexicon.happening | lexicon.taken | {"time"}
+    named = eventful - lexicon.travelling
     for place in range(first, min(end, first + LONGEST_EVENT)):
         text = words[place].text
         if place in covered or (text in lexicon.function_words and text not in ARTICLES):
             return False
-        if text in named and (place + 1 >= end or place + 1 in covered):
+        # "By the party" is no way to travel.
+        owned = place > first and words[place - 1].text in OWNING and text in eventful & lexicon.events
+        if (text in named or owned) and (place + 1 >= end or place + 1 in covered):
             return place > first and words[place - 1].text not in WHICH
     return False
 

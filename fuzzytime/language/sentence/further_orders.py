@@ -14,6 +14,9 @@ from fuzzytime.language.sentence.orders_beside_times import (
 )
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.statements import (
+    FUTURE,
+    being_behind_order,
+    goes_on,
     order_behind_statement,
     result_behind_statement,
     second_statement,
@@ -58,9 +61,12 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     """Give where the further instruction of a word begins; None where it has none."""
     told = result_behind_statement(tree, place, root, timed)
     told = second_statement(tree, place, timed) if told is None else told
+    told = being_behind_order(tree, place, timed) if told is None else told
     if told is not None:
         return told
     if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
+        return place
+    if goes_on(tree, place, root, timed):
         return place
     if place > 1 and place != root:
         if _follows_so(tree, place, timed):
@@ -147,8 +153,12 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
     """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
     node = tree.nodes[place]
     beside = node.relation == "conj" and node.head == root and tree.nodes[place - 1].lower in JOINTS
-    told = tree.nodes[root].tag == node.tag == "VBZ" and bool(tree.children(root, *SUBJECTS))
-    return beside and told and not tree.children(place, *SUBJECTS)
+    named = bool(tree.children(root, *SUBJECTS))
+    told = tree.nodes[root].tag == node.tag == "VBZ" and named
+    # "The show will last an hour and start at eight"
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    told = told or (named and bool(helping) and helping <= FUTURE | {"should"} and node.tag == "VB")
+    return beside and told and not tree.children(place, *SUBJECTS, "aux")
 
 
 def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:

@@ -25,6 +25,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     root = tree.root
     if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
         return False
+    if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
+        # "Sign in the visitors between nine and ten"
+        return False
     if root and tree.nodes[0].lower in lexicon.appointing:
         # "Schedule lunch at noon" asks for it.
         return False
@@ -34,6 +37,11 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     # "Incision at eight"
     listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
     return listed or (tree.nodes[root].tag in ONE and any(map(_is_range, phrases)))
+
+
+def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the first word is a verb by the word behind it."""
+    return tree.nodes[0].may_act and tree.nodes[0].lower in lexicon.particles.get(tree.nodes[1].lower, ())
 
 
 def _is_noun(tree: Tree, root: int) -> bool:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
-from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Said, TimeWord
+from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Repeat, Said, TimeWord
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.phrase_anchors import INTO
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
@@ -64,8 +64,29 @@ def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch
     for sketch in sketches:
         before = found[-1].operation if found else None
         again = None if before is None else _again(before, sketch, text, lexicon)
-        found.append(sketch if again is None else replace(sketch, operation=again))
+        if again is None:
+            found.append(sketch)
+            continue
+        then = sketch.part.segment.connective == "then"
+        phrases = tuple(_from_then(p, found[-1]) if then else p for p in sketch.phrases)
+        found.append(replace(sketch, operation=again, phrases=phrases))
     return found
+
+
+def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
+    """Let a repetition begin where that of the same before it ends: "every 5 minutes for an hour, then …"."""
+    time = phrase.said.time
+    ends = [p.said.time.until for p in before.phrases if isinstance(p.said.time, Repeat)]
+    if (
+        not isinstance(time, Repeat)
+        or time.starting is not None
+        or time.every is None
+        or ends[:1] in ([], [None])
+    ):
+        return phrase
+    return replace(
+        phrase, said=replace(phrase.said, time=replace(time, starting=Offset(time.every, 1, ends[0])))
+    )
 
 
 def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
@@ -75,9 +96,11 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     said = [span for span in spans if not any(overlap(span, p.span) for p in sketch.phrases)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
     if sketch.phrases:
-        turned = _particle_alone(rest, lexicon)
-        if turned is not None:
-            return replace(before, particle=turned)
+        turned, _, level = rest.partition(" to ")
+        particle = _particle_alone(turned, lexicon)
+        if particle is not None:
+            # "And back up to 37 degrees at six"
+            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
         if rest and set(rest.lower().split()) <= AGAIN:
             # "Ring the bell at six, then again at seven"
             return before
@@ -88,7 +111,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
-    if then and any(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
+    if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
@@ -102,6 +125,11 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     # "Hand me the wrench, then the pliers"
     given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _goes_on(said: Said) -> bool:
+    """Whether the same goes on with it: "then for five minutes on high", "then every hour"."""
+    return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
 
 
 def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
@@ -163,6 +191,9 @@ def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: 
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
         goes_on = begins and (alone or operation.lemma in ENDING) and joined and not operation.stated
+        # "We leave at eight and get back at six"
+        comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
+        goes_on = goes_on or (comes and joined and not operation.stated)
         return replace(operation, object=before.object, stated=True) if goes_on else operation
     if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
         return replace(operation, object=before.object, stated=True)

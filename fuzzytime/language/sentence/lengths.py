@@ -2,7 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.finding import ground_all
+from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
+from fuzzytime.language.meaning.expressions import Duration
+from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.references import ALL, PRONOUNS
@@ -94,3 +97,17 @@ def lengths_in_front(asides: Sequence[Aside], first: int, text: str) -> Iterator
     for aside in asides:
         if aside.span[1] <= first:
             yield from unknown_length(Anchor(text=text[slice(*aside.span)].strip(" .,!")), aside.span)
+
+
+def told_alone(aside: Aside, text: str, given: int, moment: Moment) -> Instruction:
+    """Give the length that is all that a line tells, of the last of the instructions ``given`` before it."""
+    said, length = text[slice(*aside.span)], aside.length.said.time
+    seconds = length.seconds if isinstance(length, Duration) else None
+    return Instruction(
+        span=aside.span,
+        operation=None,
+        requirements=ground_all((aside.length,), text, moment).requirements,
+        duration=None if aside.way else seconds,
+        length_of=Anchor(text=said.strip(" .,!"), target=given - 1 if given else None),
+        way=seconds if aside.way else None,
+    )

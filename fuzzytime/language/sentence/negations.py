@@ -22,7 +22,11 @@ def awaiting(sketch: Sketch) -> Sketch:
     if operation is None or not operation.negated or all(c.kind != "until" for c in sketch.clauses):
         return sketch
     clauses = tuple(
-        replace(clause, kind="when", marker="when") if clause.kind == "until" else clause
+        clause
+        if clause.kind != "until"
+        else replace(clause, kind="when", marker="when")
+        if clause.distance is None
+        else replace(clause, kind="after", marker="after")
         for clause in sketch.clauses
     )
     return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)

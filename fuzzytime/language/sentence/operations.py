@@ -58,7 +58,7 @@ class Reader(Stated):
         return Operation(
             # "Robot 2 cleans the tank" asks it to clean the tank.
             verb=node.lower if doer is None else node.lemma,
-            lemma="be" if stated and self._has_frame(verb) else node.lemma,
+            lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
             span=(node.start, node.end),
             object=direct,
             place=self.said(where),
@@ -177,7 +177,9 @@ class Reader(Stated):
             owned = [p for p in names if self.tree.children(p, "poss")]
             owned += [p for p in near if self.tree.children(p, "det")]
             named = owned or [p for p in names if p == behind and self._is_named(p)]
-            words = self.words([p for p in named if not self.timed(p)], verb)
+            # "Walk the dog morning and night"
+            led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
+            words = self.words([p for p in named if not self.timed(p)] or led, verb)
         if not words:
             # "Say hello"
             words = [p for p in self.tree.children(verb, "intj") if p == verb + 1]

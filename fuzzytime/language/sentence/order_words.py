@@ -14,6 +14,7 @@ NAMING = (
     | ENDS
     | {"it", "them", "second", "next", "long", "far", "at", "to", "and", ","}
     | {"comes", "come", "came", "goes", "is", "are", "was", "were", "that"}
+    | {"will", "would", "should", "may", "might", "must", "can", "could", "'ll"}
 )
 """Words behind which "first" and "last" are no place in an order: "make it last", "whoever comes first"."""
 

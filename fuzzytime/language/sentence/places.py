@@ -25,7 +25,10 @@ class Places(Wording):
 
     def place(self, verb: int, taken: Iterable[int]) -> list[int]:
         """Give the words that say where."""
-        below = [p for p in self.tree.children(verb, *PLACES) if p > verb and not self.timed(p)]
+        # "Turn it down to 30 degrees": a tree may hang it on the particle.
+        particles = self.tree.children(verb, "prt")
+        led = (p for particle in particles for p in self.tree.children(particle, "prep"))
+        below = [p for p in (*self.tree.children(verb, *PLACES), *led) if p > verb and not self.timed(p)]
         kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         kept += self.level(verb)
@@ -34,9 +37,9 @@ class Places(Wording):
         manners = [p for p in self.tree.children(verb, "advcl", "conj", "xcomp") if self._is_manner(p)]
         kept += [p for p in manners if p > verb]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
-        led = [word for p in manners if p < verb for word in sorted(self.tree.below(p))]
+        how = [word for p in manners if p < verb for word in sorted(self.tree.below(p))]
         words = self.with_numbers([p for p in words if self.has_content(p, words)])
-        return [*words, *(p for p in led if self.tree.nodes[p].relation != "punct")]
+        return [*words, *(p for p in how if self.tree.nodes[p].relation != "punct")]
 
     def manner(self, verb: int, taken: Iterable[int]) -> list[int]:
         """Give the words that say how something is done, or how often: "read it aloud", "stir it twice"."""

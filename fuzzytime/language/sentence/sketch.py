@@ -163,6 +163,8 @@ def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:
 
 
 def _not_planned(draft: Draft, span: Span) -> str:
+    if draft.text[: span[0]].rstrip().lower().endswith("even"):
+        return f"{draft.text[slice(*span)]!r} is not used: it is done all the same"
     return f"{draft.text[slice(*span)]!r} is not used: when not to do something is not planned"
 
 

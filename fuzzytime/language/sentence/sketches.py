@@ -12,15 +12,25 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
 )
 from fuzzytime.language.sentence.asides import Aside
+from fuzzytime.language.sentence.at_once import at_once
 from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.said_again import apart, done_again, each_of, with_shared_clock
+from fuzzytime.language.sentence.said_again import (
+    apart,
+    counted_apart,
+    done_again,
+    each_of,
+    with_shared_clock,
+)
 from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
+COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
+"""Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
+
 OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
 
@@ -29,10 +39,13 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    told = shared(within(sketches, draft.text), draft.text, lexicon)
+    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
     words = draft.scanned.words
     split = (
-        one for sketch in told for each in each_of(sketch, draft.instances) for one in done_again(each, words)
+        counted_apart(one, lexicon)
+        for sketch in told
+        for each in each_of(sketch, draft.instances)
+        for one in done_again(each, words)
     )
     for offered in split:
         whole, later = _first_offered(offered, draft.text)
@@ -137,6 +150,8 @@ def _alternatives(
         joints: set[str] = set()
         for following in phrases[place + 1 :]:
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
+            if between & {"otherwise", "else"}:
+                between -= COURTEOUS
             if not between or between - ADDED - OFFERED or not (_is_when(group[-1]) and _is_when(following)):
                 break
             group.append(following)

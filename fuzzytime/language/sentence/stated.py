@@ -20,6 +20,15 @@ ON = "on"
 
 FIRST_PERSON = frozenset({"i", "we"})
 
+POINTS = frozenset({"at", "by", "before", "within"})
+"""Prepositions of a time at which, or up to which, something must have become so."""
+
+OWN = frozenset({"my", "our"})
+"""Words for whose something is that who speaks takes part in."""
+
+HAPPENING = frozenset({"be", "start", "begin"})
+"""Verbs that say when it is."""
+
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
 
 GOING = frozenset({"run", "go"})
@@ -46,7 +55,8 @@ class Stated(Places):
         subjects = [p for v in verbs for p in self.tree.children(v, *SUBJECTS) if not self.timed(p)]
         if not subjects:
             return None
-        if self.tree.nodes[subjects[0]].lower in PEOPLE:
+        described = self.tree.children(subjects[0], "det", "amod")
+        if self.tree.nodes[subjects[0]].lower in PEOPLE and not described:
             alone = self.tree.nodes[subjects[0]].lower
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
             return alone if alone in OTHERS and others_do(self.tree, verb, helping, self.lexicon) else None
@@ -67,12 +77,25 @@ class Stated(Places):
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        if self._is_own(verb):
+            return True
         if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
             return False
         said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
         if self._performing(verb):
             return True
         return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+
+    def _is_own(self, verb: int) -> bool:
+        """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
+        owned = [
+            p
+            for p in self.tree.children(verb, "nsubj")
+            if any(self.tree.nodes[owner].lower in OWN for owner in self.tree.children(p, "poss"))
+        ]
+        names = {self.tree.nodes[p].lower for p in owned}
+        taken = self.lexicon.taken - self.lexicon.happening - self.lexicon.frames
+        return self.tree.nodes[verb].lemma in HAPPENING and not names.isdisjoint(taken)
 
     def _performing(self, verb: int) -> list[int]:
         """Give the "on" of "we're on at 20:30", which governs nothing."""
@@ -93,6 +116,29 @@ class Stated(Places):
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
+    def _is_standing(self, verb: int) -> bool:
+        """Whether it is said in what state something is for a while: "the bridge is closed until noon".
+
+        A clock time or a deadline beside it asks for that: "the gate is closed at ten".
+        """
+        helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
+        points = {self.tree.nodes[p].lower for p in timed} & POINTS
+        named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
+        return (
+            named
+            and bool(helping)
+            and helping <= ARE
+            and self.tree.nodes[verb].lower in self.lexicon.standing
+        )
+
+    def _has_visitors(self, verb: int) -> bool:
+        """Whether who speaks has somebody there: "we have the electricians in from eight to noon"."""
+        subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
+        named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
+        named |= {name.removesuffix("s") for name in named}
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        return has and not self.lexicon.persons.isdisjoint(named)
+
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
         return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
@@ -102,14 +148,15 @@ class Stated(Places):
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
-        if named == [IT] and self.tree.nodes[verb].lower in self.lexicon.impersonal:
+        words = {self.tree.nodes[p].lower for p in (verb, *self.tree.children(verb, "acomp", "attr"))}
+        if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
-        if finite and self._has_frame(verb):
+        if finite and (self._has_frame(verb) or self._has_visitors(verb)):
             return True
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
@@ -122,6 +169,8 @@ class Stated(Places):
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
+        if self._is_standing(verb):
+            return True
         due = DUE | self.lexicon.results if helping & FUTURE else DUE
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
         if self.tree.nodes[verb].lemma == "be" and not helping:

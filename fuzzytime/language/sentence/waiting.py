@@ -1,19 +1,20 @@
 """Segments that wait for their trees, and the parts that they become."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.segments import Segment
-from fuzzytime.language.sentence.statements import leaves
+from fuzzytime.language.sentence.statement_trees import leaves
 from fuzzytime.language.sentence.tree import Tree
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
@@ -25,6 +26,18 @@ JOINING = (["and"], ["&"], ["then"], ["but"])
 
 AT = "at"
 """The preposition of clock times, which holds for the one that corrects them too."""
+
+STATED = frozenset({"when", "if", "while"})
+"""Kinds of clauses that say what must be so."""
+
+SUBJECTS_OF = frozenset(
+    {"the", "a", "my", "our", "your", "his", "her", "their", "it", "it's", "he", "she", "they", "we", "i"}
+    | {"you", "there", "nobody", "no", "nothing", "none", "everyone", "everybody", "everything", "someone"}
+)
+"""Words that begin what is so."""
+
+LEAST_SAID = 3
+"""Words of "and nobody calls"."""
 
 INVERTING = frozenset({"should", "had"})
 """Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
@@ -234,6 +247,12 @@ def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker
     return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
 
 
+def goes_on_behind(words: Sequence[Word], comma: int, following: int) -> bool:
+    """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
+    said = [word.text for word in words[comma + 1 : following]]
+    return len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in SUBJECTS_OF
+
+
 def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
     """Give the marker of a further clause in front, behind the comma of the one before it."""
     words = source.scanned.words
@@ -259,7 +278,8 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     for following in commas[1:]:
         # "After the museum, but before it gets dark, find a place to eat"
         leads = None if comma is None else _second_marker(source, comma + 1, following, lexicon)
-        if leads is None:
+        stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
+        if leads is None and not (stated and comma is not None and goes_on_behind(words, comma, following)):
             break
         comma = following
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

@@ -114,6 +114,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         taken=frozenset(form[0] for form in speech.words("taken")),
         happening=frozenset(form[0] for form in speech.words("happening")),
         frames=frozenset(form[0] for form in speech.words("frames")),
+        standing=frozenset(form[0] for form in speech.words("standing")),
         dividing=frozenset(form[0] for form in speech.words("measures", "dividing")),
         changing=frozenset(speech.words("measures", "changing")),
         counting=frozenset(form[0] for form in speech.words("measures", "counting")),
@@ -145,7 +146,7 @@ _SPEECH = (
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "conversation", "vague_adverbs", "told", "instances",
+    "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (

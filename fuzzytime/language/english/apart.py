@@ -1,0 +1,35 @@
+"""What is done so many times, so long apart: "twice, an hour apart", "three times today, two hours apart"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Said
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+
+@grammar.rule("apart", "<duration> apart", "each|every? <duration> apart", "<duration> in between")
+def so_long_apart(duration: Duration) -> Duration | None:
+    """Two hours apart."""
+    return duration if duration.seconds > 0 and duration.until is None else None
+
+
+@grammar.rule("repeat", "<times> ,|-|( <apart> )?", "<times> <apart>", weight=0.6)
+def times_apart(times: int, length: Duration) -> Repeat | None:
+    """Twice, an hour apart: the first of them now."""
+    return Repeat(length, times=times) if times > 1 else None
+
+
+@grammar.rule("repeat", "<repeat> ,|-|( <apart> )?", "<repeat> <apart>", weight=0.6)
+def so_often_apart(repeat: Repeat, length: Duration) -> Repeat | None:
+    """Three times today, two hours apart."""
+    if repeat.times is None or repeat.every is not None:
+        return None
+    return replace(repeat, every=length, until=None)
+
+
+@grammar.rule("said", "<apart>", weight=0.3)
+def apart_alone(length: Duration) -> Said:
+    """(Two tablets) six hours apart: how many, what is done says."""
+    return Said(Repeat(length, apart=True), Constraint.EVERY)

@@ -1,0 +1,76 @@
+"""Working days, which pass over weekends: "in two working days", "within the next three business days"."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Edge, Range, Said, Wall
+from fuzzytime.language.meaning.relations import Relative, Which
+from fuzzytime.language.meaning.workdays import Workday, Workdays
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+MOST = 1000
+"""Working days that are counted at most."""
+
+TODAY = Relative(0)
+
+
+@grammar.rule("workdays", "<integer> -? working|business|work|office -? day|days")
+def workdays(number: Integer) -> int | None:
+    """Two working days."""
+    return number.value if 0 < number.value <= MOST else None
+
+
+@grammar.rule("workdays", "a|one|next working|business|work day", "the next working|business|work day")
+def one_workday() -> int:
+    """(in) a working day."""
+    return 1
+
+
+@grammar.rule("series", "working|business|work day")
+def workday() -> Calendar:
+    """Working day, in "the last working day of the month"."""
+    return Workday()
+
+
+@grammar.rule("days", "<workdays> from now|today|hence", "in <workdays> time?", weight=0.6)
+def in_workdays(count: int) -> Calendar:
+    """In two working days."""
+    return Workdays(count, TODAY)
+
+
+@grammar.rule("days", "the? next|following working|business|work day", weight=0.6)
+def next_workday() -> Calendar:
+    """The next working day."""
+    return Workdays(1, TODAY)
+
+
+@grammar.rule("days", "<workdays> after|from|following|since <days>|<date>", weight=0.6)
+def workdays_after(count: int, anchor: Calendar) -> Calendar:
+    """Three working days after easter."""
+    return Workdays(count, anchor)
+
+
+@grammar.rule("days", "<workdays> before <days>|<date>", "<workdays> prior to <days>|<date>", weight=0.6)
+def workdays_before(count: int, anchor: Calendar) -> Calendar:
+    """Two business days before friday."""
+    return Workdays(-count, anchor)
+
+
+@grammar.rule("said", "<within> the? <deictic>? <workdays>", "in the <deictic> <workdays>", weight=0.7)
+def within_workdays(*said: Preposition | Which | int) -> Said | None:
+    """Within three working days: by the end of the last."""
+    count = next(part for part in said if isinstance(part, int))
+    if any(part in {Which.LAST, Which.PAST} for part in said if isinstance(part, Which)):
+        return None
+    return Said(Wall(Workdays(count, TODAY)), Constraint.BEFORE, "within", (), Edge.LAST)
+
+
+@grammar.rule("said", "over|during|for? the? <deictic> <workdays>", weight=0.6)
+def coming_workdays(which: Which, count: int) -> Said | None:
+    """Over the next four business days."""
+    if which not in {Which.NEXT, Which.COMING}:
+        return None
+    return Said(Range(Wall(Relative(1)), Wall(Workdays(count, TODAY))), Constraint.BETWEEN, "during")
