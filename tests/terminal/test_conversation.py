@@ -53,6 +53,12 @@ def test_a_start_that_comes_is_said_once_and_the_skill_stays() -> None:
         talk.start("s1")
 
 
+def test_what_happens_by_itself_is_announced_but_not_as_a_start() -> None:
+    talk = Talk()
+    talk.say("The guests come in ten minutes")
+    assert "  now: The guests come (s1)" in talk.wait(minutes=10)
+
+
 def test_what_waits_for_a_started_skill_waits_until_it_is_done() -> None:
     talk = Talk()
     talk.say("Boil the eggs now")

@@ -80,6 +80,9 @@ class EventScreen:
                 line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))
                 ran = [] if event.command is None else [plain(shlex.join(event.command))]
                 return [line, *(self._line(at, "command", words, "dim") for words in ran)]
+            case told.Happens(done_s=done):
+                until = f", until {self._clock(done)}" if done > at else ""
+                return [self._line(at, kind, f"{_who(event)}{until}", "bold")]
             case told.End() | told.Done():
                 return [self._line(at, kind, _who(event), "green" if kind == "done" else "")]
             case told.Moved(before_s=before, after_s=after):

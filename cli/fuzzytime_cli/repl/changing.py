@@ -110,7 +110,7 @@ def done(scene: Scene, text: str) -> Reply:
         # has happened.
         agent = scene.plan.schedule.skills[position].agent
         now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
-        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction)
+        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
         scene.conversation.store.note_started(scene.conversation.name, begun)
         return Reply((name,), changed=True)
     return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))

@@ -154,6 +154,7 @@ class Conversation:
                 made.instant(specific.done),
                 specific.agent,
                 made.schedule.satisfactions[position],
+                made.skills[position].skill.happens,
             )
             if self.store.note_started(self.name, started):
                 news.append(started)

@@ -244,6 +244,7 @@ def question_lines(question: Question) -> list[Line]:
 
 
 def start_line(started: Started) -> Text:
-    """Announce a start."""
-    what = f"{started.start:%H:%M:%S}  start now: {plain(started.name)} ({plain(started.identifier)})"
-    return Text(what, style="bold green")
+    """Announce a start, or that something happens."""
+    what = "now" if started.happens else "start now"
+    line = f"{started.start:%H:%M:%S}  {what}: {plain(started.name)} ({plain(started.identifier)})"
+    return Text(line, style="bold green")

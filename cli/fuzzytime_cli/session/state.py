@@ -49,7 +49,7 @@ class KeptBusy:
 
 @dataclass(frozen=True, slots=True)
 class Started:
-    """A skill that has started: it does not move any more."""
+    """A skill that has started, or that ``happens`` by itself: it does not move any more."""
 
     identifier: str
     name: str
@@ -58,6 +58,7 @@ class Started:
     done: datetime
     agent: int = 1
     satisfaction: float = 1.0
+    happens: bool = False
 
 
 @dataclass(frozen=True, slots=True)
