@@ -8,7 +8,7 @@ from itertools import islice
 from typing import Any, BinaryIO
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.language import Language, Operation, answer
+from fuzzytime.language import Language, Operation, RemarkKind, answer
 from fuzzytime.times import format_duration, parse_instant
 from fuzzytime_cli.faults import underlined
 
@@ -17,6 +17,9 @@ BATCH = 256
 
 MAX_LINE = 1 << 20
 """Bytes of a line; what is longer is refused, and not kept."""
+
+LEFT = frozenset({RemarkKind.NOT_UNDERSTOOD, RemarkKind.UNRESOLVED})
+"""Remarks on words that mean something which is not in the answer."""
 
 Answer = dict[str, Any]
 
@@ -105,6 +108,33 @@ def _failed(text: str, now: datetime, error: str) -> Answer:
         "instructions": 0,
         "error": error,
     }
+
+
+@dataclass(slots=True)
+class Tally:
+    """How many texts were answered, could not be read, and were read but hold words not understood."""
+
+    answered: int = 0
+    unread: int = 0
+    not_understood: int = 0
+
+    def count(self, reply: Answer) -> None:
+        """Count an answer."""
+        self.answered += 1
+        if reply["error"]:
+            self.unread += 1
+        elif any(remark["kind"] in LEFT for remark in reply.get("remarks", ())):
+            self.not_understood += 1
+
+    @property
+    def nothing_read(self) -> bool:
+        """Whether there were texts and none could be read."""
+        return 0 < self.answered == self.unread
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether a text could not be read, or not all of its words were understood."""
+        return self.unread + self.not_understood > 0
 
 
 def readable(reply: Answer, width: int | None = None) -> list[str]:

@@ -86,6 +86,24 @@ def test_parse_answers_a_file_and_then_what_was_typed(tmp_path: Path) -> None:
     assert "\nFeed the cat\n" in done.out
 
 
+@pytest.mark.parametrize(
+    ("lines", "code", "strict"),
+    [
+        (b"Stir the soup soon\n", 0, 0),
+        (b"Stir the soup for a while\n", 0, 65),
+        (b"Stir the soup soon\n\xff\n", 0, 65),
+        (b"\xff\n\xfe\n", 65, 65),
+        (b"", 0, 0),
+    ],
+)
+def test_parse_fails_where_nothing_can_be_read_or_strictly_anything(
+    lines: bytes, code: int, strict: int, tmp_path: Path
+) -> None:
+    assert ran("parse", "--jsonl", "-", stdin=lines, folder=tmp_path).code == code
+    done = ran("parse", "--jsonl", "--strict", "-", stdin=lines, folder=tmp_path)
+    assert (done.code, len(done.out.splitlines())) == (strict, lines.count(b"\n"))
+
+
 def test_parse_leaves_out_comments_but_answers_every_line_of_json(tmp_path: Path) -> None:
     file = tmp_path / "one.txt"
     file.write_text("# At noon\nStir the soup soon\n", encoding="utf-8")

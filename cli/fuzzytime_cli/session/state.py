@@ -157,8 +157,7 @@ def instant_of(text: str) -> datetime:
     from fuzzytime.times import parse_instant, parse_zone
 
     plain, _, zone = text.partition("[")
-    instant = parse_instant(plain)
-    return instant.astimezone(parse_zone(zone.rstrip("]"))) if zone else instant
+    return parse_instant(plain, parse_zone(zone.rstrip("]")) if zone else None)
 
 
 def state_of(text: str) -> State:
