@@ -147,6 +147,17 @@ def parse_instant(text: str, zone: tzinfo | None = None) -> datetime:
         instant = datetime.fromisoformat(text.strip())
     except ValueError as error:
         raise FuzzytimeError(f"a date and time must look like 2026-03-04T09:00, got {text!r}") from error
+    return in_zone(instant, zone)
+
+
+def in_zone(instant: datetime, zone: tzinfo | None) -> datetime:
+    """Give an instant in a zone, in which it is where it has none; without a zone, as it is.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it lies outside the years 1 to 9999 there.
+    """
     if zone is None:
         return instant
     if instant.tzinfo is None:
@@ -154,7 +165,7 @@ def parse_instant(text: str, zone: tzinfo | None = None) -> datetime:
     try:
         return instant.astimezone(zone)
     except OverflowError as error:
-        raise FuzzytimeError(f"a date and time must lie in the years 1 to 9999, got {text!r}") from error
+        raise FuzzytimeError(f"an instant must lie in the years 1 to 9999, got {instant}") from error
 
 
 def parse_clock(text: str) -> time:

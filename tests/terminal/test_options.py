@@ -1,5 +1,6 @@
 """What the help says of options is so."""
 
+import json
 import re
 from pathlib import Path
 from typing import get_type_hints
@@ -122,3 +123,46 @@ def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path
     done = ran("plan", str(file), "--now", "2026-03-04T09:00", folder=tmp_path)
     assert done.code == 65
     assert f"{file}:1:6: now: a date and time must look like 2026-03-04T09:00, got 'tomorrow'" in done.err
+
+
+TASK = """
+zone: Europe/Berlin
+agents: 1
+in_order: true
+instructions: [Feed the cat in exactly 14 hours, Call mum in exactly 14 hours]
+"""
+SETTINGS = "zone: Asia/Tokyo\nagents: 2\nin_order: false\n"
+
+
+@pytest.mark.parametrize(
+    ("flags", "variables", "zone", "agents"),
+    [
+        ((), {}, "+02:00", 1),
+        (("--zone", "Asia/Tokyo"), {}, "+09:00", 1),
+        (("--agents", "2"), {}, "+02:00", 2),
+        ((), {"FUZZYTIME_ZONE": "Asia/Tokyo"}, "+09:00", 1),
+        ((), {"FUZZYTIME_CONFIG": "settings.yaml"}, "+02:00", 1),
+    ],
+)
+def test_a_task_file_gives_way_to_flags_and_the_environment_only(
+    flags: tuple[str, ...], variables: dict[str, str], zone: str, agents: int, tmp_path: Path
+) -> None:
+    task, settings = tmp_path / "task.yaml", tmp_path / "settings.yaml"
+    task.write_text(TASK, encoding="utf-8")
+    settings.write_text(SETTINGS, encoding="utf-8")
+    variables = {name: text.replace("settings.yaml", str(settings)) for name, text in variables.items()}
+    given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json", *flags)
+    plan = json.loads(ran(*given, folder=tmp_path, stdin=b"", **variables).out)
+    assert plan["agents"] == agents
+    assert {skill["start"][-6:] for skill in plan["skills"]} == {zone}
+    # Clocks change in Berlin that night, and fourteen hours stay fourteen hours.
+    assert plan["skills"][0]["start_s"] == pytest.approx(14 * 3600, abs=900)
+
+
+def test_settings_count_where_a_task_file_says_nothing(tmp_path: Path) -> None:
+    task, settings = tmp_path / "task.yaml", tmp_path / "settings.yaml"
+    task.write_text("instructions: [Feed the cat soon]", encoding="utf-8")
+    settings.write_text(SETTINGS, encoding="utf-8")
+    given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json")
+    plan = json.loads(ran(*given, folder=tmp_path, FUZZYTIME_CONFIG=str(settings)).out)
+    assert (plan["now"], plan["agents"]) == ("2026-03-28T20:00:00+09:00", 2)
