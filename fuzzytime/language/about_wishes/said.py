@@ -154,6 +154,11 @@ class Said:
             found = found[1:]
         return found[0][0] if found else ""
 
+    def as_number(self) -> str:
+        """Give it where it is a number alone: what could count minutes; else empty."""
+        counted = self._whole(f"{FOR}{self.text} {Unit.MINUTE}s")
+        return self.text if counted and counted[0].unit is Unit.MINUTE else ""
+
     def _whole(self, text: str) -> tuple[TimeRequirement, ...]:
         """Give the time that a text is, whole."""
         found = find_times(text, self.now, self.lexicon).requirements
