@@ -30,6 +30,16 @@ def test_new_times_are_heard(line: str, time: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "kind"),
+    [("cancel dinner", AboutKind.DROP), ("dinner is ready", AboutKind.DONE), ("I've had lunch", None)],
+)
+def test_a_meal_is_named_like_any_other_thing(line: str, kind: AboutKind | None) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert (about.kind if about is not None else None) is kind
+    assert about_wishes("drop lunch at noon", NOW, shipped_lexicon()) is None
+
+
+@pytest.mark.parametrize(
     ("line", "number"),
     [("no, make it six", "six"), ("make it 15", "15"), ("no, at six", ""), ("make it noon", "")],
 )

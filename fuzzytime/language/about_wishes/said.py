@@ -118,8 +118,9 @@ class Said:
 
     @cached_property
     def has_time(self) -> bool:
-        """Whether there is any time in it."""
-        return bool(self._times)
+        """Whether there is any time in it, unless what it names as a whole is one: "dinner"."""
+        named = len(self.forms) == 1 and self.forms[0] in self.lexicon.events
+        return bool(self._times) and not named
 
     def length(self) -> "Length | None":
         """Give the first length of time in it; None for none, and where it is part of another time."""
