@@ -58,7 +58,7 @@ def parse(
         for reply in answers(asked, language):
             tally.count(reply)
             if jsonl:
-                sys.stdout.write(json.dumps(reply, allow_nan=False) + "\n")
+                sys.stdout.write(json.dumps(reply.answer, allow_nan=False) + "\n")
             else:
                 screen.write(*map(plain, readable(reply, screen.width if screen.interactive else None)))
     if tally.nothing_read or (strict and tally.doubtful):

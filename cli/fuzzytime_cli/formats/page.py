@@ -11,7 +11,8 @@ STYLE = (
     "padding:0 1rem}table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.3rem .6rem;"
     "border-bottom:1px solid #8884}td.number{text-align:right;font-variant-numeric:tabular-nums}"
     "svg{max-width:100%;height:auto}meter{width:6rem}.problem{color:#b3361e}"
-    "@media(max-width:40rem){body{font-size:13px;padding:0 .5rem}th,td{padding:.3rem .2rem}meter{display:none}}"
+    "@media(max-width:40rem){body{font-size:13px;padding:0 .5rem}th,td{padding:.3rem .2rem}"
+    "meter{display:none}}"
 )
 
 

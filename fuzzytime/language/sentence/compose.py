@@ -250,9 +250,11 @@ class _Composer:
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        if operation is not None and operation.negated and any(map(is_turned, requirements)):
+        # "Then don't serve it" asks for nothing before.
+        denied = {r.span for r in requirements if is_turned(r)} - {connected and connected.span}
+        if operation is not None and operation.negated and denied:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
-            requirements = [turned(requirement, duration) for requirement in requirements]
+            requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
         said = self.draft.text[slice(*segment.span)].strip()
         told = length_of(operation, requirements, said, anchors)
