@@ -57,6 +57,11 @@ def test_what_happens_by_itself_is_in_a_calendar_as_long_as_it_goes_on(tmp_path:
     assert "Thu 01:00" in written(tmp_path, "table", *told)
 
 
+@pytest.mark.parametrize("kind", ["table", "csv", "html"])
+def test_what_is_not_to_be_done_then_is_not_shown_as_asked_for_then(kind: str, tmp_path: Path) -> None:
+    assert "not before 6 pm" in written(tmp_path, kind, "-i", "Don't open the oven before 6 pm")
+
+
 @pytest.mark.parametrize("kind", ["svg", "html"])
 def test_pictures_and_pages_are_well_formed_and_load_nothing(kind: str, tmp_path: Path) -> None:
     text = written(tmp_path, kind, "examples/workshop.yaml")

@@ -119,7 +119,7 @@ class PlanView:
         """Give the words about time of a skill."""
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
-            words = ", ".join(requirement.text for requirement in interpreted.requirements)
+            words = ", ".join(requirement.asked for requirement in interpreted.requirements)
         elif interpreted.in_order:
             words = "in order"
         else:

@@ -49,6 +49,7 @@ def turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirem
     after = constraint is Constraint.AFTER
     return replace(
         requirement,
+        denied=True,
         constraint=constraint,
         preposition="not before" if after else "no later than",
         t_spec=time,
