@@ -30,7 +30,7 @@ from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.lengths import length_of, lengths_in_front, time_of, unknown_length
-from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
+from fuzzytime.language.sentence.negations import LONGER, awaiting, denied_times, turned
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
 from fuzzytime.language.sentence.references import (
@@ -250,13 +250,12 @@ class _Composer:
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        # "Then don't serve it" asks for nothing before.
-        denied = {r.span for r in requirements if is_turned(r)} - {connected and connected.span}
+        said = self.draft.text[slice(*segment.span)].strip()
+        denied = denied_times(requirements, connected, said)
         if operation is not None and operation.negated and denied:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
-        said = self.draft.text[slice(*segment.span)].strip()
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks
