@@ -164,6 +164,14 @@ def test_help_of_one_command_is_its_line() -> None:
     ]
 
 
+def test_times_of_other_days_name_the_day() -> None:
+    talk = Talk()
+    talk.say("Watch the fire now for 20 hours")
+    assert "until Thu 05:00:00" in talk.wait(seconds=1) + talk.say("what's next?")
+    talk.wait(days=2)
+    assert "  1  04 Mar 09:00  Watch the fire now" in talk.say(":list")
+
+
 def test_a_night_is_busy_until_the_morning() -> None:
     talk = Talk()
     talk.say(":busy 23:00 07:00 sleep")

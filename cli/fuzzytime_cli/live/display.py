@@ -7,8 +7,9 @@ from typing import Protocol, TextIO
 
 from rich.text import Text
 
-from fuzzytime.times import format_duration, instant_after
+from fuzzytime.times import format_duration
 from fuzzytime_cli.faults import report, underlined
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.table import PlanView, bar, style_of
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
@@ -69,7 +70,7 @@ class EventScreen:
         return Text(f"{self._clock(at)}  {kind:<{_NAME}} {words}", style=style)
 
     def _clock(self, at: float | None) -> str:
-        return "never" if at is None else f"{instant_after(self.origin, round(at)):%H:%M:%S}"
+        return "never" if at is None else Clock(self.origin, with_seconds=True).of(at)
 
     def _lines(self, event: Event) -> list[Text]:
         at, kind = event.at, event.type

@@ -7,6 +7,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.choices import SolverChoice
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped
 from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import (
@@ -131,7 +132,8 @@ def more(scene: Scene, text: str) -> Reply:
     by_itself = begun.end < scene.now < begun.done
     end = begun.end if by_itself else instant_after(max(begun.end, scene.now), longer)
     store.note_until(name, wanted, end, max(done, end))
-    return Reply((Text(f"{plain(begun.name)} goes on until {max(done, end):%H:%M:%S}"),), changed=True)
+    until = Clock(scene.now, with_seconds=True).at(max(done, end))
+    return Reply((Text(f"{plain(begun.name)} goes on until {until}"),), changed=True)
 
 
 def ctx(scene: Scene, text: str) -> Reply:
@@ -140,7 +142,8 @@ def ctx(scene: Scene, text: str) -> Reply:
 
     signals = scene.conversation.interpreter.rulebook.signals
     if not text.strip():
-        shown = tuple(_reading_line(one) for one in scene.conversation.state.readings)
+        clock = Clock(scene.now, with_seconds=True)
+        shown = tuple(_reading_line(one, clock) for one in scene.conversation.state.readings)
         known = wrapped(f"no readings yet; signals: {', '.join(sorted(signals))}", scene.width)
         return Reply(shown or tuple(known))
     reading = parse_assignment(text.strip(), signals)
@@ -148,9 +151,9 @@ def ctx(scene: Scene, text: str) -> Reply:
     return step(scene, f":ctx {text.strip()}", lambda state: replace(state, readings=(*state.readings, kept)))
 
 
-def _reading_line(kept: KeptReading) -> str:
+def _reading_line(kept: KeptReading, clock: Clock) -> str:
     value = "happened" if kept.value is None else f"{kept.value:g} {kept.unit or ''}".rstrip()
-    return f"{plain(kept.signal):<18} {plain(value):<12} at {kept.at:%H:%M:%S}"
+    return f"{plain(kept.signal):<18} {plain(value):<12} at {clock.at(kept.at)}"
 
 
 def agents(scene: Scene, text: str) -> Reply:

@@ -8,6 +8,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, Language, about_wishes, content_words, reported
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
 from fuzzytime_cli.repl.commands import command_of
@@ -183,15 +184,16 @@ def _progress(scene: Scene, about: About) -> str | None:
     last = next(reversed(all_called(scene, about.names)), None)
     if last is not None and longer:
         return line(last.identifier)
+    over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
     if not about.names:
-        told = "" if last is None else f"; the last, {last.name}, was done at {last.done:%H:%M}"
+        told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
     entry = entry_of(scene, about.names)
     planned = None if entry is None else called(scene, entry.number)
     if planned is not None:
         return None if longer and not about.certain else line(planned)
     if last is not None:
-        raise FuzzytimeError(f"{last.name} was done at {last.done:%H:%M}")
+        raise FuzzytimeError(f"{last.name} was done at {over}")
     return unknown(about.names) if about.certain else None
 
 

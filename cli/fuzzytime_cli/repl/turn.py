@@ -15,7 +15,7 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines, running_lines
 from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -171,10 +171,7 @@ class Turns:
         started = {one.identifier for one in self.conversation.store.started(self.conversation.name)}
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
-        for one in self.conversation.running(now):
-            lines.append(
-                Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
-            )
+        lines += running_lines(self.conversation, now)
         untold = tuple(problem for problem in made.problems if problem not in self.told)
         self.told = set(made.problems)
         lines += PlanView(replace(made, problems=untold), self.width, unicode=self.unicode).lines()
