@@ -11,6 +11,7 @@ from fuzzytime.interpreter import Plan, Problem
 from fuzzytime.language import Question
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
+from fuzzytime_cli.inputs.lines import said_in
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
@@ -226,8 +227,8 @@ class Turns:
 
 
 def _words_of(line: str) -> str:
-    """Give what was typed, with a command that needs no colon as one that has it."""
-    words = line.strip()
+    """Give what was typed; a command that needs no colon as one that has it, and nothing for a comment."""
+    words = said_in(line)
     return BARE.get(words.lower(), words)
 
 
