@@ -6,12 +6,15 @@ which every schedule costs too much can be deleted: far more are than by the bou
 grid is small.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.labels import Labels
 from fuzzytime.scheduling.memory import Masks
+from fuzzytime.scheduling.merging import lower
 from fuzzytime.scheduling.paths import Arcs
 
 
@@ -36,21 +39,22 @@ def used_below(labels: Labels, threshold: float, beyond: Floats | None = None) -
         if not masks.size:
             continue
         here = np.full(cost.shape, np.inf)
-        here[:, -1] = rest.after(number, number + 1, masks, slice(0, 1))[:, 0]
+        here[-1] = rest.after(number, number + 1, masks, slice(0, 1))
         if beyond is not None and number + 1 == labels.blocks:
-            here[:, -1] += beyond
+            here[-1] += beyond
         for move in labels.moves[number]:
-            rows, columns, after = labels.done(move, masks, cost, within)
-            sets = masks[rows] | labels.memory.of_job[move.job]
-            for block, column, part in labels.landings(number, move, columns):
-                onward = rest.after(number, block, sets, slice(column, column + part.stop - part.start))
-                through = np.flatnonzero((after[:, part] + onward < limit).any(axis=0))
-                first = columns.start + part.start
+            sets, rows, after = labels.done(move, masks, cost, within)
+            reached = masks[sets] | labels.memory.of_job[move.job]
+            for block, row, part in labels.landings(number, move, rows):
+                onward = rest.after(number, block, reached, slice(row, row + part.stop - part.start))
+                through = np.flatnonzero((after[part] + onward < limit).any(axis=1))
+                first = rows.start + part.start
                 used.append((int(labels.bounds[number]) + first + through) * count + move.job)
-                added = move.cost[first - move.column :][: onward.shape[1]]
-                place = np.ix_(rows, np.arange(first, first + onward.shape[1]))
-                here[place] = np.minimum(here[place], onward + added)
-        rest.costs[number] = np.minimum.accumulate(here[:, ::-1], axis=1)[:, ::-1]
+                onward += move.cost[first - move.row :][: onward.shape[0], None]
+                lower(here[first : first + onward.shape[0]], sets, onward)
+        for later, row in pairwise(here[::-1]):
+            np.minimum(later, row, out=row)
+        rest.costs[number] = here
     key = labels.arcs.start * count + labels.arcs.job
     return labels.arcs.select(np.isin(key, np.concatenate(used)))
 
@@ -62,15 +66,15 @@ class _Rest:
         self._labels = labels
         self.costs: list[Floats] = [np.empty((0, 0))] * (labels.blocks + 1)
 
-    def after(self, origin: int, block: int, masks: Masks, columns: slice) -> Floats:
-        """Give what sets that are carried into a block cost from its columns on; inf where none was kept."""
+    def after(self, origin: int, block: int, masks: Masks, rows: slice) -> Floats:
+        """Give what sets that are carried into a block cost from its rows on; inf where none was kept."""
         sets, extra = self._labels.memory.closed(origin, block, masks)
         if block == self._labels.blocks:
-            return extra[:, None]
+            return extra[None, :]
         known = self._labels.history[block]
         if known is None:
-            return np.full((masks.size, columns.stop - columns.start), np.inf)
-        row = np.minimum(np.searchsorted(known[0], sets), known[0].size - 1)
-        onward = self.costs[block][row, columns] + extra[:, None]
-        onward[known[0][row] != sets] = np.inf
+            return np.full((rows.stop - rows.start, masks.size), np.inf)
+        column = np.minimum(np.searchsorted(known[0], sets), known[0].size - 1)
+        onward = self.costs[block][rows].take(column, axis=1)
+        onward += np.where(known[0][column] == sets, extra, np.inf)
         return onward

@@ -38,6 +38,9 @@ BEAM, BROAD_BEAM = 50, 200
 FAST, SLOW = 0.6, 0.97
 """To what share the gap falls at least in a round of the search for a bound; and for the highest one."""
 
+PATIENCE = 0.4
+"""Of the time left, for a higher bound of very many skills, as long as it rises at all."""
+
 LEAST = 0.05
 """Of the gap, the threshold is above the bound at least; where labels fail even so, the gap stays."""
 
@@ -58,6 +61,9 @@ PART_ROUNDS = 2
 
 KICKS_A_PAIR = 0.05
 """Of a local search where a schedule is doubtful, at most: what may change places are pairs of skills."""
+
+PAYS = 0.1
+"""Of the gap, a search closes at least, or labels are tried with more room before the next one."""
 
 MANY = 60
 """From so many skills on a doubtful schedule is mended before labels."""
@@ -97,6 +103,7 @@ class _Search(GridSearch):
         self._followed: Floats | None = None
         self._kicked = np.inf
         self._is_solved = False
+        self._pays = True
 
     @property
     def worth(self) -> float:
@@ -139,24 +146,32 @@ class _Search(GridSearch):
             elif budget < cells:
                 self._raise(relaxation)
                 budget, width, delta = 4 * budget, 6 * width, delta / 2
-                if searching:
+                if searching and self._pays:
                     self._search_near(relaxation, width)
                 if self.is_closed():
                     return True
             elif delta > LEAST * (self.best.cost - self.lower):
                 delta /= 2
             else:
-                return False
+                known = self.best.cost
+                if searching:
+                    self._search_near(relaxation, width)
+                if self.best.cost >= known:
+                    return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
 
     def _raise(self, relaxation: Relaxation) -> None:
         """Make the bound as high as it goes, which takes less long than many more labels.
 
-        Where labels have proved more than the bound already, they go on.
+        Where labels have proved more than the bound already, they go on, unless there are very many skills:
+        prices find their way slowly then, and labels need good ones.
         """
-        if relaxation.lower >= self.lower:
+        if self._are_very_many and self._is_doubtful():
+            patient = self.watch.share(PATIENCE)
+            relaxation.improve(self.best.cost, STEPS, self.left_over, patient, worth=1.0)
+        elif relaxation.lower >= self.lower:
             relaxation.improve(self.best.cost, STEPS, self.left_over, self.watch, worth=SLOW)
-            self.lower = relaxation.lower
+        self.lower = max(self.lower, relaxation.lower)
 
     @property
     def _are_very_many(self) -> bool:
@@ -181,7 +196,7 @@ class _Search(GridSearch):
 
     def _search_near(self, relaxation: Relaxation, width: int) -> None:
         """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
-        known = self.best.cost
+        known, left = self.best.cost, self.best.cost - self.lower
         self._follow_path(relaxation)
         if self._are_very_many:
             self._kick()
@@ -190,6 +205,7 @@ class _Search(GridSearch):
             self._kick()
         elif self._is_doubtful():
             self._search_stretches(relaxation)
+        self._pays = known - self.best.cost >= PAYS * left
         if self.best.cost < known and not self.is_closed():
             relaxation.fix(self.best.cost)
 

@@ -12,8 +12,9 @@ a job of S, every schedule that continues a label costs at least cost + B[t]: la
 the threshold are dropped. So a schedule that is found is optimal, and where none is found every schedule
 costs at least the threshold, unless something else was cut off: by the width of a beam, or for want of room.
 
-Labels come in blocks of slots no longer than the shortest job that starts in them: a matrix (set × slot), and
-a job is added to all sets and slots of a block at once. Tanaka, Fujikuma and Araki, An exact algorithm for
+Labels come in blocks of slots no longer than the shortest job that starts in them: a matrix (slot × set), and
+a job is added to all slots and sets of a block at once. Sets are many and slots few, so that what is done to
+a row at a time is done to many numbers. Tanaka, Fujikuma and Araki, An exact algorithm for
 single-machine scheduling without machine idle time, J. Sched. 12 (2009) 575-593, prune in the same way.
 """
 
@@ -28,6 +29,7 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.memory import Masks, Remember, last_needed, memory_of_open
+from fuzzytime.scheduling.merging import Piece, merged
 from fuzzytime.scheduling.paths import Arcs, Ways, block_bounds, ways_to_end
 
 LONGEST_BLOCK = 64
@@ -36,21 +38,12 @@ ROUNDING = 1e-9
 
 
 class _Move(NamedTuple):
-    """A job's starts in one block, from a column on: cost with its price, and the same with B behind it."""
+    """A job's starts in one block, from a row on: their costs with its price, and B behind them."""
 
     job: int
-    column: int
+    row: int
     cost: Floats
-    total: Floats
-
-
-class _Piece(NamedTuple):
-    """Labels that arrive in a block, from a column on; ``origin`` is the block they come from."""
-
-    masks: Masks
-    cost: Floats
-    column: int
-    origin: int
+    ahead: Floats
 
 
 class _Ahead(NamedTuple):
@@ -72,9 +65,9 @@ class _Ahead(NamedTuple):
         return cls(cost, first, second)
 
     def at(self, masks: Masks, begin: int, stop: int) -> Floats:
-        """Give for each set, for each slot, what the rest costs at least: its first job is not done yet."""
-        done = (masks[:, None] & self.first[begin:stop]) != 0
-        return np.where(done, self.second[begin:stop], self.cost[begin:stop])
+        """Give for each slot, for each set, what the rest costs at least: its first job is not done yet."""
+        done = (self.first[begin:stop, None] & masks) != 0
+        return np.where(done, self.second[begin:stop, None], self.cost[begin:stop, None])
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,7 +146,7 @@ class Labels:
         cost = np.full(int(arcs.start[-1]) - first + 1, np.inf)
         cost[arcs.start - first] = arcs.gain + self.prices[job]
         after = beyond.without(np.arange(end, end + cost.size), np.array(job))
-        return _Move(job, first - int(self.bounds[number]), cost, cost + after)
+        return _Move(job, first - int(self.bounds[number]), cost, after)
 
     def run(self, threshold: float, watch: Stopwatch, cells: int, width: int | None = None) -> Found:
         """Search the best schedule that costs less than a threshold.
@@ -172,133 +165,117 @@ class Labels:
         limit = self.limit = threshold - self.base
         exact, used = self.memory.complete, 0
         history = self.history = [None] * self.blocks
-        arriving: list[list[_Piece]] = [[] for _ in range(self.blocks)]
-        arriving[0].append(_Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
+        arriving: list[list[Piece]] = [[] for _ in range(self.blocks)]
+        arriving[0].append(Piece(np.zeros(1, np.uint64), np.zeros((1, 1)), 0, -1))
         for number in range(self.blocks):
             if not arriving[number]:
                 continue
             begin, stop = int(self.bounds[number]), int(self.bounds[number + 1])
-            masks, cost = self._merged(arriving[number], number, stop - begin)
+            masks, cost = merged(arriving[number], self.memory, number, stop - begin)
             arriving[number] = []
             total = cost + self.ahead.at(masks, begin, stop)
-            promising = total < limit
-            alive = np.flatnonzero(promising.any(axis=1))
+            alive = np.flatnonzero((total < limit).any(axis=0))
             if width is not None and alive.size > width:
-                alive = np.sort(np.argpartition(total.min(axis=1), width - 1)[:width])
+                alive = np.sort(np.argpartition(total.min(axis=0), width - 1)[:width])
                 exact = False
             if not alive.size:
                 continue
-            masks, cost, promising = masks[alive], cost[alive], promising[alive]
+            masks, cost = masks[alive], cost.take(alive, axis=1)
             used += cost.size
             history[number] = masks, cost
-            waiting = promising[:, -1]
-            if number + 1 < self.blocks and waiting.any():
-                arriving[number + 1].append(_Piece(masks[waiting], cost[waiting, -1:], 0, number))
+            waiting = np.flatnonzero(total[-1, alive] < limit)
+            if number + 1 < self.blocks and waiting.size:
+                arriving[number + 1].append(Piece(masks[waiting], cost[-1:, waiting], 0, number))
             for move in self.moves[number]:
                 if used > cells or watch.is_over():
                     return Found(exact=False)
-                rows, columns, after = self.done(move, masks, cost, limit)
+                sets, rows, after = self.done(move, masks, cost, limit)
                 used += after.size
-                for block, column, here in self.landings(number, move, columns):
-                    piece = after[:, here]
-                    some = np.isfinite(piece).any(axis=1)
-                    if some.any():
-                        sets = masks[rows[some]] | self.memory.of_job[move.job]
-                        arriving[block].append(_Piece(sets, piece[some], column, number))
+                for block, row, here in self.landings(number, move, rows):
+                    piece = after[here]
+                    some = np.flatnonzero(np.isfinite(piece).any(axis=0))
+                    if some.size:
+                        arrived = masks[sets[some]] | self.memory.of_job[move.job]
+                        arriving[block].append(Piece(arrived, piece.take(some, axis=1), row, number))
         return self._best(limit, exact=exact)
 
     def done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
-        """Add a job to the labels of a block that may do it: rows, columns, costs, inf above the limit."""
+        """Add a job to the labels of a block that may do it: sets, rows, costs, inf above the limit."""
         bit, needed = self.memory.of_job[move.job], self.needed[move.job]
-        rows = np.flatnonzero((masks & (bit | needed)) == needed)
-        before = cost[rows, move.column : move.column + move.cost.size]
-        below = before + move.total < limit
-        some = below.any(axis=1)
-        columns = np.flatnonzero(below.any(axis=0))
-        if not columns.size:
-            return rows[:0], slice(0, 0), np.empty((0, 0))
-        low, high = int(columns[0]), int(columns[-1]) + 1
-        after = np.where(below[some, low:high], before[some, low:high] + move.cost[low:high], np.inf)
-        return rows[some], slice(move.column + low, move.column + high), after
+        sets = np.flatnonzero((masks & (bit | needed)) == needed)
+        after = cost[move.row : move.row + move.cost.size].take(sets, axis=1)
+        after += move.cost[:, None]
+        below = after < (limit - move.ahead)[:, None]
+        rows = np.flatnonzero(below.any(axis=1))
+        if not rows.size:
+            return sets[:0], slice(0, 0), np.empty((0, 0))
+        low, high = int(rows[0]), int(rows[-1]) + 1
+        some = np.flatnonzero(below.any(axis=0))
+        after = np.where(below[low:high].take(some, axis=1), after[low:high].take(some, axis=1), np.inf)
+        return sets[some], slice(move.row + low, move.row + high), after
 
-    def landings(self, number: int, move: _Move, columns: slice) -> Iterator[tuple[int, int, slice]]:
-        """Tell where a job that starts in some columns of a block ends.
+    def landings(self, number: int, move: _Move, rows: slice) -> Iterator[tuple[int, int, slice]]:
+        """Tell where a job that starts in some rows of a block ends.
 
-        Gives the block, the column there from which on, and the part of the columns that ends in it.
+        Gives the block, the row there from which on, and the part of the rows that ends in it.
         """
-        end = int(self.bounds[number]) + columns.start + int(self.durations[move.job])
-        size, done = columns.stop - columns.start, 0
+        end = int(self.bounds[number]) + rows.start + int(self.durations[move.job])
+        size, done = rows.stop - rows.start, 0
         block = int(np.searchsorted(self.bounds, end, "right")) - 1
         while done < size:
             taken = min(size - done, int(self.bounds[block + 1]) - end)
             yield block, end - int(self.bounds[block]), slice(done, done + taken)
             end, done, block = end + taken, done + taken, block + 1
 
-    def _merged(self, pieces: list[_Piece], block: int, width: int) -> tuple[Masks, Floats]:
-        """Make one matrix of all pieces that arrive in a block, each set once, then let time pass."""
-        closed = [(self.memory.closed(piece.origin, block, piece.masks), piece) for piece in pieces]
-        every = np.concatenate([masks for (masks, _), _ in closed])
-        masks, row = np.unique(every, return_inverse=True)
-        merged, position = np.full((masks.size, width), np.inf), 0
-        for (mine, extra), piece in closed:
-            rows = row[position : position + mine.size]
-            position += mine.size
-            cost = piece.cost + extra[:, None]
-            columns = slice(piece.column, piece.column + cost.shape[1])
-            if mine is not piece.masks:  # closing may have made sets of one piece equal
-                order = np.argsort(rows, kind="stable")
-                heads = np.flatnonzero(np.diff(rows[order], prepend=-1))
-                rows, cost = rows[order][heads], np.minimum.reduceat(cost[order], heads, axis=0)
-            merged[rows, columns] = np.minimum(merged[rows, columns], cost)
-        return masks, np.minimum.accumulate(merged, axis=1, out=merged)
-
     def _best(self, limit: float, *, exact: bool) -> Found:
         """Give the best label of the last block."""
         _, final = self.last()
-        row = int(final.argmin()) if final.size else 0
-        if not final.size or final[row] >= limit:
+        column = int(final.argmin()) if final.size else 0
+        if not final.size or final[column] >= limit:
             return Found(exact)
-        return Found(exact, float(final[row] + self.base), self.traced(row))
+        return Found(exact, float(final[column] + self.base), self.traced(column))
 
     def last(self) -> tuple[Masks, Floats]:
         """Give the sets with which the last run came to the end, and what each costs, less the base."""
-        masks, cost = self.history[-1] or (np.empty(0, np.uint64), np.empty((0, 1)))
-        return masks, cost[:, -1] + self.memory.closed(self.blocks - 1, self.blocks, masks)[1]
+        masks, cost = self.history[-1] or (np.empty(0, np.uint64), np.empty((1, 0)))
+        return masks, cost[-1] + self.memory.closed(self.blocks - 1, self.blocks, masks)[1]
 
-    def traced(self, row: int) -> Ints:
+    def traced(self, column: int) -> Ints:
         """Give the start slots of one of the last sets, −1 for what is not done: back along equal costs."""
         starts = np.full(self.durations.size, -1, np.int64)
         slack = ROUNDING * max(1.0, float(self.prices.max(initial=0.0)))
-        block, column = self.blocks - 1, -1
+        block, row = self.blocks - 1, -1
         while True:
             masks, cost = self.history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
             value = cost[row, column] + slack
-            column = int((cost[row] <= value).argmax())  # at the first slot with this cost something arrived
-            slot = int(self.bounds[block]) + column
+            row = int(
+                (cost[:, column] <= value).argmax()
+            )  # at the first slot with this cost something arrived
+            slot = int(self.bounds[block]) + row
             if slot == 0:
                 return starts
-            for job, origin, past_column, added in self._arrivals(block, column, slot):
+            for job, origin, past_row, added in self._arrivals(block, row, slot):
                 bit = self.memory.of_job[job] if job is not None else np.uint64(0)
                 needed = self.needed[job] if job is not None else np.uint64(0)
                 past, past_cost = self.history[origin] or (masks, cost)
                 after, extra = self.memory.closed(origin, block, past | bit)
-                same = (after == masks[row]) & ((past & (bit | needed)) == needed)
-                same &= past_cost[:, past_column] + added + extra <= value
+                same = (after == masks[column]) & ((past & (bit | needed)) == needed)
+                same &= past_cost[past_row] + added + extra <= value
                 if same.any():
-                    block, row, column = origin, int(same.argmax()), past_column
+                    block, row, column = origin, past_row, int(same.argmax())
                     if job is not None:
                         starts[job] = slot - self.durations[job]
                     break
             else:  # pragma: no cover - every label has a predecessor
                 raise RuntimeError("a label without a predecessor")
 
-    def _arrivals(self, block: int, column: int, slot: int) -> Iterator[tuple[int | None, int, int, float]]:
+    def _arrivals(self, block: int, row: int, slot: int) -> Iterator[tuple[int | None, int, int, float]]:
         """Give what may arrive at a slot: idling over a block's edge (no job), or a job that ends there."""
-        if column == 0 and self.history[block - 1] is not None:
+        if row == 0 and self.history[block - 1] is not None:
             yield None, block - 1, -1, 0.0
         origins = np.searchsorted(self.bounds, slot - self.durations, "right") - 1
         for origin in np.unique(origins[origins >= 0]).tolist():
             for move in self.moves[origin] if self.history[origin] is not None else ():
                 place = slot - int(self.durations[move.job] + self.bounds[origin])
-                if origins[move.job] == origin and move.column <= place < move.column + move.cost.size:
-                    yield move.job, origin, place, float(move.cost[place - move.column])
+                if origins[move.job] == origin and move.row <= place < move.row + move.cost.size:
+                    yield move.job, origin, place, float(move.cost[place - move.row])

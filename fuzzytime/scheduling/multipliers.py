@@ -36,6 +36,9 @@ PROMISE = 0.02
 RISE = 0.1
 """Prices become the best if the bound rises by this share of what was promised; else the planes learn."""
 
+LITTLE_RISE = 0.01
+"""That share where the bound has come to rise slowly: far up planes promise too much for long."""
+
 LOOSER = 0.7
 """The stiffness changes so where prices become the best …"""
 
@@ -85,10 +88,21 @@ class Multipliers:
         steepness = float(gradient[inner] @ gradient[inner])
         self._stiffness = max(steepness, 1.0) / max(upper - self.lower, SMALLEST) / FIRST_REACH
 
-    def improve(self, upper: float, steps: int, watch: Stopwatch) -> bool:
+    def improve(self, upper: float, steps: int, watch: Stopwatch, rise: float = RISE) -> bool:
         """Take steps until the planes promise little, the bound reaches a known cost, or time is over.
 
         Tells whether nothing is promised any more.
+
+        Parameters
+        ----------
+        upper
+            The known cost.
+        steps
+            At most.
+        watch
+            Asked before each step.
+        rise
+            Of what was promised, for prices to become the best.
         """
         for _ in range(steps):
             point, promise = self._promising(max(PROMISE * (upper - self.lower), SMALLEST))
@@ -100,7 +114,7 @@ class Multipliers:
             self._keep(gradient, value - float(gradient @ point))
             # How far the new plane lies above D at the best prices tells whether the step was too long.
             above = value + float(gradient @ (self.prices - point)) - self.lower
-            if value - self.lower > RISE * promise:
+            if value - self.lower > rise * promise:
                 self.prices, self.lower = point, value
                 self._stiffness *= LOOSER
             elif above > promise:

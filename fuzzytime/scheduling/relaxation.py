@@ -19,13 +19,16 @@ import numpy as np
 from fuzzytime.satisfaction import Floats, Interval
 from fuzzytime.scheduling.grid import Grid, Ints
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.multipliers import Multipliers
+from fuzzytime.scheduling.multipliers import LITTLE_RISE, RISE, Multipliers
 from fuzzytime.scheduling.orders import Order
 from fuzzytime.scheduling.paths import Arcs, Paths, arcs_of, ways_to_end
 from fuzzytime.scheduling.problem import Problem
 from fuzzytime.scheduling.settle import lanes_of_agents, sequences
 from fuzzytime.scheduling.solver import Draft
 from fuzzytime.scheduling.windows import in_common
+
+QUICK = 0.9
+"""The bound rises slowly where the gap does not fall to this share of itself between two deletions."""
 
 
 class Relaxation:
@@ -103,14 +106,15 @@ class Relaxation:
         worth
             To what share of itself the gap must fall between two deletions, or the search ends.
         """
-        left, is_highest = np.inf, False
+        left, is_highest, rise = np.inf, False, RISE
         while enough < upper - self.lower < worth * left and rounds > 0 and not watch.is_over():
             rounds -= 1
             left = upper - self.lower
             if is_highest:
                 # What the search for prices remembers is about arcs that are gone: it begins again.
                 self._multipliers = Multipliers(self, self.prices, upper)
-            is_highest = self._multipliers.improve(upper, steps, watch)
+            is_highest = self._multipliers.improve(upper, steps, watch, rise)
+            rise = RISE if upper - self.lower < QUICK * left else LITTLE_RISE
             if not watch.is_over():
                 self.fix(upper)
 

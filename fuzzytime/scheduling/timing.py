@@ -13,6 +13,7 @@ smaller steps; pooling then settles the timing within the pieces of windows that
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -63,18 +64,14 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
     spans = _fitting(jobs, windows)
     if spans is None:
         return None
-    blocks: list[Block] = []
-    for index, (low, high) in enumerate(spans):
-        blocks.append(Block([index], [0.0], low, high))
-        blocks[-1].start = best_start(jobs, blocks[-1])
-        while len(blocks) > 1 and blocks[-2].start + _length(jobs, blocks[-2]) > blocks[-1].start:
-            last, front = blocks.pop(), blocks[-1]
-            length = _length(jobs, front)
-            front.members += last.members
-            front.offsets += [offset + length for offset in last.offsets]
-            front.low, front.high = max(front.low, last.low - length), min(front.high, last.high - length)
-            # Of two convex costs the best of their sum lies between the best of each.
-            front.start = best_start(jobs, front, Interval(last.start - length, front.start))
+    blocks = [
+        Block([index], [0.0], low, high, min(max(job.function.best.low, low), high))
+        for index, (job, (low, high)) in enumerate(zip(jobs, spans, strict=True))
+    ]
+    count = len(blocks) + 1
+    while len(blocks) < count:
+        count = len(blocks)
+        blocks = [_merged(jobs, run) for run in _runs(jobs, blocks)]
     round_blocks(jobs, blocks)
     starts = np.empty(len(jobs))
     for block in blocks:
@@ -82,6 +79,38 @@ def pooled(jobs: Sequence[Job], windows: Sequence[Interval]) -> Floats | None:
             # Rounding in long sums must not push a start out of its window.
             starts[member] = min(max(block.start + offset, windows[member].low), windows[member].high)
     return starts
+
+
+def _runs(jobs: Sequence[Job], blocks: Sequence[Block]) -> list[list[Block]]:
+    """Put blocks together of which each would start before the one in front of it has ended.
+
+    Neighbours of which that holds follow each other without idle time in the best timing, whatever the
+    others do: so all of a run become one block at once.
+    """
+    runs = [[block] for block in blocks[:1]]
+    for before, block in pairwise(blocks):
+        if before.start + _length(jobs, before) > block.start:
+            runs[-1].append(block)
+        else:
+            runs.append([block])
+    return runs
+
+
+def _merged(jobs: Sequence[Job], run: Sequence[Block]) -> Block:
+    """Make one block of several, and give it its best start."""
+    if len(run) == 1:
+        return run[0]
+    before = list(accumulate((_length(jobs, block) for block in run[:-1]), initial=0.0))
+    pairs = list(zip(run, before, strict=True))
+    merged = Block(
+        [member for block in run for member in block.members],
+        [past + offset for block, past in pairs for offset in block.offsets],
+        max(block.low - past for block, past in pairs),
+        min(block.high - past for block, past in pairs),
+    )
+    # The best of a sum of convex costs lies between the first and the last of their best.
+    merged.start = best_start(jobs, merged, Interval(run[-1].start - before[-1], run[0].start))
+    return merged
 
 
 def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
