@@ -173,6 +173,8 @@ class TimeRequirement:
         The words as typed, and their first and one past last character in the instruction.
     constraint, reference
         How they bind which moment of the execution.
+    denied
+        Whether the words say when not: of "don't open it before six" the constraint is ``after``.
     reference_said
         Whether the words name that moment ("start cooking by six"); where they do not, tables may choose it.
     preposition
@@ -198,6 +200,7 @@ class TimeRequirement:
     span: tuple[int, int]
     constraint: Constraint
     reference: Reference = Reference.START
+    denied: bool = False
     reference_said: bool = False
     preposition: str | None = None
     word: str | None = None
@@ -211,6 +214,11 @@ class TimeRequirement:
     condition: Condition | None = None
     anchor: Anchor | None = None
     recurrence: Recurrence | None = None
+
+    @property
+    def asked(self) -> str:
+        """The words as they ask for a time: "not before six" where they say when not."""
+        return f"not {self.text}" if self.denied else self.text
 
     def shifted(self, by: float) -> "TimeRequirement":
         """Give the same requirement on a timeline whose origin is ``by`` seconds earlier."""

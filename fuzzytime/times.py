@@ -131,18 +131,41 @@ def parse_zone(name: str) -> ZoneInfo:
 
 
 def parse_instant(text: str, zone: tzinfo | None = None) -> datetime:
-    """Read an ISO 8601 date and time; where it names no offset it is in ``zone``.
+    """Read an ISO 8601 date and time, and give it in ``zone``, in which it is where it names no offset.
+
+    Without a zone it is as it was said: with its offset, or with none.
 
     Raises
     ------
     FuzzytimeError
-        If the text is no date and time.
+        If the text is no date and time, or none of the years 1 to 9999 in that zone.
+
+    >>> print(parse_instant("2026-03-04T09:00Z", ZoneInfo("Asia/Tokyo")))
+    2026-03-04 18:00:00+09:00
     """
     try:
         instant = datetime.fromisoformat(text.strip())
     except ValueError as error:
         raise FuzzytimeError(f"a date and time must look like 2026-03-04T09:00, got {text!r}") from error
-    return instant if instant.tzinfo is not None or zone is None else instant.replace(tzinfo=zone)
+    return in_zone(instant, zone)
+
+
+def in_zone(instant: datetime, zone: tzinfo | None) -> datetime:
+    """Give an instant in a zone, in which it is where it has none; without a zone, as it is.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it lies outside the years 1 to 9999 there.
+    """
+    if zone is None:
+        return instant
+    if instant.tzinfo is None:
+        return instant.replace(tzinfo=zone)
+    try:
+        return instant.astimezone(zone)
+    except OverflowError as error:
+        raise FuzzytimeError(f"an instant must lie in the years 1 to 9999, got {instant}") from error
 
 
 def parse_clock(text: str) -> time:

@@ -2,6 +2,7 @@
 
 import doctest
 import importlib.util
+import re
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,19 @@ def test_the_python_of_a_document_runs(path: Path, capsys: pytest.CaptureFixture
     for block in blocks_of(path, "python"):
         exec(compile(block, str(path), "exec"), {})  # noqa: S102 - that is the test
     assert capsys.readouterr().out
+
+
+LINK = re.compile(r"\]\(([^)#\s:]+)(?:#[^)\s]*)?\)")
+
+
+@pytest.mark.parametrize("path", [*DOCUMENTS, ROOT / "CONTRIBUTING.md"], ids=lambda path: path.name)
+def test_a_link_leads_to_a_file_and_out_of_no_book(path: Path) -> None:
+    prose = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+    for link in LINK.findall(prose):
+        target = (path.parent / link).resolve()
+        assert target.exists(), link
+        # The book is made of its own folder, and is not made where one leads out of it.
+        assert ROOT / "docs" not in path.parents or ROOT / "docs" in target.parents, link
 
 
 def test_the_reference_of_the_json_is_that_of_its_schema() -> None:

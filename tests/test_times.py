@@ -69,6 +69,13 @@ def test_a_naive_instant_is_in_the_zone_of_the_other() -> None:
     assert seconds_between(naive, aware) == -3600
 
 
+def test_an_instant_is_given_in_the_zone_that_is_asked_for() -> None:
+    assert parse_instant("2026-03-04T09:00Z", BERLIN).isoformat() == "2026-03-04T10:00:00+01:00"
+    assert parse_instant("2026-03-04T09:00Z").isoformat() == "2026-03-04T09:00:00+00:00"
+    with pytest.raises(FuzzytimeError, match="years 1 to 9999"):
+        parse_instant("0001-01-01T00:00+14:00", BERLIN)
+
+
 def test_instants_stay_within_the_calendar() -> None:
     with pytest.raises(FuzzytimeError, match="years 1 to 9999"):
         instant_after(datetime(2026, 1, 1, tzinfo=BERLIN), 1e15)

@@ -20,11 +20,12 @@ if TYPE_CHECKING:
     from fuzzytime.language import Language
     from fuzzytime.rulebook import Rulebook
     from fuzzytime.scheduling import Limits, Solver
+    from fuzzytime_cli.inputs.task_file import Given
 
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """Everything that commands which plan need, put together once."""
+    """Everything that commands which plan need, put together once; ``now`` is as it was said."""
 
     settings: Settings
     now: datetime | None
@@ -51,7 +52,7 @@ class Assembly:
         with as_usage("--zone"):
             zone = parse_zone(settings.text("zone")) if settings.text("zone") else None
         with as_usage("--now"):
-            now = parse_instant(moment.now, zone) if moment.now is not None else None
+            now = parse_instant(moment.now) if moment.now is not None else None
         return cls(settings, now, zone)
 
     def beginning(self, moment: datetime) -> "Assembly":
@@ -59,8 +60,33 @@ class Assembly:
         return replace(self, begun=moment)
 
     def moment(self) -> datetime:
-        """Give the plan's now: as said, or the clock's, to the second."""
-        return self.now or self.begun or datetime.now(self.zone or local_zone()).replace(microsecond=0)
+        """Give the plan's now: what was said, in the zone, or the clock's, to the second.
+
+        Raises
+        ------
+        UsageError
+            If what was said lies outside the years 1 to 9999 there.
+        """
+        from fuzzytime.times import in_zone
+
+        if self.now is not None:
+            with as_usage("--now"):
+                return in_zone(self.now, self.zone)
+        return self.begun or datetime.now(self.zone or local_zone()).replace(microsecond=0)
+
+    def given(self, *, asked: bool) -> "Given":
+        """Give what flags and the environment say of a plan, or what files of settings do."""
+        from fuzzytime_cli.inputs.task_file import Given
+
+        def said(name: str) -> bool:
+            return self.settings.is_asked(name) == asked
+
+        return Given(
+            zone=self.zone if said("zone") else None,
+            agents=int(self.settings.number("agents")) if said("agents") else None,
+            horizon=self.horizon() if said("horizon") else None,
+            in_order=self.settings.flag("in_order") if said("in_order") else None,
+        )
 
     def rule_files(self) -> tuple[Path, ...]:
         """Give the rule tables that go before the shipped ones: the user's, the project's, ``--rules``."""

@@ -99,7 +99,7 @@ def exit_of(error: BaseException) -> Exit:
         return code_of(error)
     if code_of(error) is Exit.FAILURE and os.environ.get("FUZZYTIME_DEBUG"):
         raise error
-    placed = isinstance(error, DocumentError)
+    placed = isinstance(error, DocumentError) or isinstance(error.__cause__, DocumentError)
     report(message_of(error) if placed else f"fuzzytime: {message_of(error)}")
     return code_of(error)
 

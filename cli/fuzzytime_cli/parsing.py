@@ -8,7 +8,7 @@ from itertools import islice
 from typing import Any, BinaryIO
 
 from fuzzytime.errors import FuzzytimeError, InstructionError
-from fuzzytime.language import Language, Operation, answer
+from fuzzytime.language import Language, Reading, RemarkKind, answer
 from fuzzytime.times import format_duration, parse_instant
 from fuzzytime_cli.faults import underlined
 
@@ -17,6 +17,9 @@ BATCH = 256
 
 MAX_LINE = 1 << 20
 """Bytes of a line; what is longer is refused, and not kept."""
+
+LEFT = frozenset({RemarkKind.NOT_UNDERSTOOD, RemarkKind.UNRESOLVED})
+"""Remarks on words that mean something which is not in the answer."""
 
 Answer = dict[str, Any]
 
@@ -68,7 +71,15 @@ def asked_of(line: bytes, now: datetime, *, objects: bool, zone: tzinfo | None =
         return Asked(words, now, str(error))
 
 
-def answers(asked: Iterable[Asked], language: Language) -> Iterator[Answer]:
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """What is answered to a text: for programs, and what its operations are called, for people."""
+
+    answer: Answer
+    names: tuple[str, ...] = ()
+
+
+def answers(asked: Iterable[Asked], language: Language) -> Iterator[Reply]:
     """Answer lines in their order; one that cannot be read gets an ``error``, and the rest go on."""
     stream = iter(asked)
     while batch := list(islice(stream, BATCH)):
@@ -78,67 +89,89 @@ def answers(asked: Iterable[Asked], language: Language) -> Iterator[Answer]:
             yield _failed(line.text, line.now, line.error) if line.error else next(replies)
 
 
-def _together(asked: list[tuple[str, datetime]], language: Language) -> list[Answer]:
+def _together(asked: list[tuple[str, datetime]], language: Language) -> list[Reply]:
     """Read texts together; where one of them is refused, one by one."""
     try:
-        return [answer(reading) for reading in language.read_independent(asked)]
+        return [_reply(reading) for reading in language.read_independent(asked)]
     except InstructionError:
         return [_alone(text, now, language) for text, now in asked]
 
 
-def _alone(text: str, now: datetime, language: Language) -> Answer:
+def _alone(text: str, now: datetime, language: Language) -> Reply:
     try:
-        return answer(language.read(text, now=now))
+        return _reply(language.read(text, now=now))
     except InstructionError as error:
         return _failed(text, now, error.message)
 
 
-def _failed(text: str, now: datetime, error: str) -> Answer:
-    return {
-        "text": text,
-        "now": now.isoformat(),
-        "operation": None,
-        "operations": [],
-        "requirements": [],
-        "duration_s": None,
-        "repeats": None,
-        "instructions": 0,
-        "error": error,
-    }
+def _reply(reading: Reading) -> Reply:
+    operations = (instruction.operation for instruction in reading.instructions)
+    return Reply(answer(reading), tuple("" if one is None else one.name for one in operations))
 
 
-def readable(reply: Answer, width: int | None = None) -> list[str]:
+def _failed(text: str, now: datetime, error: str) -> Reply:
+    return Reply(
+        {
+            "text": text,
+            "now": now.isoformat(),
+            "operation": None,
+            "operations": [],
+            "requirements": [],
+            "duration_s": None,
+            "repeats": None,
+            "instructions": 0,
+            "error": error,
+        }
+    )
+
+
+@dataclass(slots=True)
+class Tally:
+    """How many texts were answered, could not be read, and were read but hold words not understood."""
+
+    answered: int = 0
+    unread: int = 0
+    not_understood: int = 0
+
+    def count(self, reply: Reply) -> None:
+        """Count an answer."""
+        self.answered += 1
+        if reply.answer["error"]:
+            self.unread += 1
+        elif any(remark["kind"] in LEFT for remark in reply.answer.get("remarks", ())):
+            self.not_understood += 1
+
+    @property
+    def nothing_read(self) -> bool:
+        """Whether there were texts and none could be read."""
+        return 0 < self.answered == self.unread
+
+    @property
+    def doubtful(self) -> bool:
+        """Whether a text could not be read, or not all of its words were understood."""
+        return self.unread + self.not_understood > 0
+
+
+def readable(reply: Reply, width: int | None = None) -> list[str]:
     """Give an answer as lines for a person: what is asked for, when, and what was not understood."""
-    lines = [f"{reply['text']}"]
-    if reply["error"]:
-        return [*lines, f"  error: {reply['error']}"]
-    operations = reply.get("operations", [reply["operation"]])
-    for position, operation in enumerate(operations):
+    said = reply.answer
+    lines = [f"{said['text']}"]
+    if said["error"]:
+        return [*lines, f"  error: {said['error']}"]
+    operations = said.get("operations", [said["operation"]])
+    for position, (operation, name) in enumerate(zip(operations, reply.names, strict=False)):
         if operation is not None:
-            lines.append(f"  do    {'not ' if operation.get('negated') else ''}{_name(operation)}")
-        for requirement in reply["requirements"]:
+            told = "tells" if operation.get("stated") else "do   "
+            lines.append(f"  {told} {'not ' if operation.get('negated') else ''}{name}")
+        for requirement in said["requirements"]:
             if requirement.get("instruction", 0) == position:
                 lines.append(f"  time  {requirement['text']!r}: {_bounds(requirement)}")
-    if reply["duration_s"] is not None:
-        lines.append(f"  takes {format_duration(reply['duration_s'])}")
-    for remark in reply.get("remarks", ()):
-        marked = underlined(reply["text"], tuple(remark["span"]), width and width - 4).split("\n")
+    if said["duration_s"] is not None:
+        lines.append(f"  takes {format_duration(said['duration_s'])}")
+    for remark in said.get("remarks", ()):
+        marked = underlined(said["text"], tuple(remark["span"]), width and width - 4).split("\n")
         lines += [f"  note  {remark['message']}", *(f"    {line}" for line in marked)]
     return lines
-
-
-def _name(operation: Answer) -> str:
-    return Operation(
-        verb=operation["verb"],
-        lemma=operation["verb"],
-        span=operation["span"],
-        object=operation["object"],
-        place=operation["place"],
-        particle=operation.get("particle"),
-        complement=operation.get("complement"),
-        manner=operation.get("manner"),
-        stated=bool(operation.get("stated")),
-    ).name
 
 
 def _bounds(requirement: Answer) -> str:

@@ -96,6 +96,10 @@ class Settings:
 
     values: Mapping[str, Setting]
 
+    def is_asked(self, name: str) -> bool:
+        """Whether a flag or the environment says a setting, for this call, and not a file for all of them."""
+        return self.values[name].origin.startswith(("flag ", "environment "))
+
     def text(self, name: str) -> str:
         """Give a setting that is a text; empty where it is not set."""
         return str(self.values[name].value or "")

@@ -53,6 +53,13 @@ def loosened(interpretation: Interpretation, rejected: Sequence[bool] | None = N
     return replace(interpretation, order=order, precedences=precedences, problems=tuple(problems))
 
 
+def may_be_loosened(interpretation: Interpretation) -> bool:
+    """Whether what a schedule rejects could loosen what binds the others."""
+    return bool(interpretation.order) or not all(
+        _asked(entry, interpretation) for entry in interpretation.precedences
+    )
+
+
 def _asked(entry: Precedence, interpretation: Interpretation) -> bool:
     """Whether the second of two asked for the first: "serve it after frying", not "set it before dinner"."""
     first, second = interpretation.skills[entry.first], interpretation.skills[entry.second]

@@ -7,12 +7,16 @@ from datetime import datetime
 from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
-from fuzzytime.interpreter.loosening import loosened
+from fuzzytime.interpreter.loosening import loosened, may_be_loosened
 from fuzzytime.interpreter.request import Request, Started
 from fuzzytime.interpreter.started import without_started
 from fuzzytime.scheduling import THRESHOLD, Limits, Schedule, Solver, solve
 from fuzzytime.skills import FuzzyTask
 from fuzzytime.times import instant_after, seconds_between
+
+FIRST = 0.6
+"""Share of the time for a schedule whose rejections may loosen the order: the looser task wants a search, and
+a bound, of its own."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,16 +122,19 @@ def scheduled(
     interpretation = loosened(interpretation)
     limits = limits or Limits()
     over = limits.clock() + limits.seconds
+    share = FIRST if may_be_loosened(interpretation) else 1.0
     while True:
         task = task_of(interpretation, request)
-        left = replace(limits, seconds=max(0.0, over - limits.clock()))
+        left = replace(limits, seconds=share * max(0.0, over - limits.clock()))
+        until = limits.clock() + left.seconds
         schedule = solve(task, solver=solver, threshold=threshold, limits=left, hints=hints)
         # What was found under a stricter order holds under a looser one, where no time is left for more.
         hints = list(schedule.start_times)
         looser = loosened(interpretation, schedule.rejected)
-        if looser is interpretation:
+        ran_out = share < 1 and until <= limits.clock() < over and not limits.stopped()
+        if looser is interpretation and not ran_out:
             break
-        interpretation = looser
+        interpretation, share = looser, 1.0
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))
     return Plan(request=request, interpretation=interpretation, schedule=schedule, problems=problems)
 

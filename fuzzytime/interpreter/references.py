@@ -36,6 +36,21 @@ class Links:
         """Give the positions of the skills of an instruction; none where it was not planned."""
         return self.instructions[target] if 0 <= target < len(self.instructions) else range(0)
 
+    def meant_by(self, anchor: Anchor) -> range:
+        """Give the positions of the skills that an anchor with a target means.
+
+        What only goes on telling ("then", "meanwhile", "after that") goes on from what was last planned:
+        "simmer it, stirring occasionally, then serve it".
+        """
+        target = -1 if anchor.target is None else anchor.target
+        named = anchor.verb is not None or anchor.object is not None
+        goes_on = not named and not anchor.exact and anchor.share is None
+        found = self.skills_of(target)
+        while not found and target > 0 and goes_on:
+            target -= 1
+            found = self.skills_of(target)
+        return found
+
 
 def link(
     skills: Sequence[Interpreted], links: Links, rulebook: Rulebook
@@ -59,7 +74,7 @@ def link(
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
                 continue
-            meant = _whole(requirement.anchor, links.skills_of(requirement.anchor.target), linked, links)
+            meant = _whole(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
             targets = [target for target in meant if target != position]
             if not targets:
                 message = f"refers to {requirement.anchor.text!r}, which is not planned"

@@ -9,6 +9,7 @@ from fuzzytime.language.finding import check_length, shipped_grammar, shipped_le
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.clock_times import last_said
 from fuzzytime.language.sentence.compose import composed
@@ -106,11 +107,11 @@ class Language:
         InstructionError
             If a text is too long.
         """
-        mentions = Mentions(self.lexicon)
+        texts, mentions = list(texts), Mentions(self.lexicon)
         for operation in given:
             mentions.add(operation)
         readings: list[Reading] = []
-        drafts = under_headings(self._drafts(list(texts)), self.lexicon)
+        drafts = under_headings(self._drafts(texts), self.lexicon)
         since: float | None = None
         given_since = []
         for draft in drafts:
@@ -137,7 +138,7 @@ class Language:
                 since = given_since[place]
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
-        return readings
+        return _as_typed(readings, texts)
 
     def read_independent(self, texts: Iterable[tuple[str, datetime | None]]) -> list[Reading]:
         """Read texts that do not know of each other.
@@ -147,14 +148,15 @@ class Language:
         InstructionError
             If a text is too long.
         """
-        return [
-            composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in self._drafts(list(texts))
-        ]
+        texts = list(texts)
+        readings = [composed(draft, self.lexicon, Mentions(self.lexicon), 0) for draft in self._drafts(texts)]
+        return _as_typed(readings, texts)
 
     def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
         for text, _ in texts:
             check_length(text)
-        return drafted(texts, self.grammar, self.lexicon, self.trees)
+        stopped = [(with_stops(text, self.lexicon.function_words), now) for text, now in texts]
+        return drafted(stopped, self.grammar, self.lexicon, self.trees)
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:
         """Parse texts, those that the cache knows without the model.
@@ -178,6 +180,14 @@ class Language:
         if self.cache is not None:
             self.cache.keep(made.values(), package)
         return made
+
+
+def _as_typed(readings: list[Reading], texts: Sequence[tuple[str, datetime | None]]) -> list[Reading]:
+    """Give readings with the texts as they were typed."""
+    return [
+        reading if reading.text == text else replace(reading, text=text)
+        for reading, (text, _) in zip(readings, texts, strict=True)
+    ]
 
 
 def _times_in(reading: Reading) -> Iterator[TimeRequirement]:

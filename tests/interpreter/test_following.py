@@ -42,6 +42,23 @@ def test_when_something_must_be_done_is_told_of_it(line: str) -> None:
     assert report.skill.duration == 7200
 
 
+@pytest.mark.parametrize("word", ["then", "after that,", "afterwards"])
+def test_what_goes_on_telling_goes_on_from_what_was_last_planned(word: str) -> None:
+    made = told(["simmer the soup for 20 minutes, stirring occasionally", f"{word} serve the soup"])
+    assert starts(made)["s2"] == "07:20"
+    assert not any("refers to" in note for note in notes(made))
+
+
+def test_what_goes_on_meanwhile_does_so_beside_what_was_last_planned() -> None:
+    made = told(["simmer the soup at 8 am for 20 minutes. Don't open the lid", "meanwhile, set the table"])
+    assert "08:00" <= starts(made)["s2"] < "08:20"
+
+
+def test_a_length_counts_from_nothing_else_than_what_it_was_said_after() -> None:
+    made = told(["fry the fish", "stir the soup occasionally", "ten minutes later, serve the soup"])
+    assert any("refers to 'ten minutes later'" in note for note in notes(made))
+
+
 def test_what_nothing_before_is_about_is_asked_for_itself() -> None:
     made = told(["call mum at 8 am", "the soup must be ready by noon"])
     assert len(made.skills) == 2

@@ -1,7 +1,7 @@
 """Steps in the order said."""
 
 from collections.abc import Sequence
-from itertools import count, pairwise
+from itertools import count
 
 import pytest
 
@@ -128,7 +128,29 @@ def test_what_is_planned_again_without_a_step_shares_the_time(monkeypatch: pytes
     lines = ["charge the robot for 40 minutes at half past seven pm", "bring the crate to the truck"]
     told([*lines, "send a report at 6 pm"], in_order=True, limits=limits)
     assert len(given) > 1
-    assert all(later < earlier for earlier, later in pairwise([limits.seconds, *given]))
+    assert all(seconds < limits.seconds for seconds in given)
+
+
+def test_a_search_that_runs_out_leaves_time_to_plan_without_a_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    given: list[float] = []
+    passed = 0.0
+
+    def slow(
+        task: FuzzyTask, *, solver: Solver | None, threshold: float, limits: Limits, hints: Sequence[float]
+    ) -> Schedule:
+        nonlocal passed
+        given.append(limits.seconds)
+        found = solve(task, solver=solver, threshold=threshold, hints=hints)
+        passed += limits.seconds
+        return found
+
+    monkeypatch.setattr("fuzzytime.interpreter.planner.solve", slow)
+    lines = ["charge the robot for 40 minutes at half past seven pm", "bring the crate to the truck"]
+    told([*lines, "send a report at 6 pm"], in_order=True, limits=Limits(seconds=100, clock=lambda: passed))
+    assert given == pytest.approx([60, 40])
+    given.clear()
+    told(["call mum", "send a report at 6 pm"], limits=Limits(seconds=100, clock=lambda: passed))
+    assert given == [100]
 
 
 def test_what_is_done_with_it_follows_what_was_asked_of_it() -> None:

@@ -15,7 +15,7 @@ from fuzzytime.interpreter import Interpreter, Request, SpokenWish, Wish
 from fuzzytime.scheduling import THRESHOLD, Auto, Limits, Solver
 from fuzzytime_cli.live.clock import Clock, SimulatedClock
 from fuzzytime_cli.live.dispatcher import Dispatcher
-from fuzzytime_cli.live.events import Event, Planned, Start, document_of
+from fuzzytime_cli.live.events import Event, Happens, Planned, Start, document_of
 from fuzzytime_cli.live.inbox import Arrival, Inbox, Outcome
 from fuzzytime_cli.live.loop import carry_out
 from fuzzytime_cli.live.messages import Listener
@@ -93,8 +93,12 @@ class Story:
         return found[0]
 
     @property
+    def begun(self) -> list[Start | Happens]:
+        return [*self.all(Start), *self.all(Happens)]
+
+    @property
     def starts(self) -> dict[str, float]:
-        return {start.id: start.at for start in self.all(Start)}
+        return {one.id: one.at for one in self.begun}
 
     @property
     def reasons(self) -> list[str]:
@@ -172,5 +176,5 @@ def check(story: Story) -> None:
             busy[agent] = identifier
         if event.type in {"end", "failed", "dropped"}:
             busy = {agent: other for agent, other in busy.items() if other != identifier}
-    started = [start.id for start in story.all(Start)]
+    started = [one.id for one in story.begun]
     assert len(started) == len(set(started)), "a skill starts once"

@@ -75,6 +75,11 @@ def test_a_person_reads_lines_and_no_control_character_reaches_them(tmp_path: Pa
     assert not {character for character in done.out if character < " " and character != "\n"}
 
 
+def test_what_comes_on_another_day_names_it(tmp_path: Path) -> None:
+    done = run("--simulate", "--format", "text", "-i", "Feed the cat tomorrow at 7 am", folder=tmp_path)
+    assert "Thu 07:00:00  start     feed the cat" in done.out
+
+
 def test_one_who_stays_needs_no_plan_to_begin_with(tmp_path: Path) -> None:
     said = b'{"say": "Stir the soup now", "at_s": 60}\n{"say": "Set the table now", "at_s": 600}\n'
     done = run("--simulate", "--stay", folder=tmp_path, stdin=said)

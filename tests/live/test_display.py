@@ -26,6 +26,10 @@ START = told.Start(
 )
 EVENTS: list[tuple[Event, str]] = [
     (START, "18:01:30  start     stir"),
+    (
+        told.Happens(**WHO, instruction=EVIL, planned_s=90.0, done_s=150.0, satisfaction=0.5),
+        "(s1), until 18:02:30",
+    ),
     (told.End(**WHO, agent=1), "end "),
     (told.Done(**WHO), "done "),
     (told.Moved(**WHO, before_s=None, after_s=120.0), ": never → 18:02:00"),

@@ -13,6 +13,7 @@ from fuzzytime_cli.live.events import (
     End,
     Failed,
     Finished,
+    Happens,
     Instructed,
     Late,
     Missed,
@@ -326,6 +327,37 @@ def test_somebody_who_stops_a_run_is_told_what_goes_on() -> None:
     stopped = story.one(Stopped)
     assert (stopped.at, stopped.running, stopped.waiting) == (60.0, ("mix",), ("table",))
     assert story.one(Finished).unfinished == ("mix",)
+
+
+# -- what happens by itself ---------------------------------------------------------------------------------
+
+
+def test_what_happens_by_itself_is_done_by_nobody() -> None:
+    story = told(["the guests come at 7 pm", "serve the soup when they arrive"], takes={"s2": 60.0})
+    assert [start.id for start in story.all(Start)] == ["s2"]
+    assert story.one(Happens).id == "s1"
+    assert [one.id for one in story.all(Done)] == ["s1", "s2"]
+
+
+def test_what_happens_by_itself_needs_no_word_to_be_over() -> None:
+    lines: list[Json] = [{"done": "s2", "at_s": 4200}]
+    story = told(["I have a meeting at 7 pm for an hour", "stir the soup at 7 pm"], lines, by_word=True)
+    assert story.of(Late, "s1") == []
+    assert story.one(Done, "s1").at == 7200
+
+
+def test_what_happens_by_itself_does_so_while_everybody_is_at_work() -> None:
+    fry = wish("fry the fish now", hands_on=3600.0, elapsed=3600.0)
+    story = told([fry, "the guests come at half past six"], takes={"s1": 3600.0})
+    assert story.starts == {"s1": 0, "s2": 1800}
+
+
+def test_what_happened_while_the_machine_slept_did_so_at_its_time() -> None:
+    wishes = ["the guests come at 7 pm", "serve the soup half an hour after the guests come"]
+    story = told(wishes, clock=NappingClock(asleep=(3000, 4800)))
+    assert story.all(Missed) == []
+    assert (story.one(Happens).at, story.one(Happens).planned_s) == (4800, 3600)
+    assert story.one(Start).at == 5400
 
 
 # -- what happens, told anew --------------------------------------------------------------------------------

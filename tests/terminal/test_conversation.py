@@ -53,6 +53,22 @@ def test_a_start_that_comes_is_said_once_and_the_skill_stays() -> None:
         talk.start("s1")
 
 
+def test_what_happens_by_itself_is_announced_but_not_as_a_start() -> None:
+    talk = Talk()
+    talk.say("The guests come in ten minutes")
+    assert "  now: The guests come (s1)" in talk.wait(minutes=10)
+
+
+def test_what_happened_while_the_conversation_was_closed_did_so_at_its_time() -> None:
+    talk = Talk()
+    talk.say("The guests come in exactly an hour")
+    talk.say("light the fire an hour after the guests come")
+    made = talk.turns.conversation.plan(NINE + timedelta(minutes=100))
+    assert [one.identifier for one in made.skills] == ["s2"]
+    start = made.instant(made.schedule.start_times[0])
+    assert abs(start - (NINE + timedelta(hours=2))) < timedelta(minutes=5)
+
+
 def test_what_waits_for_a_started_skill_waits_until_it_is_done() -> None:
     talk = Talk()
     talk.say("Boil the eggs now")

@@ -53,12 +53,16 @@ def test_a_command_takes_words_for_what_is_planned() -> None:
     ("line", "rule"),
     [
         (":nonsense", "there is no command 'nonsense'"),
-        (":why", "a skill of the plan must follow"),
         (":why 9", "a skill of the plan must follow"),
         (":drop nine", "nothing that is planned is about nine"),
         (":drop", "a number from the list must follow"),
         (":why bread", "nothing that is planned is about bread"),
         (":drop 9", "a number must be one of the list"),
+        (":drop", "a number from the list must follow, such as 2, or words"),
+        (":why", "a number from the list must follow, such as 2, or words"),
+        (":more", "a number and a length of time"),
+        (":undo 7", "nothing may follow :undo, got '7'"),
+        (":help :nonsense", "there is no command 'nonsense'"),
         (":duration 1", "a number and a duration"),
         (":duration 1 soon", "a duration must be a number and a unit"),
         (":ctx pan_tmp=3", "did you mean 'pan_temp'?"),
@@ -152,6 +156,27 @@ def test_of_a_repetition_one_occurrence_is_done() -> None:
     talk.say("Water the plants every two hours until 6 pm")
     talk.say(":done s1")
     assert talk.start("s1.2") > NINE
+
+
+def test_help_of_one_command_is_its_line() -> None:
+    assert Talk().say(":help drop").strip().splitlines() == [
+        ":drop N|all                 forget instruction N, or all"
+    ]
+
+
+def test_times_of_other_days_name_the_day() -> None:
+    talk = Talk()
+    talk.say("Watch the fire now for 20 hours")
+    assert "until Thu 05:00:00" in talk.wait(seconds=1) + talk.say("what's next?")
+    talk.wait(days=2)
+    assert "  1  04 Mar 09:00  Watch the fire now" in talk.say(":list")
+
+
+def test_a_night_is_busy_until_the_morning() -> None:
+    talk = Talk()
+    talk.say(":busy 23:00 07:00 sleep")
+    (busy,) = talk.turns.conversation.state.busy
+    assert busy.end - busy.start == timedelta(hours=8)
 
 
 @pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])

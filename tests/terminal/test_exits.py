@@ -44,6 +44,16 @@ def test_an_end_has_its_code(arguments: tuple[str, ...], code: Exit, tmp_path: P
     assert bool(done.err) == (code != Exit.FINE)
 
 
+@pytest.mark.parametrize("command", [("rules", "check"), ("plan", "-i", "x", "--rules"), ("plan",)])
+def test_a_mistake_begins_with_its_place_for_who_jumps_there(
+    command: tuple[str, ...], tmp_path: Path
+) -> None:
+    table = tmp_path / "wrong.yaml"
+    table.write_text("fuzzytime: 1\nwodrs: {}\n", encoding="utf-8")
+    err = ran(*command, str(table), folder=tmp_path).err
+    assert err.startswith(f"{table}:{2 if 'plan' not in command or '--rules' in command else 1}:1: ")
+
+
 def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Path) -> None:
     text = b"stir the soup soon\n\nset the table at 25:61 pm\n"
     done = ran("plan", "-", *NOW, folder=tmp_path, stdin=text)

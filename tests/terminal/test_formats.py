@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+from datetime import timedelta
 from pathlib import Path
 from xml.dom import minidom
 
@@ -45,6 +46,20 @@ def test_a_calendar_has_one_event_a_skill_in_utc(tmp_path: Path) -> None:
     assert sorted(str(event["SUMMARY"]) for event in events) == sorted(s["name"] for s in whole["skills"])
     first = min(event.decoded("DTSTART") for event in events)
     assert first.isoformat() == "2026-03-04T08:00:00+00:00"
+
+
+def test_what_happens_by_itself_is_in_a_calendar_as_long_as_it_goes_on(tmp_path: Path) -> None:
+    told = ("-i", "I have a meeting at 11 pm for two hours", "-i", "The guests come at noon")
+    events = icalendar.Calendar.from_ical(written(tmp_path, "ics", *told)).walk("VEVENT")
+    meeting, guests = sorted(events, key=lambda event: str(event["SUMMARY"]).lower())
+    assert meeting.decoded("DTEND") - meeting.decoded("DTSTART") == timedelta(hours=2)
+    assert "DTEND" not in guests
+    assert "Thu 01:00" in written(tmp_path, "table", *told)
+
+
+@pytest.mark.parametrize("kind", ["table", "csv", "html"])
+def test_what_is_not_to_be_done_then_is_not_shown_as_asked_for_then(kind: str, tmp_path: Path) -> None:
+    assert "not before 6 pm" in written(tmp_path, kind, "-i", "Don't open the oven before 6 pm")
 
 
 @pytest.mark.parametrize("kind", ["svg", "html"])

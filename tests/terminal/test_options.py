@@ -1,5 +1,6 @@
 """What the help says of options is so."""
 
+import json
 import re
 from pathlib import Path
 from typing import get_type_hints
@@ -86,6 +87,24 @@ def test_parse_answers_a_file_and_then_what_was_typed(tmp_path: Path) -> None:
     assert "\nFeed the cat\n" in done.out
 
 
+@pytest.mark.parametrize(
+    ("lines", "code", "strict"),
+    [
+        (b"Stir the soup soon\n", 0, 0),
+        (b"Stir the soup for a while\n", 0, 65),
+        (b"Stir the soup soon\n\xff\n", 0, 65),
+        (b"\xff\n\xfe\n", 65, 65),
+        (b"", 0, 0),
+    ],
+)
+def test_parse_fails_where_nothing_can_be_read_or_strictly_anything(
+    lines: bytes, code: int, strict: int, tmp_path: Path
+) -> None:
+    assert ran("parse", "--jsonl", "-", stdin=lines, folder=tmp_path).code == code
+    done = ran("parse", "--jsonl", "--strict", "-", stdin=lines, folder=tmp_path)
+    assert (done.code, len(done.out.splitlines())) == (strict, lines.count(b"\n"))
+
+
 def test_parse_leaves_out_comments_but_answers_every_line_of_json(tmp_path: Path) -> None:
     file = tmp_path / "one.txt"
     file.write_text("# At noon\nStir the soup soon\n", encoding="utf-8")
@@ -104,3 +123,46 @@ def test_a_now_of_a_file_that_a_flag_overrules_must_be_one_all_the_same(tmp_path
     done = ran("plan", str(file), "--now", "2026-03-04T09:00", folder=tmp_path)
     assert done.code == 65
     assert f"{file}:1:6: now: a date and time must look like 2026-03-04T09:00, got 'tomorrow'" in done.err
+
+
+TASK = """
+zone: Europe/Berlin
+agents: 1
+in_order: true
+instructions: [Feed the cat in exactly 14 hours, Call mum in exactly 14 hours]
+"""
+SETTINGS = "zone: Asia/Tokyo\nagents: 2\nin_order: false\n"
+
+
+@pytest.mark.parametrize(
+    ("flags", "variables", "zone", "agents"),
+    [
+        ((), {}, "+02:00", 1),
+        (("--zone", "Asia/Tokyo"), {}, "+09:00", 1),
+        (("--agents", "2"), {}, "+02:00", 2),
+        ((), {"FUZZYTIME_ZONE": "Asia/Tokyo"}, "+09:00", 1),
+        ((), {"FUZZYTIME_CONFIG": "settings.yaml"}, "+02:00", 1),
+    ],
+)
+def test_a_task_file_gives_way_to_flags_and_the_environment_only(
+    flags: tuple[str, ...], variables: dict[str, str], zone: str, agents: int, tmp_path: Path
+) -> None:
+    task, settings = tmp_path / "task.yaml", tmp_path / "settings.yaml"
+    task.write_text(TASK, encoding="utf-8")
+    settings.write_text(SETTINGS, encoding="utf-8")
+    variables = {name: text.replace("settings.yaml", str(settings)) for name, text in variables.items()}
+    given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json", *flags)
+    plan = json.loads(ran(*given, folder=tmp_path, stdin=b"", **variables).out)
+    assert plan["agents"] == agents
+    assert {skill["start"][-6:] for skill in plan["skills"]} == {zone}
+    # Clocks change in Berlin that night, and fourteen hours stay fourteen hours.
+    assert plan["skills"][0]["start_s"] == pytest.approx(14 * 3600, abs=900)
+
+
+def test_settings_count_where_a_task_file_says_nothing(tmp_path: Path) -> None:
+    task, settings = tmp_path / "task.yaml", tmp_path / "settings.yaml"
+    task.write_text("instructions: [Feed the cat soon]", encoding="utf-8")
+    settings.write_text(SETTINGS, encoding="utf-8")
+    given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json")
+    plan = json.loads(ran(*given, folder=tmp_path, FUZZYTIME_CONFIG=str(settings)).out)
+    assert (plan["now"], plan["agents"]) == ("2026-03-28T20:00:00+09:00", 2)

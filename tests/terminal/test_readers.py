@@ -142,6 +142,13 @@ def test_a_browser_shows_the_plan_as_a_table(page: "Page", breakfast: dict[str, 
 
 
 @pytest.mark.browser
+def test_a_plan_fits_the_screen_of_a_telephone(page: "Page", tmp_path: Path) -> None:
+    page.set_viewport_size({"width": 360, "height": 740})
+    shown(page, tmp_path, "html", "examples/workshop.yaml")
+    assert page.evaluate("document.documentElement.scrollWidth") == 360
+
+
+@pytest.mark.browser
 @pytest.mark.parametrize("kind", ["html", "svg"])
 def test_a_browser_draws_every_skill_inside_the_picture(kind: str, page: "Page", tmp_path: Path) -> None:
     shown(page, tmp_path, kind, "examples/workshop.yaml")

@@ -30,6 +30,50 @@ def test_new_times_are_heard(line: str, time: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "kind"),
+    [("cancel dinner", AboutKind.DROP), ("dinner is ready", AboutKind.DONE), ("I've had lunch", None)],
+)
+def test_a_meal_is_named_like_any_other_thing(line: str, kind: AboutKind | None) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert (about.kind if about is not None else None) is kind
+    assert about_wishes("drop lunch at noon", NOW, shipped_lexicon()) is None
+
+
+@pytest.mark.parametrize(
+    ("line", "number"),
+    [("no, make it six", "six"), ("make it 15", "15"), ("no, at six", ""), ("make it noon", "")],
+)
+def test_a_number_alone_is_heard_as_one(line: str, number: str) -> None:
+    about = about_wishes(line, NOW, shipped_lexicon())
+    assert about is not None
+    assert about.number == number
+
+
+@pytest.mark.model
+@pytest.mark.parametrize(
+    ("wish", "line", "anew"),
+    [
+        ("Stir the soup in ten minutes", "no, make it six", "Stir the soup in six minutes"),
+        (
+            "Stir the soup in exactly 5 seconds please",
+            "make it 6",
+            "Stir the soup in exactly 6 seconds please",
+        ),
+        ("Boil the eggs for eight minutes", "make it nine", "Boil the eggs for nine minutes"),
+        ("In half an hour, call mum", "actually, one", "In one hour, call mum"),
+        ("call mum in about an hour", "no, two", "call mum in about two hours"),
+        ("stir it every ten minutes", "make it five", "stir it every five minutes"),
+        ("Stir the soup at ten", "no, make it eleven", "Stir the soup at eleven"),
+        ("Stir the soup in ten minutes", "no, at six", "Stir the soup at six"),
+    ],
+)
+def test_a_number_alone_counts_what_was_counted(wish: str, line: str, anew: str) -> None:
+    talk = Talk()
+    talk.say(wish)
+    assert f"taken as :edit 1 {anew};" in talk.say(line)
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "wait ten minutes",

@@ -30,7 +30,7 @@ from fuzzytime.yaml_nodes import Reader
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.inputs.calendar import busy_of_calendar
 from fuzzytime_cli.inputs.source import source_of
-from fuzzytime_cli.inputs.task_file import Surroundings, read_task_file
+from fuzzytime_cli.inputs.task_file import Given, Surroundings, read_task_file
 from trust.mutating import mutated
 
 HERE = Path(__file__).parent
@@ -115,7 +115,7 @@ def use_readings(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
 def use_task(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
     """Read a task file, and look at the functions in it."""
     given = chance.choice((None, NOW))
-    surroundings = Surroundings(given, None, NOW, _no_calendar, shipped.signals)
+    surroundings = Surroundings(given, Given(), Given(), NOW, _no_calendar, shipped.signals)
     request = read_task_file(source_of(raw, Path("fuzzed.yaml")), surroundings)
     for wish in request.wishes:
         if isinstance(wish, DirectWish):

@@ -8,6 +8,7 @@ from zoneinfo import available_timezones
 import pytest
 
 from fuzzytime.times import instant_after, parse_instant, parse_zone, seconds_between
+from fuzzytime_cli.inputs.surroundings import moment_of
 from terminal.running import ran
 from terminal.talking import NINE, Talk
 
@@ -42,6 +43,19 @@ def test_a_start_is_when_it_was_said(
     arguments = ("-i", f"Bake the bread {said}", "--now", now, "--zone", zone, "--format", "json")
     (skill,) = json.loads(ran("plan", *arguments, folder=tmp_path).out)["skills"]
     assert (skill["start"], skill["start_s"]) == (start, pytest.approx(seconds))
+
+
+def test_words_are_of_the_zone_that_is_asked_for_whatever_now_is_given_in(tmp_path: Path) -> None:
+    arguments = ("-i", "Call mum at noon", "--now", "2026-03-04T00:00Z", "--zone", "Asia/Tokyo")
+    (skill,) = json.loads(ran("plan", *arguments, "--format", "json", folder=tmp_path).out)["skills"]
+    assert skill["start"] == "2026-03-04T12:00:00+09:00"
+
+
+@pytest.mark.parametrize(("date", "hours"), [("2026-03-28", 4), ("2026-10-24", 6), ("2026-06-01", 5)])
+def test_a_night_is_taken_as_long_as_it_is_when_clocks_change(date: str, hours: float) -> None:
+    now = parse_instant(f"{date}T20:00", parse_zone("Europe/Berlin"))
+    evening = moment_of("23:00", now)
+    assert moment_of("04:00", now, since=evening) - evening == hours * 3600
 
 
 def test_time_passes_as_in_utc_in_every_zone_in_every_hour_of_a_change() -> None:

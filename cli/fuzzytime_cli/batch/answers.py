@@ -64,7 +64,8 @@ def recipe_of(assembly: Assembly, understanding: Understanding) -> Recipe:
     A now that was not given is no part of the fingerprint: an answer of another moment stays an answer.
     """
     parts = [installed_version(), str(assembly.now), str(assembly.zone), *(understanding.ctx or ())]
-    parts += [f"{name}={setting.value}" for name, setting in sorted(assembly.settings.values.items())]
+    settings = assembly.settings
+    parts += [f"{name}={s.value} {settings.is_asked(name)}" for name, s in sorted(settings.values.items())]
     tables = [*assembly.rule_files(), *([understanding.context] if understanding.context else [])]
     parts += [hashlib.sha256(path.read_bytes()).hexdigest() for path in tables if path.is_file()]
     fingerprint = hashlib.sha256("\0".join(parts).encode("utf-8", "surrogatepass")).hexdigest()[:16]

@@ -98,7 +98,13 @@ def request_from(
     from fuzzytime_cli.inputs.task_file import Surroundings, is_task_file, read_task_file
 
     now = assembly.moment()
-    request = Request(now=now, wishes=(), agents=int(assembly.settings.number("agents")))
+    request = Request(
+        now=now,
+        wishes=(),
+        agents=int(assembly.settings.number("agents")),
+        horizon=assembly.horizon(),
+        in_order=assembly.settings.flag("in_order"),
+    )
     if source is not None:
         if is_task_file(source):
             from fuzzytime_cli.inputs.calendar import busy_of_calendar
@@ -106,26 +112,18 @@ def request_from(
             folder = source.path.parent if source.path is not None else Path()
             surroundings = Surroundings(
                 assembly.now,
-                assembly.zone,
+                assembly.given(asked=True),
+                assembly.given(asked=False),
                 now,
                 lambda name, moment: busy_of_calendar(folder / name, moment),
                 signals,
             )
             request = read_task_file(source, surroundings)
-            if assembly.settings.values["agents"].origin != "default":
-                request = replace(request, agents=int(assembly.settings.number("agents")))
         else:
             request = replace(request, wishes=wishes_of(source, now))
-    if assembly.settings.values["in_order"].origin != "default":
-        request = replace(request, in_order=assembly.settings.flag("in_order"))
     spoken = tuple(SpokenWish(text=text.strip(), given=request.now) for text in instructions)
     context = assembly.context(understanding, request.now, signals)
-    return replace(
-        request,
-        wishes=(*request.wishes, *spoken),
-        context=request.context.merged(context),
-        horizon=assembly.horizon() or request.horizon,
-    )
+    return replace(request, wishes=(*request.wishes, *spoken), context=request.context.merged(context))
 
 
 def report_problems(made: "Plan", source: str) -> None:

@@ -26,12 +26,15 @@ def calendar_text(plan: Plan) -> str:
         words = f"{plan.request.now.isoformat()}|{interpreted.identifier}|{specific.name}"
         event.add("uid", f"{hashlib.sha256(words.encode('utf-8', 'replace')).hexdigest()[:32]}@fuzzytime")
         event.add("dtstamp", stamp)
-        event.add("dtstart", _written(plan.instant(specific.start)))
-        event.add("dtend", _written(plan.instant(specific.end)))
+        until = specific.done if interpreted.skill.happens else specific.end
+        start, end = _written(plan.instant(specific.start)), _written(plan.instant(until))
+        event.add("dtstart", start)
+        if end > start:  # What takes no time has no end in a calendar.
+            event.add("dtend", end)
         event.add("summary", plain(specific.name))
         facts = [plain(getattr(interpreted.wish, "text", specific.name))]
         facts.append(f"satisfaction {plan.schedule.satisfactions[position]:.2f}")
-        if specific.done > specific.end:
+        if specific.done > until:
             facts.append(f"done at {clock.of(specific.done)}")
         if plan.request.agents > 1:
             facts.append(f"agent {specific.agent}")

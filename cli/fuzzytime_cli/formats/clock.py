@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
 
-from fuzzytime.times import instant_after
+from fuzzytime.times import instant_after, seconds_between
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +37,10 @@ class Clock:
         if days == 0:
             return clock
         return f"{instant:%a} {clock}" if 0 < days < 7 else f"{instant:%d %b} {clock}"
+
+    def at(self, instant: datetime) -> str:
+        """Print an instant as `of` does the time until it."""
+        return self.of(seconds_between(self.now, instant))
 
 
 def _part(now: datetime) -> float:

@@ -71,6 +71,7 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
         "line": interpreted.wish.line,
         "name": skill.name,
         "operation": _operation(interpreted),
+        "happens": skill.happens,
         "fuzzy_parameters": [
             {"text": parameter.text, "noun": parameter.noun, "quantity": parameter.quantity}
             for parameter in skill.fuzzy_parameters

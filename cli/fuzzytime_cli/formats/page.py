@@ -11,6 +11,8 @@ STYLE = (
     "padding:0 1rem}table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.3rem .6rem;"
     "border-bottom:1px solid #8884}td.number{text-align:right;font-variant-numeric:tabular-nums}"
     "svg{max-width:100%;height:auto}meter{width:6rem}.problem{color:#b3361e}"
+    "@media(max-width:40rem){body{font-size:13px;padding:0 .5rem}th,td{padding:.3rem .2rem}"
+    "meter{display:none}}"
 )
 
 
@@ -23,7 +25,7 @@ def page_text(plan: Plan, seconds: float) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         f"<title>{title}</title><style>{STYLE}</style>"
     )
-    heading = "".join(element("th", name) for name in ("start", "end", "what", "asked", "satisfaction"))
+    heading = "".join(element("th", name) for name in ("start", "end", "what", "asked", "satisfied"))
     rows = "".join(_row(plan, position, view) for position in plan.schedule.order)
     table = element("table", element("thead", element("tr", heading)) + element("tbody", rows))
     sentences = "".join(element("p", words(sentence)) for sentence in view.sentences())

@@ -164,7 +164,7 @@ def _asked(why: Why, plan: Plan) -> str:
     """Say what was asked, and which starts would be best if nothing else were to be done."""
     interpreted = plan.skills[why.position]
     if interpreted.requirements:
-        words = ", ".join(plain(requirement.text) for requirement in interpreted.requirements)
+        words = ", ".join(plain(requirement.asked) for requirement in interpreted.requirements)
         asked = f"It asked for “{words}”"
     elif interpreted.in_order:
         asked = "Nothing was said about its time but its place in the order"

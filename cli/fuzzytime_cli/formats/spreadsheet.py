@@ -33,7 +33,7 @@ def csv_text(plan: Plan) -> str:
     for position in plan.schedule.order:
         skill = skills[position]
         end, done = (plan.instant(skill[name]).isoformat() for name in ("end_s", "done_s"))
-        asked = "; ".join(requirement["text"] for requirement in skill["requirements"])
+        asked = "; ".join(requirement.asked for requirement in plan.skills[position].requirements)
         writer.writerow(
             (
                 cell(skill["id"]),

@@ -119,7 +119,7 @@ class PlanView:
         """Give the words about time of a skill."""
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
-            words = ", ".join(requirement.text for requirement in interpreted.requirements)
+            words = ", ".join(requirement.asked for requirement in interpreted.requirements)
         elif interpreted.in_order:
             words = "in order"
         else:
@@ -131,8 +131,7 @@ class PlanView:
         if self.schedule.rejected[position]:
             return "–", "–"
         specific = self.schedule.skills[position]
-        operation = self.plan.skills[position].operation
-        happens = operation is not None and operation.stated
+        happens = self.plan.skills[position].skill.happens
         return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
 
     # -- the table ------------------------------------------------------------------------------------------
@@ -140,8 +139,7 @@ class PlanView:
     def _columns(self) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
         positions = range(len(self.plan.skills))
-        times = [self.clock.of(time) for s in self.schedule.skills for time in (s.start, s.end)]
-        time = max(5, *map(width_of, times))
+        time = max(5, *(width_of(moment) for position in positions for moment in self.times(position)))
         agent = 2 if self.plan.request.agents > 1 else 0
         fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
         end = time if self.width >= fixed + time + 16 else 0

@@ -1,4 +1,4 @@
-"""Instructions a line, with ``#`` comments."""
+"""Instructions a line, with ``#`` comments and the boxes of lists of things to do."""
 
 import re
 from datetime import datetime
@@ -15,6 +15,28 @@ COMMAND = re.compile(r":[a-z][a-z-]*(?=\s|$)")
 """What begins a line for the conversation: ``:rate 1 4``."""
 
 
+REMARK = re.compile(r"\s#\s.*")
+"""A comment behind an instruction; "#12" is no comment."""
+
+BOX = re.compile(r"(?:[-*+•]\s+)?(?:\[(?P<tick>[ xX]?)\]|(?P<sign>[☐☑☒✓✔✗✘]))\s+|[•‣◦▪]\s*")
+"""What an item of a list of things to do begins with; it is done, or dropped, unless the box is empty."""
+
+OPEN = frozenset({None, "", " ", "☐"})
+
+
+def said_in(line: str) -> str:
+    """Give what a line asks for, without its box: nothing where it is a comment, or ticked off.
+
+    >>> said_in("# for tonight"), said_in("- [x] feed the cat"), said_in("- [ ] water the plants")
+    ('', '', 'water the plants')
+    """
+    words = line.strip()
+    box = BOX.match(words)
+    if words.startswith("#") or (box is not None and not {box["tick"], box["sign"]} <= OPEN):
+        return ""
+    return words if box is None else words[box.end() :]
+
+
 def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     """Give the instructions of a text, with their lines.
 
@@ -28,8 +50,8 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
     wishes: list[SpokenWish] = []
     mistakes: list[Mistake] = []
     for number, line in enumerate(source.text.split("\n"), 1):
-        words = line.strip()
-        if not words or words.startswith("#"):
+        words = said_in(REMARK.sub("", line))
+        if not words:
             continue
         if len(wishes) == MAX_INSTRUCTIONS:
             rule = (
@@ -45,6 +67,6 @@ def wishes_of(source: Source, now: datetime) -> tuple[SpokenWish, ...]:
         raise DocumentError(tuple(mistakes))
     if not wishes:
         raise NoInputError(
-            f"{source.name}: the input must hold at least one instruction, and all are comments"
+            f"{source.name}: the input must hold at least one instruction, and all are comments or ticked off"
         )
     return tuple(wishes)

@@ -1,18 +1,13 @@
 """Times in a task file: moments, and the times that are taken."""
 
+import math
 import re
 from collections.abc import Callable
-from datetime import datetime
+from datetime import datetime, timedelta
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.skills import Busy
-from fuzzytime.times import (
-    DAY,
-    parse_clock,
-    parse_duration,
-    parse_instant,
-    seconds_between,
-)
+from fuzzytime.times import parse_clock, parse_duration, parse_instant, seconds_between
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
 CalendarReader = Callable[[str, datetime], tuple[Busy, ...]]
@@ -21,8 +16,10 @@ CalendarReader = Callable[[str, datetime], tuple[Busy, ...]]
 _CLOCK = re.compile(r"\s*\d{1,2}:\d{2}(:\d{2})?\s*")
 
 
-def moment_of(text: str, now: datetime) -> float:
-    """Read ``09:30`` (today), an ISO instant, or a duration from now, as seconds from now.
+def moment_of(text: str, now: datetime, since: float = -math.inf) -> float:
+    """Read ``09:30``, an ISO instant, or a duration from now, as seconds from now.
+
+    A time of day is today's, or tomorrow's where that of today lies before ``since``, in seconds from now.
 
     Raises
     ------
@@ -30,7 +27,12 @@ def moment_of(text: str, now: datetime) -> float:
         If it is none of these.
     """
     if _CLOCK.fullmatch(text):
-        return seconds_between(now, datetime.combine(now.date(), parse_clock(text), now.tzinfo))
+        # By the calendar, not by 24 hours: clocks may change that night.
+        days = (
+            datetime.combine(now.date(), parse_clock(text), now.tzinfo) + timedelta(days=n) for n in (0, 1)
+        )
+        first = seconds_between(now, next(days))
+        return first if first >= since else seconds_between(now, next(days))
     try:
         return seconds_between(now, parse_instant(text, now.tzinfo))
     except FuzzytimeError:
@@ -55,9 +57,8 @@ def read_busy(
         fields = reader.mapping(item, key, ("from", "to", "what", "agent"), ("from", "to"))
         if not {"from", "to"} <= fields.keys():
             continue
-        start, end = (_moment(reader, fields[name], f"{key}.{name}", now) for name in ("from", "to"))
-        if end < start and _CLOCK.fullmatch(reader.string(fields["to"], f"{key}.to")):
-            end += DAY  # from 23:00 to 01:00
+        start = _moment(reader, fields["from"], f"{key}.from", now)
+        end = _moment(reader, fields["to"], f"{key}.to", now, since=start)
         what = reader.string(fields["what"], f"{key}.what") if "what" in fields else ""
         agent = reader.whole(fields["agent"], f"{key}.agent", 1, agents) if "agent" in fields else 0
         if end < start:
@@ -67,8 +68,8 @@ def read_busy(
     return tuple(found)
 
 
-def _moment(reader: Reader, node: Node, key: str, now: datetime) -> float:
+def _moment(reader: Reader, node: Node, key: str, now: datetime, since: float = -math.inf) -> float:
     if not isinstance(node, Scalar):
         reader.mistake(node, key, "must be a time such as 09:30")
         return 0.0
-    return reader.read(node, key, lambda text: moment_of(text, now)) or 0.0
+    return reader.read(node, key, lambda text: moment_of(text, now, since)) or 0.0

@@ -8,13 +8,13 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import datetime, tzinfo
 from functools import partial
-from typing import Required, TypedDict
+from typing import Required, TypedDict, TypeVar
 
 from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
 from fuzzytime.spelling import suggestion
-from fuzzytime.times import WEEK, parse_instant, parse_zone
+from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 from fuzzytime.yaml_tree import Sequence as Listed
 from fuzzytime_cli.inputs.functions import read_function
@@ -22,6 +22,7 @@ from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
 from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy
 
+Value = TypeVar("Value")
 KEYS = ("now", "zone", "agents", "horizon", "in_order", "context", "busy", "instructions", "skills")
 _WISH_KEYS = ("id", "hands_on", "elapsed", "duration", "priority", "agent", "after")
 _FIRST_KEY = re.compile(r"(?:[ \t]*(?:#[^\n]*)?\n|---[ \t]*\n)*(?:" + "|".join(KEYS) + r")[ \t]*:(?:\s|$)")
@@ -34,14 +35,42 @@ def is_task_file(source: Source) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
+class Given:
+    """What is said of a plan outside its file; None where nothing is."""
+
+    zone: tzinfo | None = None
+    agents: int | None = None
+    horizon: float | None = None
+    in_order: bool | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Surroundings:
-    """What flags say; where the file says it too, flags win."""
+    """What is so outside a task file.
+
+    Parameters
+    ----------
+    now, asked
+        What is said for this call, which wins over the file; now without a zone is of the file's.
+    usual
+        What is so for every call, which gives way to the file.
+    fallback_now
+        The moment where nobody says one.
+    calendar, signals
+        What reads calendars, and what can be read of.
+    """
 
     now: datetime | None
-    zone: tzinfo | None
+    asked: Given
+    usual: Given
     fallback_now: datetime
     calendar: CalendarReader
     signals: Mapping[str, Signal]
+
+
+def _first(*choices: Value | None) -> Value:
+    """Give the first that is said; the last always is."""
+    return next(choice for choice in choices if choice is not None)
 
 
 def read_task_file(source: Source, surroundings: Surroundings) -> Request:
@@ -83,10 +112,11 @@ class _TaskFile:
         root = reader.root()
         top = reader.mapping(root, "", KEYS)
         self.now = self._now(top)
-        if "agents" in top:
-            self.agents = max(1, reader.whole(top["agents"], "agents", 1, 100))
+        asked, usual = self.surroundings.asked, self.surroundings.usual
+        agents = reader.whole(top["agents"], "agents", 1, 100) if "agents" in top else None
+        self.agents = max(1, _first(asked.agents, agents, usual.agents, 1))
         horizon = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
-        in_order = "in_order" in top and reader.boolean(top["in_order"], "in_order")
+        in_order = reader.boolean(top["in_order"], "in_order") if "in_order" in top else None
         context = (
             read_context_node(reader, top["context"], "context", self.surroundings.signals)
             if "context" in top
@@ -115,8 +145,8 @@ class _TaskFile:
             agents=self.agents,
             context=context,
             busy=busy,
-            horizon=horizon,
-            in_order=in_order,
+            horizon=asked.horizon or horizon or usual.horizon,
+            in_order=_first(asked.in_order, in_order, usual.in_order is True),
         )
 
     def _check_afters(self, wishes: Sequence[Wish]) -> None:
@@ -129,19 +159,18 @@ class _TaskFile:
                 self.reader.mistake(name, key, f"must name the id of a skill, got {name.text!r}{meant}")
 
     def _now(self, top: dict[str, Node]) -> datetime:
-        zone = self.surroundings.zone
+        surroundings = self.surroundings
+        own_zone = None
         if "zone" in top and isinstance(top["zone"], Scalar):
-            zone = self.reader.read(top["zone"], "zone", parse_zone) or zone
+            own_zone = self.reader.read(top["zone"], "zone", parse_zone)
+        zone = surroundings.asked.zone or own_zone or surroundings.usual.zone
         said = top.get("now")
         own = None
         if isinstance(said, Scalar):
             own = self.reader.read(said, "now", lambda text: parse_instant(text, zone))
         elif said is not None:
             self.reader.mistake(said, "now", "must be a date and time such as 2026-03-04T09:00")
-        if self.surroundings.now is not None:
-            return self.surroundings.now
-        fallback = self.surroundings.fallback_now
-        return own or (fallback.astimezone(zone) if zone is not None else fallback)
+        return in_zone(surroundings.now or own or surroundings.fallback_now, zone)
 
     # -- wishes ---------------------------------------------------------------------------------------------
 

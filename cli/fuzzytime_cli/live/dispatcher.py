@@ -50,6 +50,7 @@ class Dispatcher:
     def step(self, now: float, arrivals: Iterable[Arrival] = ()) -> Iterator[Event]:
         """Do what is to be done at a moment, and tell it as it is done; moments must not decrease."""
         yield from self.progress.pass_ends(now)
+        yield from self._tell_happened(now)
         for arrival in arrivals:
             yield from self._take(arrival, now)
         yield from self.progress.tell_late(now)
@@ -158,6 +159,14 @@ class Dispatcher:
 
     # -- starting -------------------------------------------------------------------------------------------
 
+    def _tell_happened(self, now: float) -> Iterator[Event]:
+        """Tell what happened while nobody looked, before anything is planned from now on."""
+        for waiting in list(self.outlook.waiting):
+            slept = now - waiting.start > self.pace.tolerance
+            if waiting.happens and slept and not self._is_held_up(waiting):
+                self.outlook.waiting.remove(waiting)
+                yield self._happen(waiting, now)
+
     def _tell_missed(self, now: float) -> Iterator[Event]:
         for waiting in self.outlook.waiting:
             if now - waiting.start <= self.pace.tolerance or self._is_held_up(waiting):
@@ -184,7 +193,8 @@ class Dispatcher:
 
     def _is_held_up(self, waiting: Waiting) -> bool:
         """Say whether what should be over before a skill starts still goes on, or has not begun."""
-        if any(task.agent == waiting.agent for task in self.ledger.in_phase(Phase.RUNNING)):
+        running = () if waiting.happens else self.ledger.in_phase(Phase.RUNNING)
+        if any(task.agent == waiting.agent for task in running):
             return True
         for name in waiting.interpreted.follows:
             task = self.ledger.tasks.get(name)
@@ -200,6 +210,9 @@ class Dispatcher:
         return float(waiting.interpreted.skill.satisfaction(now - self.planning.planned_at))
 
     def _start(self, waiting: Waiting, now: float) -> Iterator[Event]:
+        if waiting.happens:
+            yield self._happen(waiting, now)
+            return
         skill = waiting.interpreted.skill
         start = told.Start(
             at=now,
@@ -216,3 +229,16 @@ class Dispatcher:
         )
         start = replace(start, command=self.progress.executor.command_for(start))
         yield from self.progress.begin(start, skill.time_until_done - skill.duration)
+
+    def _happen(self, waiting: Waiting, now: float) -> Event:
+        """Tell what happens by itself; it does so at its time, though nobody looked then."""
+        event = told.Happens(
+            at=now,
+            id=waiting.identifier,
+            name=waiting.name,
+            instruction=getattr(waiting.interpreted.wish, "text", None),
+            planned_s=waiting.start,
+            done_s=waiting.start + waiting.interpreted.skill.time_until_done,
+            satisfaction=waiting.satisfaction,
+        )
+        return self.progress.happen(event)

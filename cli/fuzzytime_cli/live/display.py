@@ -7,8 +7,9 @@ from typing import Protocol, TextIO
 
 from rich.text import Text
 
-from fuzzytime.times import format_duration, instant_after
+from fuzzytime.times import format_duration
 from fuzzytime_cli.faults import report, underlined
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.table import PlanView, bar, style_of
 from fuzzytime_cli.live import events as told
 from fuzzytime_cli.live.events import Event
@@ -69,7 +70,7 @@ class EventScreen:
         return Text(f"{self._clock(at)}  {kind:<{_NAME}} {words}", style=style)
 
     def _clock(self, at: float | None) -> str:
-        return "never" if at is None else f"{instant_after(self.origin, round(at)):%H:%M:%S}"
+        return "never" if at is None else Clock(self.origin, with_seconds=True).of(at)
 
     def _lines(self, event: Event) -> list[Text]:
         at, kind = event.at, event.type
@@ -80,6 +81,9 @@ class EventScreen:
                 line.append(f" {drawn} {event.satisfaction:.2f}", style_of(event.satisfaction))
                 ran = [] if event.command is None else [plain(shlex.join(event.command))]
                 return [line, *(self._line(at, "command", words, "dim") for words in ran)]
+            case told.Happens(done_s=done):
+                until = f", until {self._clock(done)}" if done > at else ""
+                return [self._line(at, kind, f"{_who(event)}{until}", "bold")]
             case told.End() | told.Done():
                 return [self._line(at, kind, _who(event), "green" if kind == "done" else "")]
             case told.Moved(before_s=before, after_s=after):

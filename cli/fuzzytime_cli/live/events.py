@@ -118,6 +118,20 @@ class Start(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Happens(Event):
+    """Something happens by itself: there is nothing to do, and no command is run."""
+
+    type: ClassVar[str] = "happens"
+
+    id: str
+    name: str
+    instruction: str | None
+    planned_s: float
+    done_s: float
+    satisfaction: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class End(Event):
     """The agent is free again."""
 

@@ -43,6 +43,11 @@ class Waiting:
         return self.interpreted.skill.name
 
     @property
+    def happens(self) -> bool:
+        """Whether it happens by itself, so that there is nothing to do."""
+        return self.interpreted.skill.happens
+
+    @property
     def awaits_readings(self) -> bool:
         """Whether its time is a matter of what is read: "when the pan is hot"."""
         return any(

@@ -90,6 +90,22 @@ class Progress:
         yield start
         self.executor.begin(start)
 
+    def happen(self, event: told.Happens) -> Event:
+        """Take what happens by itself: nobody is at it, so that only time, or a word, ends it."""
+        self.ledger.keep(
+            Task(
+                identifier=event.id,
+                name=event.name,
+                start=event.planned_s,
+                end=event.planned_s,
+                planned=0.0,
+                rest=event.done_s - event.planned_s,
+                satisfaction=event.satisfaction,
+                phase=Phase.RESTING,
+            )
+        )
+        return event
+
     def next_time(self) -> float:
         """Give when something that goes on should end, or is too late."""
         return min(map(self._next_of, self.ledger.in_phase(Phase.RUNNING, Phase.RESTING)), default=math.inf)

@@ -9,7 +9,15 @@ from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.naming import FEW, entry_of, running_one
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, position_of, said, waiting
+from fuzzytime_cli.repl.scene import (
+    Reply,
+    Scene,
+    number_of,
+    position_of,
+    running_lines,
+    said,
+    waiting,
+)
 
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
@@ -27,10 +35,7 @@ MOST = 5
 def coming(scene: Scene) -> Reply:
     """Say what is going on, and what comes next."""
     running = scene.conversation.running(scene.now)
-    lines = [
-        Text(f"running: {plain(one.identifier)} {plain(one.name)}, until {one.done:%H:%M:%S}")
-        for one in running
-    ]
+    lines = running_lines(scene.conversation, scene.now)
     schedule = scene.plan.schedule
     left = (place for place, _ in waiting(scene) if not schedule.rejected[place])
     planned = sorted(left, key=lambda place: (schedule.start_times[place], place))[:1]
@@ -47,8 +52,9 @@ def when(scene: Scene, about: About) -> Reply:
     positions = _positions(scene, about.names)
     schedule = scene.plan.schedule
     positions.sort(key=lambda position: (schedule.rejected[position], schedule.start_times[position]))
+    clock = Clock(scene.now, with_seconds=True)
     lines = [
-        Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {one.done:%H:%M:%S}")
+        Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
         for one in scene.conversation.running(scene.now)
         if about.names and about.names <= content_words(one.name)
     ]

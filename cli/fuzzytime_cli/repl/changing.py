@@ -7,7 +7,8 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_duration
 from fuzzytime_cli.choices import SolverChoice
-from fuzzytime_cli.render import fitted, plain, width_of
+from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.render import fitted, plain, width_of, wrapped
 from fuzzytime_cli.repl.naming import identifier_meant
 from fuzzytime_cli.repl.scene import (
     Reply,
@@ -110,7 +111,7 @@ def done(scene: Scene, text: str) -> Reply:
         # has happened.
         agent = scene.plan.schedule.skills[position].agent
         now, satisfaction = scene.now, scene.plan.schedule.satisfactions[position]
-        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction)
+        begun = Started(skill.identifier, skill.skill.name, now, now, now, agent, satisfaction, happens)
         scene.conversation.store.note_started(scene.conversation.name, begun)
         return Reply((name,), changed=True)
     return replace(step(scene, f":done {number}", lambda state: state.without(number)), lines=(name,))
@@ -118,8 +119,8 @@ def done(scene: Scene, text: str) -> Reply:
 
 def more(scene: Scene, text: str) -> Reply:
     """Say that a skill that has started goes on for longer."""
-    first, _, rest = text.strip().partition(" ")
-    wanted, longer = identifier_of(first), parse_duration(rest)
+    _, rest = number_and_rest(text, "a length of time, such as 5min,")
+    wanted, longer = identifier_of(text.split(maxsplit=1)[0]), parse_duration(rest)
     if longer <= 0:
         raise FuzzytimeError(f"a length of time must be above 0, got {rest!r}")
     store, name = scene.conversation.store, scene.conversation.name
@@ -131,7 +132,8 @@ def more(scene: Scene, text: str) -> Reply:
     by_itself = begun.end < scene.now < begun.done
     end = begun.end if by_itself else instant_after(max(begun.end, scene.now), longer)
     store.note_until(name, wanted, end, max(done, end))
-    return Reply((Text(f"{plain(begun.name)} goes on until {max(done, end):%H:%M:%S}"),), changed=True)
+    until = Clock(scene.now, with_seconds=True).at(max(done, end))
+    return Reply((Text(f"{plain(begun.name)} goes on until {until}"),), changed=True)
 
 
 def ctx(scene: Scene, text: str) -> Reply:
@@ -140,16 +142,18 @@ def ctx(scene: Scene, text: str) -> Reply:
 
     signals = scene.conversation.interpreter.rulebook.signals
     if not text.strip():
-        shown = tuple(_reading_line(one) for one in scene.conversation.state.readings)
-        return Reply(shown or ("no readings yet; signals: " + ", ".join(sorted(signals)),))
+        clock = Clock(scene.now, with_seconds=True)
+        shown = tuple(_reading_line(one, clock) for one in scene.conversation.state.readings)
+        known = wrapped(f"no readings yet; signals: {', '.join(sorted(signals))}", scene.width)
+        return Reply(shown or tuple(known))
     reading = parse_assignment(text.strip(), signals)
     kept = KeptReading(reading.signal, instant_after(scene.now, reading.at), reading.value, reading.unit)
     return step(scene, f":ctx {text.strip()}", lambda state: replace(state, readings=(*state.readings, kept)))
 
 
-def _reading_line(kept: KeptReading) -> str:
+def _reading_line(kept: KeptReading, clock: Clock) -> str:
     value = "happened" if kept.value is None else f"{kept.value:g} {kept.unit or ''}".rstrip()
-    return f"{plain(kept.signal):<18} {plain(value):<12} at {kept.at:%H:%M:%S}"
+    return f"{plain(kept.signal):<18} {plain(value):<12} at {clock.at(kept.at)}"
 
 
 def agents(scene: Scene, text: str) -> Reply:
@@ -182,10 +186,12 @@ def busy(scene: Scene, text: str) -> Reply:
     parts = text.split(maxsplit=2)
     if len(parts) < 2:
         raise FuzzytimeError("two times must follow, such as: :busy 12:00 13:00 lunch")
-    start, end = (instant_after(scene.now, moment_of(part, scene.now)) for part in parts[:2])
+    start = moment_of(parts[0], scene.now)
+    end = moment_of(parts[1], scene.now, since=start)
     if end <= start:
-        raise FuzzytimeError(f"a busy time must not end before it starts, got {parts[0]} to {parts[1]}")
-    kept = KeptBusy(start, end, parts[2] if len(parts) > 2 else "")
+        raise FuzzytimeError(f"a busy time must end after it starts, got {parts[0]} to {parts[1]}")
+    from_, until = instant_after(scene.now, start), instant_after(scene.now, end)
+    kept = KeptBusy(from_, until, parts[2] if len(parts) > 2 else "")
     return step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
 
 

@@ -20,6 +20,11 @@ class Command:
     help: str
     run: Run
 
+    @property
+    def takes_words(self) -> bool:
+        """Whether something may follow its name."""
+        return " " in self.usage
+
 
 HEAD = (
     "Type what you want done and when: flip the pancakes in about two minutes.",
@@ -34,10 +39,13 @@ NARROW = 60
 """Columns below which what a command does stands under it, not beside it."""
 
 
-def _help(scene: Scene, _: str) -> Reply:
-    rows = [line for sentence in HEAD for line in wrapped(sentence, scene.width, 0)]
-    rows.append("")
-    for command in COMMANDS.values():
+def _help(scene: Scene, text: str) -> Reply:
+    """Show what a command does, or all of them, and what else can be typed."""
+    rows: list[str] = []
+    asked = [_named(name.lower().removeprefix(":")) for name in text.split()]
+    if not asked:
+        rows += [*(line for sentence in HEAD for line in wrapped(sentence, scene.width, 0)), ""]
+    for command in asked or COMMANDS.values():
         beginning = f"  :{command.usage:<26} "
         if scene.width < NARROW:
             rows += [f"  :{command.usage}", *wrapped(f"      {command.help}", scene.width, 6)]
@@ -80,7 +88,7 @@ COMMANDS: Mapping[str, Command] = {
     "save": Command("save FILE", ".json the session; .ics .csv .html .svg .jsonl the plan", saving.save),
     "load": Command("load FILE", "a saved session, a calendar, or instructions a line", saving.load),
     "now": Command("now", "the moment", looking.now),
-    "help": Command("help", "this list", _help),
+    "help": Command("help [COMMAND]", "this list, or one command of it", _help),
     "quit": Command("quit", "leave; everything is kept", _quit),
 }
 """Every command by its name."""
@@ -116,17 +124,23 @@ def command_of(line: str) -> tuple[Command, str]:
     Raises
     ------
     FuzzytimeError
-        If there is no such command.
+        If there is no such command, or something follows where nothing may.
     """
+    name, _, rest = line[1:].strip().partition(" ")
+    command = _named(name.lower() or "help")
+    if rest.strip() and not command.takes_words:
+        raise FuzzytimeError(f"nothing may follow :{command.usage}, got {rest.strip()!r}")
+    return command, rest
+
+
+def _named(name: str) -> Command:
     from fuzzytime.spelling import suggestion
 
-    name, _, rest = line[1:].strip().partition(" ")
-    name = name.lower() or "help"
     matching = [key for key in COMMANDS if key.startswith(name)]
     if name in COMMANDS:
-        return COMMANDS[name], rest
+        return COMMANDS[name]
     if len(matching) == 1:
-        return COMMANDS[matching[0]], rest
+        return COMMANDS[matching[0]]
     raise FuzzytimeError(
         f"there is no command {name!r}{suggestion(name, matching or COMMANDS)}; :help lists them"
     )

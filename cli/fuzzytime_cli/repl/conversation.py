@@ -15,13 +15,13 @@ from fuzzytime.interpreter import (
     Plan,
     Request,
     SpokenWish,
-    plan,
+    scheduled,
     understood,
 )
 from fuzzytime.interpreter import Started as StartedSkill
 from fuzzytime.scheduling import Limits, Solver
 from fuzzytime.skills import Busy
-from fuzzytime.times import seconds_between
+from fuzzytime.times import instant_after, seconds_between
 from fuzzytime_cli.personal import personal_rulebook
 from fuzzytime_cli.session import Entry, KeptRating, KeptReading, SessionStore, Started, State
 
@@ -120,14 +120,34 @@ class Conversation:
             If a reading is of no signal that the tables know.
         """
         current = state if state is not None else self.state
-        return plan(
-            self.request(now, current),
-            self.understanding,
+        request, interpretation = understood(self.request(now, current), self.understanding)
+        if state is None and self._note_happened(interpretation, now):
+            request, interpretation = understood(self.request(now, current), self.understanding)
+        return scheduled(
+            request,
+            interpretation,
             solver=self.solver_of(current.solver),
             threshold=self.threshold,
             limits=self.limits,
             previous=previous,
         )
+
+    def _note_happened(self, interpretation: Interpretation, now: datetime) -> bool:
+        """Note what has happened since it was told, while nobody looked; say whether anything did."""
+        found = False
+        for one in interpretation.skills:
+            moment = one.skill.preferred
+            if (
+                not one.skill.happens
+                or moment is None
+                or not seconds_between(now, one.wish.given) <= moment < 0
+            ):
+                continue
+            start = instant_after(now, moment)
+            done = instant_after(start, one.skill.time_until_done)
+            begun = Started(one.identifier, one.skill.name, start, start, done, happens=True)
+            found |= self.store.note_started(self.name, begun)
+        return found
 
     def understood(self, now: datetime, state: State) -> Interpretation:
         """Give what is understood of all that is asked for, without a schedule.
@@ -154,6 +174,7 @@ class Conversation:
                 made.instant(specific.done),
                 specific.agent,
                 made.schedule.satisfactions[position],
+                made.skills[position].skill.happens,
             )
             if self.store.note_started(self.name, started):
                 news.append(started)

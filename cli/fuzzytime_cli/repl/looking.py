@@ -13,7 +13,7 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, moves
 from fuzzytime_cli.repl.naming import identifier_meant
-from fuzzytime_cli.repl.scene import Reply, Scene, position_of, said
+from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, said
 from fuzzytime_cli.session import State
 
 MINUTE = 60.0
@@ -24,11 +24,9 @@ def show_list(scene: Scene, _: str) -> Reply:
     from fuzzytime_cli.formats.table import PlanView
 
     entries = scene.conversation.state.entries
-    given = [f"{entry.number:>3}  {entry.given:%H:%M}  {plain(entry.text)}" for entry in entries]
-    running = [
-        Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
-        for one in scene.conversation.running(scene.now)
-    ]
+    clock = Clock(scene.now, with_seconds=False)
+    given = [f"{entry.number:>3}  {clock.at(entry.given)}  {plain(entry.text)}" for entry in entries]
+    running = running_lines(scene.conversation, scene.now)
     return Reply((*running, *PlanView(scene.plan, scene.width, unicode=scene.unicode).lines(), "", *given))
 
 

@@ -10,6 +10,7 @@ from fuzzytime.interpreter import Interpreted
 from fuzzytime.language import Language
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.times import format_duration, instant_after, parse_duration
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.scene import (
     Reply,
@@ -104,7 +105,8 @@ def _moved(scene: Scene, entry: Entry, by: float, mine: Waiting) -> Entry:
     to = instant_after(starts[0], by) if len(starts) == 1 else None
     if to is not None and to < scene.now:
         name = plain(mine[0][1].skill.name)
-        raise FuzzytimeError(f"{name} would have to start at {to:%H:%M}, which is over")
+        at = Clock(scene.now, with_seconds=False).at(to)
+        raise FuzzytimeError(f"{name} would have to start at {at}, which is over")
     return replace(entry, moved_by=entry.moved_by + by, moved_to=to)
 
 

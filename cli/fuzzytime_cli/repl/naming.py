@@ -47,8 +47,10 @@ def identifier_meant(scene: Scene, text: str) -> str:
     Raises
     ------
     FuzzytimeError
-        If words mean none.
+        If words mean none, or there are none.
     """
+    if not text.strip():
+        raise FuzzytimeError("a number from the list must follow, such as 2, or words for what is planned")
     names = content_words(text)
     if text.strip().removeprefix("s").partition(".")[0].isdigit() or not names:
         return identifier_of(text)

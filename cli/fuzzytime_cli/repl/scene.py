@@ -9,6 +9,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted, Plan, Problem, ProblemKind
 from fuzzytime_cli.faults import underlined
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.session import Started, State
@@ -102,12 +103,21 @@ def position_of(scene: Scene, text: str) -> int:
             return position
     for running in scene.conversation.running(scene.now):
         if running.identifier == wanted:
-            until = f"{running.done:%H:%M:%S}"
+            until = Clock(scene.now, with_seconds=True).at(running.done)
             raise FuzzytimeError(
                 f"{wanted} is running until {until}, and no longer planned (see: :done, :rate)"
             )
     known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
     raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
+
+
+def running_lines(conversation: Conversation, now: datetime) -> list[Text]:
+    """Say what is going on, and until when."""
+    clock = Clock(now, with_seconds=True)
+    return [
+        Text(f"running: {plain(one.identifier)} {plain(one.name)}, until {clock.at(one.done)}", style="bold")
+        for one in conversation.running(now)
+    ]
 
 
 def begun_of(scene: Scene, number: int) -> Started | None:

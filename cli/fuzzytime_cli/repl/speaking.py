@@ -8,13 +8,13 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import About, AboutKind, Language, about_wishes, content_words, reported
-from fuzzytime.requirement import Constraint
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
 from fuzzytime_cli.repl.commands import command_of
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
+from fuzzytime_cli.repl.retiming import with_time
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of
-from fuzzytime_cli.session import Entry
 
 HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
 """What tells how it went, which :undo does not take back."""
@@ -150,7 +150,7 @@ def _changing(scene: Scene, about: About) -> str | None:
         case AboutKind.DELAY:
             return f":delay {entry.number} {_length(about)}"
         case _:
-            return f":edit {entry.number} {_with_time(scene, entry, about.time)}"
+            return f":edit {entry.number} {with_time(scene, entry, about)}"
 
 
 def _length(about: About) -> str:
@@ -184,15 +184,16 @@ def _progress(scene: Scene, about: About) -> str | None:
     last = next(reversed(all_called(scene, about.names)), None)
     if last is not None and longer:
         return line(last.identifier)
+    over = "" if last is None else Clock(scene.now, with_seconds=False).at(last.done)
     if not about.names:
-        told = "" if last is None else f"; the last, {last.name}, was done at {last.done:%H:%M}"
+        told = "" if last is None else f"; the last, {last.name}, was done at {over}"
         raise FuzzytimeError(f"nothing is running{told}: say what, such as: the soup is done")
     entry = entry_of(scene, about.names)
     planned = None if entry is None else called(scene, entry.number)
     if planned is not None:
         return None if longer and not about.certain else line(planned)
     if last is not None:
-        raise FuzzytimeError(f"{last.name} was done at {last.done:%H:%M}")
+        raise FuzzytimeError(f"{last.name} was done at {over}")
     return unknown(about.names) if about.certain else None
 
 
@@ -258,27 +259,3 @@ def _supposed(scene: Scene, text: str) -> Reply:
 def _supposable(scene: Scene, about: About) -> str | None:
     changing = {AboutKind.DROP, AboutKind.MOVE, AboutKind.DELAY, AboutKind.SWAP, AboutKind.LATE}
     return _command(scene, about) if about.kind in changing else None
-
-
-def _with_time(scene: Scene, entry: Entry, time: str) -> str:
-    """Give an entry's words with another time, or length, in place of its own.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it has several.
-    """
-    mine = [one for one in scene.plan.skills if one.wish.identifier == f"s{entry.number}"]
-    if len(mine) == 1 and mine[0].told_by:
-        # "They are ten minutes late" has no time of its own to be replaced.
-        return f"{mine[0].skill.name} {time} instead"
-    length = time.lower().startswith("for ")
-    reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
-    parts = [part for one in reading.instructions for part in one.requirements]
-    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
-    if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
-        raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
-    if not times:
-        return f"{entry.text.rstrip('.! ')} {time}"
-    first, end = times[0].span
-    return f"{entry.text[:first]}{time}{entry.text[end:]}"

@@ -11,11 +11,12 @@ from fuzzytime.interpreter import Plan, Problem
 from fuzzytime.language import Question
 from fuzzytime_cli.faults import message_of
 from fuzzytime_cli.formats.table import PlanView
+from fuzzytime_cli.inputs.lines import said_in
 from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines, running_lines
 from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -171,10 +172,7 @@ class Turns:
         started = {one.identifier for one in self.conversation.store.started(self.conversation.name)}
         lines = self._told_news()
         lines += [Text(line, style="yellow") for line in move_lines(before, made, started)]
-        for one in self.conversation.running(now):
-            lines.append(
-                Text(f"running: {one.identifier} {plain(one.name)}, until {one.done:%H:%M:%S}", style="bold")
-            )
+        lines += running_lines(self.conversation, now)
         untold = tuple(problem for problem in made.problems if problem not in self.told)
         self.told = set(made.problems)
         lines += PlanView(replace(made, problems=untold), self.width, unicode=self.unicode).lines()
@@ -229,8 +227,8 @@ class Turns:
 
 
 def _words_of(line: str) -> str:
-    """Give what was typed, with a command that needs no colon as one that has it."""
-    words = line.strip()
+    """Give what was typed; a command that needs no colon as one that has it, and nothing for a comment."""
+    words = said_in(line)
     return BARE.get(words.lower(), words)
 
 
@@ -244,6 +242,7 @@ def question_lines(question: Question) -> list[Line]:
 
 
 def start_line(started: Started) -> Text:
-    """Announce a start."""
-    what = f"{started.start:%H:%M:%S}  start now: {plain(started.name)} ({plain(started.identifier)})"
-    return Text(what, style="bold green")
+    """Announce a start, or that something happens."""
+    what = "now" if started.happens else "start now"
+    line = f"{started.start:%H:%M:%S}  {what}: {plain(started.name)} ({plain(started.identifier)})"
+    return Text(line, style="bold green")

@@ -49,7 +49,7 @@ class KeptBusy:
 
 @dataclass(frozen=True, slots=True)
 class Started:
-    """A skill that has started: it does not move any more."""
+    """A skill that has started, or that ``happens`` by itself: it does not move any more."""
 
     identifier: str
     name: str
@@ -58,6 +58,7 @@ class Started:
     done: datetime
     agent: int = 1
     satisfaction: float = 1.0
+    happens: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,8 +157,7 @@ def instant_of(text: str) -> datetime:
     from fuzzytime.times import parse_instant, parse_zone
 
     plain, _, zone = text.partition("[")
-    instant = parse_instant(plain)
-    return instant.astimezone(parse_zone(zone.rstrip("]"))) if zone else instant
+    return parse_instant(plain, parse_zone(zone.rstrip("]")) if zone else None)
 
 
 def state_of(text: str) -> State:

@@ -47,6 +47,9 @@ class About:
         Whether the two that are left are meant.
     time
         The new time, or what comes before or after it, as it would be said with what is to be done.
+    number
+        The new time as it was said where that is a number alone ("make it six"), which may count what was
+        counted before; else empty.
     by
         Seconds: by how much later, earlier (below 0), or longer; None where that is not said.
     text
@@ -63,6 +66,7 @@ class About:
     everything: bool = False
     both: bool = False
     time: str = ""
+    number: str = ""
     by: float | None = None
     text: str = ""
     corrects: bool = False

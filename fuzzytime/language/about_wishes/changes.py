@@ -134,7 +134,10 @@ def _corrected(said: Said) -> About | None:
         names = Said(thing, said.now, said.lexicon).names
         return About(kind=AboutKind.MOVE, names=names, time=time) if time and names else None
     time = rest.as_time()
-    return About(kind=AboutKind.MOVE, time=time, corrects=True, certain=True) if time else change(rest)
+    if not time:
+        return change(rest)
+    number = rest.as_number()
+    return About(kind=AboutKind.MOVE, time=time, number=number, corrects=True, certain=True)
 
 
 def _by(said: Said) -> tuple[float, Said] | None:

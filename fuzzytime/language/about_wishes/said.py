@@ -118,8 +118,9 @@ class Said:
 
     @cached_property
     def has_time(self) -> bool:
-        """Whether there is any time in it."""
-        return bool(self._times)
+        """Whether there is any time in it, unless what it names as a whole is one: "dinner"."""
+        named = len(self.forms) == 1 and self.forms[0] in self.lexicon.events
+        return bool(self._times) and not named
 
     def length(self) -> "Length | None":
         """Give the first length of time in it; None for none, and where it is part of another time."""
@@ -153,6 +154,11 @@ class Said:
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
         return found[0][0] if found else ""
+
+    def as_number(self) -> str:
+        """Give it where it is a number alone: what could count minutes; else empty."""
+        counted = self._whole(f"{FOR}{self.text} {Unit.MINUTE}s")
+        return self.text if counted and counted[0].unit is Unit.MINUTE else ""
 
     def _whole(self, text: str) -> tuple[TimeRequirement, ...]:
         """Give the time that a text is, whole."""

@@ -40,7 +40,7 @@ from fuzzytime.language.sentence.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.negations import LONGER, awaiting, is_turned, turned
+from fuzzytime.language.sentence.negations import LONGER, awaiting, denied_times, turned
 from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
@@ -251,11 +251,12 @@ class _Composer:
             sketch.operation,
             next((g.duration for g in times.found if g.duration is not None), None),
         )
-        if operation is not None and operation.negated and any(map(is_turned, requirements)):
-            lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
-            requirements = [turned(requirement, duration) for requirement in requirements]
-            operation, duration = replace(operation, negated=False), duration if lasting else None
         said = self.draft.text[slice(*segment.span)].strip()
+        denied = denied_times(requirements, connected, said)
+        if operation is not None and operation.negated and denied:
+            lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
+            requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
+            operation, duration = replace(operation, negated=False), duration if lasting else None
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks

@@ -1,5 +1,6 @@
 """What negations ask for: "don't open it before six" is not before six, "don't … until" when it is so."""
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from fuzzytime.language.sentence.sketch import Sketch
@@ -16,6 +17,10 @@ LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
 
 
+NEVER = "never"
+"""What denies for good."""
+
+
 def awaiting(sketch: Sketch) -> Sketch:
     """Read "don't serve it until the guests arrive" as: serve it, when they do."""
     operation = sketch.operation
@@ -30,6 +35,20 @@ def awaiting(sketch: Sketch) -> Sketch:
         for clause in sketch.clauses
     )
     return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
+
+
+def denied_times(
+    requirements: Iterable[TimeRequirement], connected: TimeRequirement | None, said: str
+) -> set[tuple[int, int]]:
+    """Give the spans of the times at which something is not to be done, as it is to be done at others.
+
+    "Never leave it open for more than a minute" asks for nothing; nor does "then don't serve it", where the
+    word that connects it only goes on telling.
+    """
+    if NEVER in said.lower().split():
+        return set()
+    joining = None if connected is None else connected.span
+    return {one.span for one in requirements if one.span != joining and is_turned(one)}
 
 
 def is_turned(requirement: TimeRequirement) -> bool:
@@ -53,6 +72,7 @@ def turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirem
     after = constraint is Constraint.AFTER
     return replace(
         requirement,
+        denied=True,
         constraint=constraint,
         preposition="not before" if after else "no later than",
         t_spec=time,

@@ -1,0 +1,64 @@
+"""An instruction's words with another time in place of their own."""
+
+from itertools import combinations
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language import About, find_times
+from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime_cli.repl.scene import Scene
+from fuzzytime_cli.session import Entry
+
+ONE = frozenset({"1", "one", "a", "an"})
+"""Numbers behind which a unit has no s."""
+
+
+def with_time(scene: Scene, entry: Entry, about: About) -> str:
+    """Give an entry's words with another time, or length, in place of its own.
+
+    A number alone ("make it six") counts what the entry counts: six minutes where it has ten of them.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it has several.
+    """
+    mine = [one for one in scene.plan.skills if one.wish.identifier == f"s{entry.number}"]
+    if len(mine) == 1 and mine[0].told_by:
+        # "They are ten minutes late" has no time of its own to be replaced.
+        return f"{mine[0].skill.name} {about.time} instead"
+    reading = scene.conversation.interpreter.language.read(entry.text, now=entry.given)
+    parts = [part for one in reading.instructions for part in one.requirements]
+    if about.number and len(parts) == 1:
+        recounted = _recounted(scene, entry, parts[0], about.number)
+        if recounted:
+            return recounted
+    length = about.time.lower().startswith("for ")
+    times = [part for part in parts if (part.constraint is Constraint.FOR) is length]
+    if len(times) > 1 or any(part.constraint is Constraint.EVERY for part in times):
+        raise FuzzytimeError(f"instruction {entry.number} has several times: say it anew, with :edit")
+    if not times:
+        return f"{entry.text.rstrip('.! ')} {about.time}"
+    first, end = times[0].span
+    return f"{entry.text[:first]}{about.time}{entry.text[end:]}"
+
+
+def _recounted(scene: Scene, entry: Entry, time: TimeRequirement, number: str) -> str:
+    """Give an entry's words with another number of units in its time; empty where it counts none."""
+    if time.number is None or time.unit is None:
+        return ""
+    lexicon = scene.conversation.interpreter.language.lexicon
+    start, end = time.span
+    breaks = [at for at in range(start, end + 1) if at in {start, end} or entry.text[at] == " "]
+    # The shortest words that say the length: without a preposition, or a hedge.
+    for first, last in sorted(combinations(breaks, 2), key=lambda pair: pair[1] - pair[0]):
+        said = f"for {entry.text[first:last].strip()}"
+        found = find_times(said, entry.given, lexicon).requirements
+        if len(found) == 1 and found[0].span == (0, len(said)) and _counts_alike(found[0], time):
+            unit = time.unit.value + ("" if number.lower() in ONE else "s")
+            gap = " " if first > start else ""
+            return f"{entry.text[:first]}{gap}{number} {unit}{entry.text[last:]}"
+    return ""
+
+
+def _counts_alike(one: TimeRequirement, other: TimeRequirement) -> bool:
+    return one.constraint is Constraint.FOR and (one.number, one.unit) == (other.number, other.unit)

@@ -1,0 +1,33 @@
+"""Lines of a text: where one ends a sentence though no mark says so."""
+
+import re
+from collections.abc import Set as AbstractSet
+
+BREAK = re.compile(
+    r"(?P<before>[^\W_]+)[ \t\r]*(?P<end>\n)\s*(?P<bullet>[-*•+]\s+)?(?=[^\W\d_])(?P<after>\w)"
+)
+"""A word, the end of its line, and the letter that the next line begins with, behind a bullet if any."""
+
+STOP = ";"
+"""The mark that stands for the end of a line: it ends a sentence also where no space follows."""
+
+
+def with_stops(text: str, function_words: AbstractSet[str]) -> str:
+    r"""Put a mark at the ends of lines that end a sentence; all else stays in its place.
+
+    A line goes on where the next one begins small ("call Bob\nat one"), or where it ends in a word that
+    wants another ("the parcel for\nAnna").
+
+    >>> with_stops("Call Bob at one\nCall Joe at two", frozenset())
+    'Call Bob at one;Call Joe at two'
+    >>> with_stops("Call Bob\nat one", frozenset())
+    'Call Bob\nat one'
+    """
+    if "\n" not in text:
+        return text
+    found = list(text)
+    for match in BREAK.finditer(text):
+        begins = match["after"].isupper() and match["before"].lower() not in function_words
+        if begins or match["bullet"] is not None:
+            found[match.start("end")] = STOP
+    return "".join(found)
