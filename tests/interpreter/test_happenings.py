@@ -42,6 +42,12 @@ def test_what_keeps_the_speaker_on_each_day_is_busy_on_each_day() -> None:
     assert [f"{start:%d %H:%M}-{end:%H:%M}" for start, end in spans] == ["04 09:00-09:15", "05 09:00-09:15"]
 
 
+@pytest.mark.parametrize("length", ["for an hour", "for two hours"])
+def test_what_the_speaker_has_keeps_them_as_long_as_is_said(length: str) -> None:
+    (one,) = told([f"I have a meeting at 2 pm {length}"]).skills
+    assert (one.skill.name, one.skill.duration) == ("a meeting", 0)
+
+
 def test_others_count_from_the_end_of_what_happens() -> None:
     assert starts(told(["lunch at noon", "wash up after lunch"]))["s2"] == "12:45"
 

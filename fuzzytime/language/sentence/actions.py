@@ -52,7 +52,9 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     root = _governing(tree)
     if root is None:
         return None
-    negated = _is_negated(tree, root)
+    needless = _needless(tree, root)
+    negated = needless is not None or _is_negated(tree, root)
+    root = root if needless is None else needless
     root = gone_to_do(tree, root) or root
     reference: Reference | None = None
     for _ in range(4):
@@ -89,6 +91,16 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
+
+
+def _needless(tree: Tree, root: int) -> int | None:
+    """Give what there is no need to do: "no need to call", "there's no need to call mum"."""
+    for need in (root, *tree.children(root, "xcomp", "attr", "dobj", "nsubj")):
+        denied = any(tree.nodes[p].lower == "no" for p in tree.children(need, "det", "advmod", "neg"))
+        if tree.nodes[need].lemma == "need" and denied:
+            verbs = tree.children(need, "xcomp", "acl", "relcl", "advcl")
+            return next((p for p in verbs if p > need and _has_to(tree, p)), None)
+    return None
 
 
 def gone_to_do(tree: Tree, place: int) -> int | None:

@@ -81,10 +81,12 @@ class Stated(Places):
             return True
         if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
             return False
-        said = {self.tree.nodes[p].lower for p in self.tree.below(verb) if p > verb}
+        behind = [p for p in self.tree.below(verb) if p > verb]
         if self._performing(verb):
             return True
-        return not said.isdisjoint(self.lexicon.taken) and said.isdisjoint(self.lexicon.frames)
+        # "Office hours" go on around other work, but not "a meeting for two hours".
+        frames = {self.tree.nodes[p].lower for p in behind if not self.timed(p)} & self.lexicon.frames
+        return not frames and any(self.tree.nodes[p].lower in self.lexicon.taken for p in behind)
 
     def _is_own(self, verb: int) -> bool:
         """Whether an appointment of who speaks is said to be then: "my interview is at ten"."""
