@@ -99,6 +99,27 @@ def test_a_command_that_is_stopped_while_it_begins_ends_quietly(seconds: float, 
     assert process.returncode in {130, 0, -signal.SIGINT}
 
 
+@pytest.mark.skipif(os.name != "posix", reason="signals")
+def test_ctrl_c_while_something_is_tidied_away_is_not_lost(tmp_path: Path) -> None:
+    program = (
+        "import sys, time\n"
+        "from fuzzytime_cli.entry import interrupt_again\n"
+        "sys.unraisablehook = interrupt_again\n"
+        "class Tidied:\n"
+        "    def __del__(self):\n"
+        "        raise KeyboardInterrupt\n"
+        "try:\n"
+        "    Tidied()\n"
+        "    time.sleep(30)\n"
+        "except KeyboardInterrupt:\n"
+        "    sys.exit(3)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=environment(tmp_path), capture_output=True, check=False
+    )
+    assert (done.returncode, done.stderr) == (3, b"")
+
+
 def test_the_command_is_the_one_of_the_package() -> None:
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     assert settings["project"]["scripts"] == {"fuzzytime": "fuzzytime_cli.entry:main"}

@@ -98,6 +98,8 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     start = _start_of_statement(tree, place)
     if start is None or tree.nodes[start].lower in ASKED or not any(p > place for p in timed):
         return None
+    if _is_purpose(tree, place, start):
+        return None
     joint = start - 1
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
@@ -106,6 +108,13 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     speaks = tree.nodes[start].lower in SEVERAL and tree.nodes[joint].lower in JOINTS
     told = joint - 1 in timed or speaks or _is_told_so(tree, joint)
     return start if joined and told else None
+
+
+def _is_purpose(tree: Tree, place: int, start: int) -> bool:
+    """Whether it says what an order before it is for: "put the roast in at noon so it's ready by two"."""
+    root = tree.root
+    ordered = root is not None and root < start - 1 and not tree.children(root, *SUBJECTS)
+    return ordered and tree.nodes[start - 1].lower == "so" and tree.nodes[place].lemma == "be"
 
 
 def _is_told_so(tree: Tree, joint: int) -> bool:
