@@ -81,7 +81,8 @@ class Operation:
             # "Dinner is at seven": what is, is its name.
             verb = None if self.attended or self.lemma == "be" else self.verb
             said = (self.object, verb, self.particle, None if verb is None else self.complement, self.place)
-        return " ".join(part for part in (*said, self.manner) if part)
+        # What a statement is about may be its time: "I have office hours from two to four".
+        return " ".join(part for part in (*said, self.manner) if part) or self.verb
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

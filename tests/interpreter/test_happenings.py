@@ -48,6 +48,12 @@ def test_what_the_speaker_has_keeps_them_as_long_as_is_said(length: str) -> None
     assert (one.skill.name, one.skill.duration) == ("a meeting", 0)
 
 
+def test_what_goes_on_around_other_work_has_a_name_and_its_time() -> None:
+    made = told(["I have the late shift from 2 to 10", "I have office hours from 1 to 3 pm"])
+    assert [one.skill.name for one in made.skills] == ["the late shift", "have"]
+    assert starts(made) == {"s1": "14:00", "s2": "13:00"}
+
+
 def test_others_count_from_the_end_of_what_happens() -> None:
     assert starts(told(["lunch at noon", "wash up after lunch"]))["s2"] == "12:45"
 

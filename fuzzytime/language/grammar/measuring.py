@@ -87,6 +87,10 @@ class Measures:
         if following[:1] in STATING or (place and self.texts[place - 1] in OWNED):
             # "My shift is from 7 to 3": a thing, and no verb.
             return False
+        named = OWNED.intersection(self.texts[max(0, place - 2) : place])
+        if text in lexicon.frames and place + 1 == piece.start and named:
+            # "The late shift from 2 to 10"
+            return False
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
 
     def is_amount(self, place: int) -> bool:
