@@ -15,7 +15,7 @@ from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded, grounded
 from fuzzytime.language.policy import Policy
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Constraint, TimeRequirement
 
 LONGEST_TEXT = 4000
 """Characters that one instruction may have at most."""
@@ -96,8 +96,13 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     found: list[Grounded] = []
     remarks: list[Remark] = []
     for phrase in phrases:
+        begun = next((one.requirement for one in found if one.requirement.constraint is Constraint.AT), None)
+        here = moment
+        if begun is not None and phrase.said.constraint is Constraint.BEFORE and begun.earliest is not None:
+            # "At four so it's cool by six": the six behind that four.
+            here = replace(moment, since=begun.earliest, carried=False, listed=False, follows=True)
         try:
-            some = grounded(phrase, text, moment)
+            some = grounded(phrase, text, here)
         except UngroundedError as error:
             said = text[phrase.span[0] : phrase.span[1]]
             remarks.append(Remark(RemarkKind.NOT_UNDERSTOOD, phrase.span, f"{said!r}: {error}"))
