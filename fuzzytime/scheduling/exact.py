@@ -103,7 +103,6 @@ class _Search(GridSearch):
         self._followed: Floats | None = None
         self._kicked = np.inf
         self._is_solved = False
-        self._pays = True
 
     @property
     def worth(self) -> float:
@@ -129,8 +128,9 @@ class _Search(GridSearch):
         width = BROAD_BEAM if self._are_very_many else BEAM
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
+        pays = True
         if searching and self._is_early_search_worth():
-            self._search_near(relaxation, width)
+            pays = self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
             threshold = min(self.best.cost, self.lower + delta)
@@ -146,8 +146,8 @@ class _Search(GridSearch):
             elif budget < cells:
                 self._raise(relaxation)
                 budget, width, delta = 4 * budget, 6 * width, delta / 2
-                if searching and self._pays:
-                    self._search_near(relaxation, width)
+                if searching and pays:
+                    pays = self._search_near(relaxation, width)
                 if self.is_closed():
                     return True
             elif delta > LEAST * (self.best.cost - self.lower):
@@ -194,8 +194,11 @@ class _Search(GridSearch):
             path = self._timed(relaxation.grid, relaxation.visited())
             self.take(LocalSearch(sweeps=1).search(self.problem, self.watch.share(0.4), path))
 
-    def _search_near(self, relaxation: Relaxation, width: int) -> None:
-        """Search around the bound's path, by labels in a beam, and where there are very many in stretches."""
+    def _search_near(self, relaxation: Relaxation, width: int) -> bool:
+        """Search around the bound's path, by labels in a beam, and where there are very many in stretches.
+
+        Tells whether that paid.
+        """
         known, left = self.best.cost, self.best.cost - self.lower
         self._follow_path(relaxation)
         if self._are_very_many:
@@ -205,9 +208,9 @@ class _Search(GridSearch):
             self._kick()
         elif self._is_doubtful():
             self._search_stretches(relaxation)
-        self._pays = known - self.best.cost >= PAYS * left
         if self.best.cost < known and not self.is_closed():
             relaxation.fix(self.best.cost)
+        return known - self.best.cost >= PAYS * left
 
     def _kick(self) -> None:
         """Search anew with kicks around the best schedule, where it is doubtful and was not kicked yet."""

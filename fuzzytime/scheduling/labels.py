@@ -248,9 +248,8 @@ class Labels:
         while True:
             masks, cost = self.history[block] or (np.empty(0, np.uint64), np.empty((0, 0)))
             value = cost[row, column] + slack
-            row = int(
-                (cost[:, column] <= value).argmax()
-            )  # at the first slot with this cost something arrived
+            # At the first slot with this cost something arrived.
+            row = int((cost[:, column] <= value).argmax())
             slot = int(self.bounds[block]) + row
             if slot == 0:
                 return starts

@@ -111,21 +111,22 @@ class Order:
 
     def remove_all(self, jobs: Sequence[int]) -> None:
         """Take several jobs out at once."""
-        places, count = [self.sequence.index(job) for job in jobs], len(self.sequence)
+        out, count = set(jobs), len(self.sequence)
+        places = [place for place, job in enumerate(self.sequence) if job in out]
         if not places:
             return
-        last = max(places) + 1
+        last = places[-1] + 1
         behind = last - len(places)
         self._backward[behind : count + 1 - len(places)] = self._backward[last : count + 1]
-        self.sequence = [job for job in self.sequence if job not in set(jobs)]
-        self._fill(min(places), behind)
+        self.sequence = [job for job in self.sequence if job not in out]
+        self._fill(places[0], behind)
 
-    def state(self) -> "Tables":
+    def state(self) -> Tables:
         """Give what moves, to go back to."""
         rows = len(self.sequence) + 1
         return Tables(tuple(self.sequence), self._forward[:rows].copy(), self._backward[:rows].copy())
 
-    def restore(self, state: "Tables") -> None:
+    def restore(self, state: Tables) -> None:
         """Go back to an earlier state."""
         rows = len(state.sequence) + 1
         self.sequence = list(state.sequence)

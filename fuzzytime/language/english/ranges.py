@@ -127,20 +127,6 @@ def minutes_past(minutes: float) -> float:
     return minutes
 
 
-@grammar.rule(
-    "said",
-    "between <minutes of clock>|<bare minutes of clock> and <minutes past> <clock>",
-    "from <minutes of clock>|<bare minutes of clock> to <minutes past> <clock>",
-    weight=1.1,
-)
-def between_minutes_past(minutes: float, more: float, clock: Clock) -> Said | None:
-    """Between ten and twenty past three."""
-    first, last = moved(clock, minutes), moved(clock, more)
-    if minutes >= more or first is None or last is None:
-        return None
-    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
-
-
 @grammar.rule("minutes off", "<minutes of clock>|<bare minutes of clock> to|before")
 def minutes_to(minutes: float) -> float:
     """A quarter to: of the hour that is said behind it."""
@@ -155,12 +141,18 @@ def minutes_after(minutes: float) -> float:
 
 @grammar.rule(
     "said",
+    "between <minutes of clock>|<bare minutes of clock> and <minutes past> <clock>",
+    "from <minutes of clock>|<bare minutes of clock> to <minutes past> <clock>",
+    weight=1.1,
+)
+@grammar.rule(
+    "said",
     "between <minutes off> and <minutes off> <clock>",
     "from <minutes off> to|until|till <minutes off> <clock>",
     weight=1.2,
 )
-def between_minutes_off(minutes: float, more: float, clock: Clock) -> Said | None:
-    """Between quarter to and quarter past nine."""
+def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
+    """Between quarter to and quarter past nine, between ten and twenty past three."""
     first, last = moved(clock, minutes), moved(clock, more)
     if minutes >= more or first is None or last is None:
         return None

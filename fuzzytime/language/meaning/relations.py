@@ -143,13 +143,16 @@ class Stretch(_Single):
         return Days(first, moved(first, self.unit, self.count))
 
 
-@dataclass(frozen=True, slots=True)
-class Away(Calendar):
-    """So many units after (or before) another day: "three days after Easter", "a week from tuesday"."""
+class CountedDay(Calendar):
+    """A day that is counted from another one, the anchor."""
 
-    count: int
-    unit: Unit
+    __slots__ = ()
+
     anchor: Calendar
+
+    @abstractmethod
+    def counted(self, today: Today, day: date) -> date:
+        """Give the day that is meant, counted from one of the anchor's."""
 
     @property
     def grain(self) -> Unit:
@@ -164,12 +167,25 @@ class Away(Calendar):
     def upcoming(self, today: Today, since: date) -> Iterator[Days]:
         """Give each day counted from the anchor's next ones."""
         for anchor in self.anchor.upcoming(today, since):
-            yield Days.single(moved(anchor.first, self.unit, self.count))
+            yield Days.single(self.counted(today, anchor.first))
 
     def past(self, today: Today, until: date) -> Iterator[Days]:
         """Give each day counted from the anchor's last ones."""
         for anchor in self.anchor.past(today, until):
-            yield Days.single(moved(anchor.first, self.unit, self.count))
+            yield Days.single(self.counted(today, anchor.first))
+
+
+@dataclass(frozen=True, slots=True)
+class Away(CountedDay):
+    """So many units after (or before) another day: "three days after Easter", "a week from tuesday"."""
+
+    count: int
+    unit: Unit
+    anchor: Calendar
+
+    def counted(self, today: Today, day: date) -> date:  # noqa: ARG002 - working days need today
+        """Give the day so many units away."""
+        return moved(day, self.unit, self.count)
 
 
 def days_away(duration: Duration, anchor: Calendar, direction: int) -> Calendar | None:

@@ -5,38 +5,20 @@ from dataclasses import dataclass
 from datetime import date, timedelta
 
 from fuzzytime.language.meaning.calendar import SEARCHED_YEARS, Calendar, Days, Today
+from fuzzytime.language.meaning.relations import CountedDay
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Unit
 
 
 @dataclass(frozen=True, slots=True)
-class Workdays(Calendar):
+class Workdays(CountedDay):
     """So many working days after (or before) another day: "in two working days"."""
 
     count: int
     anchor: Calendar
 
-    @property
-    def grain(self) -> Unit:
-        """A day."""
-        return Unit.DAY
-
-    @property
-    def fixed(self) -> bool:
-        """Whether the anchor is."""
-        return self.anchor.fixed
-
-    def upcoming(self, today: Today, since: date) -> Iterator[Days]:
-        """Give each day counted from the anchor's next ones."""
-        for anchor in self.anchor.upcoming(today, since):
-            yield Days.single(self._counted(today, anchor.first))
-
-    def past(self, today: Today, until: date) -> Iterator[Days]:
-        """Give each day counted from the anchor's last ones."""
-        for anchor in self.anchor.past(today, until):
-            yield Days.single(self._counted(today, anchor.first))
-
-    def _counted(self, today: Today, day: date) -> date:
+    def counted(self, today: Today, day: date) -> date:
+        """Give the day so many working days away."""
         left = abs(self.count)
         while left:
             day += timedelta(days=1 if self.count > 0 else -1)
