@@ -72,7 +72,8 @@ class Maker:
             times = inside.times(repeated, repeated.recurrence.interval)[:MAX_OCCURRENCES]
             return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
-        windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
+        each = self._duration(wish, instruction).hands_on
+        windows = repeated.recurrence.spaced(each).windows(until)[:MAX_OCCURRENCES]
         operation = instruction.operation
         # "I have a class every day from nine to ten"
         whole = operation is not None and operation.stated and repeated.recurrence.spans

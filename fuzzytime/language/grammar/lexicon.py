@@ -64,6 +64,8 @@ class Lexicon:
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
         Words of asides that say how long something takes, by what they do there.
+    spacing
+        Words of gaps between what is done several times, by what they do there.
     becoming, levels
         What something becomes, and how strong it is on: "pat it dry", "cook it on low".
     passing
@@ -142,6 +144,7 @@ class Lexicon:
     places: frozenset[str]
     vague_adverbs: frozenset[str]
     asides: Mapping[str, frozenset[str]]
+    spacing: Mapping[str, frozenset[str]]
     becoming: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]

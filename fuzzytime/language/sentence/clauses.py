@@ -212,6 +212,8 @@ class _Clauses:
         found = self._denied(told, place)
         happens = found is not None and (_happens(found) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and happens)
+        # "During the interval, which starts at eight"
+        eventful = eventful or (kind == "while" and found is not None and found.is_event)
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))

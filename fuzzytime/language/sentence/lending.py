@@ -7,6 +7,7 @@ from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Repeat, Said, TimeWord
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.phrase_anchors import INTO
+from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
@@ -117,6 +118,10 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     numbered = _is_next_numbered(before, sketch, lexicon)
     thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in ARTICLES or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    if part.segment.verbless and says_where(rest.lower(), lexicon):
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        whole = says_where((before.object or "").lower(), lexicon)
+        return replace(before, object=None if whole else before.object, place=rest, manner=None)
     if rest and part.segment.verbless and before.object is None and before.place is not None:
         # "Stop for a brew at ten and for lunch at noon"
         return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None

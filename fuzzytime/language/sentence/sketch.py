@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 BOUNDS = {
     "when": (None, "at"),
+    "while": (None, "at"),
     "before": (Constraint.BEFORE, "before"),
     "by the time": (Constraint.BEFORE, "by"),
     "until": (Constraint.BEFORE, "until"),

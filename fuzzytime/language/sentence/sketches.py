@@ -19,12 +19,12 @@ from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.said_again import (
     apart,
-    counted_apart,
     done_again,
     each_of,
     with_shared_clock,
 )
 from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
+from fuzzytime.language.sentence.turns import counted_apart
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
@@ -42,7 +42,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
     words = draft.scanned.words
     split = (
-        counted_apart(one, lexicon)
+        counted_apart(one, words, lexicon)
         for sketch in told
         for each in each_of(sketch, draft.instances)
         for one in done_again(each, words)

@@ -87,6 +87,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         vague_adverbs=frozenset(form[0] for form in speech.words("vague_adverbs")),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
+        spacing=_by_use(speech, "spacing"),
         becoming=frozenset(form[0] for form in speech.words("becoming")),
         levels=frozenset(form[0] for form in speech.words("levels")),
         passing=frozenset(form[0] for form in speech.words("passing")),
@@ -147,7 +148,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "becoming", "levels", "passing",
+    "asides", "spacing", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
