@@ -145,6 +145,12 @@ class Anchors:
                 return place
         return self.mentions.touching(words, self.first)
 
+    def done_with_it(self, pronoun: str) -> int | None:
+        """Give the instruction right before it, where that is about what the same pronoun stands for."""
+        before = self.operation_at(self.position - 1) if self.position else None
+        same = before is not None and not before.negated and (before.object or "").lower() == pronoun
+        return self.position - 1 if same else None
+
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
         words = content_words(thing)

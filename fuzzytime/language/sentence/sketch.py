@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.elsewhere import elsewhere
+from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.references import PRONOUNS
@@ -122,9 +122,14 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
+    aim = aim_of(part, kept, action)
+    if aim is not None:
+        others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+        kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
+        excepted.append(Remark(RemarkKind.POLICY, aim, _what_for(draft, aim)))
     kept = [phrase for phrase in kept if phrase not in others]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished)
+    spans = (*heard, *left_out, *draft.unfinished, *([] if aim is None else [aim]))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     clauses = [
@@ -172,6 +177,10 @@ def _not_planned(draft: Draft, span: Span) -> str:
 def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
     return Remark(RemarkKind.POLICY, phrase.span, message)
+
+
+def _what_for(draft: Draft, span: Span) -> str:
+    return f"{draft.text[slice(*span)]!r} is what it is for, and not when to do it"
 
 
 def _happening(

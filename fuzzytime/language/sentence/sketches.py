@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.at_once import at_once
 from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.lending import led, repeated, shared, under_first_line, within
 from fuzzytime.language.sentence.said_again import (
     apart,
     done_again,
@@ -40,6 +40,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
+    told = under_first_line(told, draft.text)
     words = draft.scanned.words
     split = (
         counted_apart(one, words, lexicon)
