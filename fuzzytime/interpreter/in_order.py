@@ -135,13 +135,19 @@ class Rows:
         operation = skills[made[0]].operation if made else None
         if operation is None or operation.object is None or operation.stated:
             return
-        before = self.latest.get(operation.object)
+        before = self._latest_about(operation.object)
         if operation.again and before is not None and len(made) == 1:
             one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
             if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
                 self.precedences.append(one.precedence(other))
         if not any(map(_repeats, (skills[place] for place in made))):
             self.latest[operation.object] = made[-1]
+
+    def _latest_about(self, thing: str) -> int | None:
+        """Give the latest that was asked for of a thing, or of who is given it: "Leo", of "Leo a bath"."""
+        words = thing.split()
+        known = (" ".join(words[:end]) for end in range(len(words), 0, -1))
+        return next((self.latest[name] for name in known if name in self.latest), None)
 
     def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""

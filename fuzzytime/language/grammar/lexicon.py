@@ -90,8 +90,8 @@ class Lexicon:
         In what state something is for a while: "the bridge is closed until noon".
     happening
         What has a time without a verb: "dinner at seven".
-    persons, addressing
-        Words for people, and verbs whose object is one: "it" stands for neither.
+    persons, addressing, animals
+        Words for people, and verbs whose object is one: "it" stands for neither; what is "him" and "it".
     rescheduling, events
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
@@ -161,6 +161,7 @@ class Lexicon:
     frames: frozenset[str]
     standing: frozenset[str]
     persons: frozenset[str]
+    animals: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]
     moving: frozenset[str]

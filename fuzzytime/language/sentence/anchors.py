@@ -11,12 +11,12 @@ from fuzzytime.language.meaning.expressions import HALFWAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.content_words import content_words
+from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BE,
     BEGINNING,
     ENDING,
-    PRONOUNS,
     Mentions,
     best_of,
     comes,

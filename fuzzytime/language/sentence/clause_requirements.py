@@ -9,7 +9,9 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, resolved_object
+from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.pronouns import resolved_object
+from fuzzytime.language.sentence.references import ARRIVING
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 

@@ -28,7 +28,8 @@ from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
 OTHER = frozenset({"the", "another"})
-EVENTFUL = frozenset({"after", "before", "until", "by the time"})
+BY_THEN = "by the time"
+EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
 DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
@@ -209,6 +210,8 @@ class _Clauses:
             return event if event is None else replace(event, time=named)
         named_event = edge is not None or form == BY
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
+        # "By the time the night shift clocks off at six", where a tree finds no verb.
+        told = clause if told is None and kind == BY_THEN and time is not None else told
         found = self._denied(told, place)
         happens = found is not None and (_happens(found) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and happens)

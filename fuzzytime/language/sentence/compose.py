@@ -40,17 +40,13 @@ from fuzzytime.language.sentence.lengths import (
     told_alone,
     unknown_length,
 )
+from fuzzytime.language.sentence.named import PRONOUNS, is_several
 from fuzzytime.language.sentence.negations import LONGER, awaiting, denied_times, turned
 from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
-from fuzzytime.language.sentence.references import (
-    PRONOUNS,
-    SEVERAL,
-    Mentions,
-    is_several,
-    resolved_object,
-)
+from fuzzytime.language.sentence.pronouns import SEVERAL, resolved_object
+from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.tokens import tokens_of

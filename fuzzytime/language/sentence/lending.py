@@ -113,7 +113,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
     part = sketch.part
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
-    said = [span for span in spans if not any(overlap(span, p.span) for p in sketch.phrases)]
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
     if sketch.phrases:
         turned, _, level = rest.partition(" to ")

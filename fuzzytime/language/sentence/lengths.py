@@ -8,7 +8,8 @@ from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
-from fuzzytime.language.sentence.references import ALL, PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.references import ALL
 from fuzzytime.language.sentence.stated import GOING
 from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, TimeRequirement

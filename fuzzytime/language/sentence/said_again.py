@@ -7,7 +7,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.instances import Instances
 from fuzzytime.language.sentence.sketch import Sketch
@@ -97,6 +97,8 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
 def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give days of the week the clock time of the last of them: "monday, wednesday and friday at ten"."""
     time = phrases[-1].said.time
+    if isinstance(time, Range):
+        return _with_shared_hours(phrases, time)
     if not isinstance(time, Wall) or time.clock is None or not _is_weekday(time):
         return list(phrases)
     walls = [phrase.said.time for phrase in phrases[:-1]]
@@ -109,6 +111,22 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
         told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
         found.append(replace(phrase, said=replace(phrase.said, time=told)))
     return found
+
+
+def _with_shared_hours(phrases: Sequence[Phrase], hours: Range) -> list[Phrase]:
+    """Give days of the week the hours of the last of them: "monday and friday from seven till eleven"."""
+    first, last = hours.first, hours.last
+    walls = [phrase.said.time for phrase in phrases[:-1]]
+    alone = all(isinstance(w, Wall) and _is_weekday(w) and w.clock is None and w.part is None for w in walls)
+    if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_weekday(first):
+        return list(phrases)
+    found = []
+    for phrase, wall in zip(phrases[:-1], walls, strict=True):
+        days = wall.days if isinstance(wall, Wall) else None
+        ends = replace(last, days=days) if last.days is not None else last
+        told = replace(phrases[-1].said, time=replace(hours, first=replace(first, days=days), last=ends))
+        found.append(replace(phrase, said=replace(told, preposition=phrase.said.preposition)))
+    return [*found, phrases[-1]]
 
 
 def _is_weekday(wall: Wall) -> bool:

@@ -16,6 +16,10 @@ TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx",
 ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
+FIRST, SECOND = "first", "second"
+LONGEST_NAME = 4
+"""Words at most, and one, of the name of what has a time: "first aid course"."""
+
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
@@ -73,7 +77,8 @@ def segments_of(
         if place in inside and place not in vague:
             place += 1
             continue
-        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
+        opens = _opens(words, place, vague) and not _counts_event(words, place, phrases, lexicon)
+        found = longest_match(words, place, lexicon.connectives) if opens else None
         end = 0 if found is None else _end_of(words, place, len(found))
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
@@ -154,6 +159,18 @@ def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
     if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
         return False
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
+
+
+def _counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+    """Whether "first" is of what has a time, or of several: "first lesson at nine", "first … second coat"."""
+    if words[place].text != FIRST or place + 1 >= len(words):
+        return False
+    behind = words[place + 1].text
+    if any(one.text == SECOND and other.text == behind for one, other in pairwise(words)):
+        return True
+    time = next((phrase.first for phrase in phrases if phrase.first > place), place)
+    named = place + 1 < time <= place + LONGEST_NAME
+    return named and words[time - 1].text in lexicon.happening | lexicon.taken
 
 
 def _is_end(text: str, words: Sequence[Word], place: int) -> bool:

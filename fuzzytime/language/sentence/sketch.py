@@ -25,8 +25,8 @@ from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_dead
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere
 from fuzzytime.language.sentence.happenings import happening_at, happens
+from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
-from fuzzytime.language.sentence.references import PRONOUNS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference

@@ -99,6 +99,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
+        animals=frozenset(form[0] for form in speech.words("animals")),
         machines=frozenset(form[0] for form in speech.words("machines")),
         workers=frozenset(form[0] for form in speech.words("workers")),
         moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
@@ -148,7 +149,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "spacing", "becoming", "levels", "passing",
+    "asides", "spacing", "animals", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
