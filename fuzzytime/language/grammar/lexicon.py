@@ -64,6 +64,8 @@ class Lexicon:
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
         Words of asides that say how long something takes, by what they do there.
+    moments
+        What is a moment and hardly a place: "at kick-off".
     spacing
         Words of gaps between what is done several times, by what they do there.
     becoming, levels
@@ -145,6 +147,7 @@ class Lexicon:
     vague_adverbs: frozenset[str]
     asides: Mapping[str, frozenset[str]]
     spacing: Mapping[str, frozenset[str]]
+    moments: frozenset[tuple[str, ...]]
     becoming: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]

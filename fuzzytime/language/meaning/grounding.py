@@ -25,6 +25,7 @@ from fuzzytime.language.meaning.instants import (
     UngroundedError,
     halved,
     midnight,
+    next_minute,
     over_at_midnight,
     shifted,
 )
@@ -56,6 +57,8 @@ class Grounding:
         What decides.
     lasting : float
         Seconds that what is asked for was said to last, 0 where nothing was said.
+    day : datetime, optional
+        The day that was said before.
     since : datetime, optional
         The clock time that was said before in the same text.
     listed : bool
@@ -80,6 +83,7 @@ class Grounding:
     policy: Policy
     lasting: float = 0.0
     since: datetime | None = None
+    day: datetime | None = None
     listed: bool = False
     follows: bool = False
     carried: bool = False
@@ -130,10 +134,11 @@ class Grounding:
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
-            if self.due is not None and said.open and self.due - HOUR > self.now:
-                begun = self.due - HOUR
-            moment = begun.replace(minute=said.minute, second=0, microsecond=0)
-            moment += timedelta(hours=moment <= begun)
+            moment = next_minute(begun, said.minute)
+            if self.due is not None and said.open:
+                # "Dinner is at seven, lay the table by quarter to"
+                before = next_minute(self.due - HOUR, said.minute)
+                moment = before if before > self.now else moment
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
@@ -162,8 +167,11 @@ class Grounding:
         """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
         onward = isinstance(calendar, Relative) and calendar.onward
         onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
-        if onward and self.since is not None and self.since.date() > self.now.date():
-            return replace(self.today, day=self.since.date())
+        said = self.day or self.since
+        if said is None and calendar == Relative(0, onward=True):
+            raise UngroundedError("which day is meant is not said")
+        if onward and said is not None and said.date() > self.now.date():
+            return replace(self.today, day=said.date())
         return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:

@@ -20,8 +20,9 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.at_events import at_events
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.connectives import (
     anchored_by_connective,
     follows_nothing,
@@ -63,17 +64,19 @@ def composed(
     first: int,
     *,
     awaits: bool = False,
-    since: float | None = None,
+    since: LastSaid = NOTHING,
 ) -> Reading:
     """Put a reading together; ``first`` of the operations were given before the text.
 
-    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is the clock time in seconds
-    that the text before it said last.
+    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is what the
+    text before it said last.
     """
     if draft.leads:
         return read_heading(draft)
     composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
-    composer.moment = replace(composer.moment, since=since, carried=since is not None)
+    composer.moment = replace(
+        composer.moment, since=since.clock, carried=since.clock is not None, day=since.day
+    )
     return composer.reading()
 
 
@@ -232,7 +235,9 @@ class _Composer:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
             self.remarks += remarks
             requirements.append(required)
-        requirements += self._headed(sketch, anchors)
+        events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
+        self.remarks += remarks
+        requirements += [*events, *self._headed(sketch, anchors)]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0:
@@ -288,6 +293,8 @@ class _Composer:
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
-        since = last_said(times.requirements, None)
-        if since is not None:
-            self.moment = replace(self.moment, since=since, carried=False)
+        said = last_said(times.requirements, NOTHING)
+        if said.clock is not None:
+            self.moment = replace(self.moment, since=said.clock, carried=False)
+        if said.day is not None:
+            self.moment = replace(self.moment, day=said.day)

@@ -20,6 +20,9 @@ FIRST, SECOND = "first", "second"
 LONGEST_NAME = 4
 """Words at most, and one, of the name of what has a time: "first aid course"."""
 
+LONGEST_MEANWHILE = 6
+"""Words at most of what happens meanwhile: "with a ten-minute break at five"."""
+
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
@@ -71,6 +74,7 @@ def segments_of(
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(_listed(phrases))
     following |= set(_behind_happening(phrases, words, lexicon))
+    following |= set(_beside(phrases, words, lexicon))
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -116,6 +120,20 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         taken = lexicon.function_words | lexicon.places
         if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
             yield behind
+
+
+def _beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where begins what happens meanwhile: "revise from four to six, with a break at five"."""
+    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    for phrase in phrases[1:]:
+        last = phrase.first - 1
+        called = words[last].text in lexicon.happening | lexicon.taken and last not in covered
+        first = next(
+            (p for p in range(last, max(0, last - LONGEST_MEANWHILE), -1) if words[p].text == "with"), 0
+        )
+        joined = first > 1 and (first - 1 in covered or words[first - 1].text == ",")
+        if called and joined and first not in covered and isinstance(phrase.said.time, Wall):
+            yield first + 1
 
 
 def _is_clock(phrase: Phrase) -> bool:
@@ -182,6 +200,9 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     if after and not after.isspace():
         return False
     before = words[place - 1] if place else None
+    if before is not None and before.glued and words[place - 2].is_digits:
+        # "On the 21st": no saint.
+        return True
     return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
 
 

@@ -225,7 +225,8 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
-        said = Said(distance, None, None, clause.distance.hedges)
+        # "No later than two hours before the fight, which is at eight"
+        said = Said(distance, clause.side, None, clause.distance.hedges)
         days = time.said.time.days if time.said.time.clock is None and time.said.time.part is None else None
         away = None if days is None else days_away(distance.duration, days, direction)
         if away is not None:

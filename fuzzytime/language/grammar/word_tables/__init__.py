@@ -88,6 +88,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
         spacing=_by_use(speech, "spacing"),
+        moments=frozenset(speech.words("moments")),
         becoming=frozenset(form[0] for form in speech.words("becoming")),
         levels=frozenset(form[0] for form in speech.words("levels")),
         passing=frozenset(form[0] for form in speech.words("passing")),
@@ -149,7 +150,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "spacing", "animals", "becoming", "levels", "passing",
+    "asides", "moments", "spacing", "animals", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
