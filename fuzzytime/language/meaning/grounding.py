@@ -31,7 +31,7 @@ from fuzzytime.language.meaning.instants import (
 )
 from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
-from fuzzytime.language.meaning.relations import Deictic, Relative, Which
+from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
@@ -165,10 +165,12 @@ class Grounding:
 
     def _day_said(self, calendar: Calendar) -> Today:
         """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
-        onward = isinstance(calendar, Relative) and calendar.onward
+        # "The weekend after" is behind that day.
+        base = calendar.anchor if isinstance(calendar, Following) else calendar
+        onward = isinstance(base, Relative) and base.onward
         onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
         said = self.day or self.since
-        if said is None and calendar == Relative(0, onward=True):
+        if said is None and base == Relative(0, onward=True):
             raise UngroundedError("which day is meant is not said")
         if onward and said is not None and said.date() > self.now.date():
             return replace(self.today, day=said.date())

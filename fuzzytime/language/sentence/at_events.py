@@ -1,6 +1,6 @@
 """Events by which it is said when something is done, though they may be places: "ring the bell at kick-off".
 
-Where something said before happens then, that is when: "the wedding is at three", "take photos at the wedding".
+Where that was told, it is when: "the wedding is at three", "take photos at the wedding".
 What hardly is a place waits for it; what may be one is one where nothing happens.
 """
 

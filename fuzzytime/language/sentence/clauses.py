@@ -74,7 +74,7 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
-        if form is not None and is_length(form, words, place):
+        if form is not None and (is_length(form, words, place) or _leads_nowhere(form, words, place)):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
@@ -87,6 +87,12 @@ def clauses_of(
         found.append(clause)
         place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
     return found
+
+
+def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
+    """Whether a marker stands alone: "mow the front before and the back after"."""
+    behind = place + len(form)
+    return behind < len(words) and words[behind].text in {"and", "or"}
 
 
 class _Clauses:

@@ -9,7 +9,8 @@ from fuzzytime.language.sentence.contradictions import SAID_WHEN
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 
 A_DAY = 86400.0
-"""Seconds of a day; what is longer names none."""
+A_WEEK = 7 * A_DAY
+"""Seconds of a day and of a week; what is longer names no day."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,9 +28,11 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
     """Give the last clock time and day that are said; those of before where there are none."""
     for requirement in requirements:
         begin, latest = requirement.earliest, requirement.latest
-        near = begin is not None and (latest is None or latest - begin <= A_DAY)
-        if near and requirement.constraint in SAID_WHEN and requirement.grain in {*SUB_DAY, Unit.DAY}:
-            before = replace(before, day=begin)
+        length = 0.0 if begin is None or latest is None else latest - begin
+        if begin is not None and length <= A_WEEK and requirement.constraint in SAID_WHEN:
+            # Of a weekend, its last day.
+            named = requirement.grain in {*SUB_DAY, Unit.DAY} or length > A_DAY
+            before = replace(before, day=begin + max(0.0, length - A_DAY)) if named else before
         if requirement.constraint in SAID_WHEN | {Constraint.BEFORE} and requirement.grain in SUB_DAY:
             if latest is not None and (begin is None or latest - begin > FOLLOWING.total_seconds()):
                 # "Charge overnight and be ready at seven"

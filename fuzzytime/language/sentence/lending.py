@@ -4,7 +4,16 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
-from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
+    Duration,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+)
+from fuzzytime.language.sentence.content_words import singular
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.phrase_anchors import INTO
 from fuzzytime.language.sentence.places import says_where
@@ -25,13 +34,14 @@ STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 
 
 def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
-    """Let a day on the first line hold for all lines below it: "Saturday:", behind which lines follow."""
-    first, mark, _ = text.partition(":")
-    if not mark or not text[len(first) + 1 :].lstrip(" \t\r").startswith(("\n", ";")) or not sketches:
+    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
+    first, mark, rest = text.partition(":")
+    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
         return sketches
     days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
-    if not days or first[days[-1].span[1] :].strip() or first[: days[0].span[0]].strip():
+    if not days or first[days[-1].span[1] :].strip():
         return sketches
+    days = [replace(day, said=day.said.sure) for day in days]
     return [sketches[0], *(_on_days(sketch, days) for sketch in sketches[1:])]
 
 
@@ -104,9 +114,12 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
         or ends[:1] in ([], [None])
     ):
         return phrase
-    return replace(
-        phrase, said=replace(phrase.said, time=replace(time, starting=Offset(time.every, 1, ends[0])))
-    )
+    starting = Offset(time.every, 1, ends[0])
+    until = time.until
+    if isinstance(until, Offset) and until.anchor is None:
+        # "…, then twice a day for another week"
+        until = replace(until, anchor=ends[0])
+    return replace(phrase, said=replace(phrase.said, time=replace(time, starting=starting, until=until)))
 
 
 def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
@@ -131,6 +144,9 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
+    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
+    if then and counted is not None:
+        return counted
     if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
@@ -149,6 +165,19 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     # "Hand me the wrench, then the pliers"
     given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another number: "two tablets now, then one every six hours"."""
+    words = (before.object or "").split()
+    place = next(
+        (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
+    )
+    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
+        return None
+    noun = words[place + 1 :]
+    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
+    return replace(before, object=" ".join((*words[:place], rest, *noun)))
 
 
 def _goes_on(said: Said) -> bool:

@@ -75,6 +75,7 @@ def segments_of(
     following |= set(_listed(phrases))
     following |= set(_behind_happening(phrases, words, lexicon))
     following |= set(_beside(phrases, words, lexicon))
+    following |= {phrase.end for phrase in phrases[:1] if _heads(phrase, words)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
@@ -134,6 +135,12 @@ def _beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) 
         joined = first > 1 and (first - 1 in covered or words[first - 1].text == ",")
         if called and joined and first not in covered and isinstance(phrase.said.time, Wall):
             yield first + 1
+
+
+def _heads(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a day behind what it is the day of ends at a colon: "school trip on the 12th: …"."""
+    ends = phrase.end + 1 < len(words) and words[phrase.end].text == ":" and not words[phrase.end + 1].glued
+    return ends and phrase.said.is_day and phrase.first > 0
 
 
 def _is_clock(phrase: Phrase) -> bool:

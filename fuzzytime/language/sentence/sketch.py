@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere
+from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
@@ -122,14 +122,17 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
-    aim = aim_of(part, kept, action)
-    if aim is not None:
-        others = [phrase for phrase in others if not overlap(phrase.span, aim)]
-        kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
-        excepted.append(Remark(RemarkKind.POLICY, aim, _what_for(draft, aim)))
+    aims = {aim_of(part, kept, action): "what it is for", reason_of(part, kept, action): "why"}
+    for aim, what in aims.items():
+        if aim is not None:
+            others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+            kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
+            clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
+            message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
+            excepted.append(Remark(RemarkKind.POLICY, aim, message))
     kept = [phrase for phrase in kept if phrase not in others]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished, *([] if aim is None else [aim]))
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim in aims if aim is not None))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     clauses = [
@@ -177,10 +180,6 @@ def _not_planned(draft: Draft, span: Span) -> str:
 def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
     return Remark(RemarkKind.POLICY, phrase.span, message)
-
-
-def _what_for(draft: Draft, span: Span) -> str:
-    return f"{draft.text[slice(*span)]!r} is what it is for, and not when to do it"
 
 
 def _happening(

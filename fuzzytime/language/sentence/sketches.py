@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.at_once import at_once
+from fuzzytime.language.sentence.both_sides import on_both_sides
 from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
@@ -46,7 +47,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         counted_apart(one, words, lexicon)
         for sketch in told
         for each in each_of(sketch, draft.instances)
-        for one in done_again(each, words)
+        for again in done_again(each, words)
+        for one in on_both_sides(again, words)
     )
     for offered in split:
         whole, later = _first_offered(offered, draft.text)

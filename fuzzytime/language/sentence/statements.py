@@ -112,8 +112,17 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     joined = joint > 0 and tree.nodes[start - 1].lower in {*JOINTS, "and", "&", "but"}
     # "Light the fire before we get back, we'll be home by six"
     speaks = tree.nodes[start].lower in SEVERAL and tree.nodes[joint].lower in JOINTS
-    told = joint - 1 in timed or speaks or _is_told_so(tree, joint)
+    apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
+    told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
     return start if joined and told else None
+
+
+def _is_apart(tree: Tree, place: int) -> bool:
+    """Whether a verb with an article or owner's word before who does it is joined to the first of all."""
+    node = tree.nodes[place]
+    first = min((min(tree.below(p)) for p in tree.children(place, *SUBJECTS)), default=place)
+    joined = node.relation == "conj" and node.head == tree.root and not tree.children(place, "mark")
+    return joined and tree.nodes[first].tag in DETERMINERS
 
 
 def _is_purpose(tree: Tree, place: int, start: int) -> bool:
