@@ -20,6 +20,7 @@ OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when a step is, and not only when it is at the latest or at the earliest."""
 
 NOW = "now"
+ON_THE_WAY = "on the way"
 
 
 @dataclass(frozen=True, slots=True)
@@ -253,7 +254,9 @@ def _goes_on_with(first: Instruction, second: Instruction) -> bool:
     one, other = first.operation, second.operation
     if one is None or other is None or one.stated or other.stated:
         return False
-    return other.object is None or shares_thing(one, other)
+    # "…, and pick up a pizza on the way back"
+    onward = (other.place or "").startswith(ON_THE_WAY)
+    return onward or other.object is None or shares_thing(one, other)
 
 
 def _repeats(interpreted: Interpreted) -> bool:

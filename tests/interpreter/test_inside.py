@@ -85,3 +85,14 @@ def test_what_is_done_with_somebody_follows_what_was_asked_for_them() -> None:
     assert order(told(["collect the kids at three and take them to the park"])) == ["s1", "s1.2"]
     assert order(told(["wake Leo at eight", "give him a bath"])) == ["s1", "s2"]
     assert order(told(["feed the cat at eight and let her out"])) == ["s1", "s1.2"]
+
+
+def test_what_is_needed_then_is_done_by_then() -> None:
+    made = told(["charge the bike for an hour, I need it at nine"])
+    assert len(made.skills) == 1
+    assert starts(made)["s1"] <= "08:00"
+
+
+def test_what_is_on_the_way_comes_behind() -> None:
+    made = told(["take Leo to the dentist at half three and pick up a pizza on the way back"])
+    assert order(made) == ["s1", "s1.2"]

@@ -35,6 +35,7 @@ from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.lengths import (
+    due_when_needed,
     length_of,
     lengths_in_front,
     time_of,
@@ -248,16 +249,15 @@ class _Composer:
         requirements = within_after(requirements)
         requirements.sort(key=lambda requirement: requirement.span)
         self.remarks += contradictions(requirements)
-        operation, duration = (
-            sketch.operation,
-            next((g.duration for g in times.found if g.duration is not None), None),
-        )
+        operation = sketch.operation
+        duration = next((g.duration for g in times.found if g.duration is not None), None)
         said = self.draft.text[slice(*segment.span)].strip()
         denied = denied_times(requirements, connected, said)
         if operation is not None and operation.negated and denied:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
+        requirements = due_when_needed(requirements, operation, said)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks

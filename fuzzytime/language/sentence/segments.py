@@ -20,6 +20,10 @@ FIRST, SECOND = "first", "second"
 LONGEST_NAME = 4
 """Words at most, and one, of the name of what has a time: "first aid course"."""
 
+MEANWHILE = "meanwhile"
+SERIES = frozenset({"every", "each"})
+"""Words behind "at the same time" that make it a time of day."""
+
 LONGEST_MEANWHILE = 6
 """Words at most of what happens meanwhile: "with a ten-minute break at five"."""
 
@@ -85,6 +89,9 @@ def segments_of(
         opens = _opens(words, place, vague) and not _counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
         end = 0 if found is None else _end_of(words, place, len(found))
+        if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
+            # "At the same time every evening"
+            found = None if words[end].text in SERIES else found
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
