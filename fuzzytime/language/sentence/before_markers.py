@@ -2,11 +2,13 @@
 
 from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Said, Wall
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Constraint
 
 BESIDE = 2
@@ -17,6 +19,9 @@ DENYING = frozenset({"don't", "dont", "don’t", "not", "never"})
 
 NAMING = frozenset({"which", "that"})
 """Words that begin what is said of an event: ", which it's forecast to do around three"."""
+
+WAS = frozenset({"was", "were"})
+"""Verbs of what is over."""
 
 LONGEST_ASIDE = 6
 """Words at most before the time of an event in what is said of it."""
@@ -74,7 +79,8 @@ class BeforeMarker:
         if time is None or not CLOSING.isdisjoint(texts[end + 2 : time.first]):
             return None
         closes = time.end == len(texts) or texts[time.end] in CLOSING
-        return time if closes else None
+        over = not WAS.isdisjoint(texts[end + 2 : time.first])
+        return (_before_now(time) if over else time) if closes else None
 
     def part_of_day(self, place: int) -> Phrase | None:
         """Give the part of a day right before a marker: "the evening before the trip"."""
@@ -106,6 +112,15 @@ class BeforeMarker:
     def _lasts(self, place: int) -> bool:
         """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
         return place >= 0 and self.words[place].text in self.lexicon.lasting
+
+
+def _before_now(phrase: Phrase) -> Phrase | None:
+    """Give the last weekday that a time names: "the operation, which was on monday"; None for other times."""
+    time = phrase.said.time
+    if not isinstance(time, Wall) or not isinstance(time.days, Fields) or not time.days.weekly:
+        return None
+    last = replace(time, days=Deictic(Which.PAST, time.days))
+    return replace(phrase, said=replace(phrase.said, time=last))
 
 
 def _counts_within(phrase: Phrase) -> bool:

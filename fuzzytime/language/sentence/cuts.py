@@ -36,6 +36,9 @@ SHORTEST_GAP = 2
 THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 """Tags of words that name a thing, or what is called out: "goodbye"."""
 
+NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
+"""Tags of what names something, where a sentence has no verb."""
+
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 """How times bind that say when."""
 
@@ -173,9 +176,15 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             or kinds <= (MOMENTS if happens else SIDES)
             or (isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING)
         )
+        # "Story at seven, lights out by half past"
+        listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
+        listed = listed and not happens
+        listed = listed and all(
+            _is_of_thing(part, p, things) or part.tree.nodes[p].tag == "RP" for p in nodes
+        )
         led = between[1].text in prepositions
         named = led or between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
-        if ((nouns and named) or where) and alike:
+        if (((nouns and named) or where) and alike) or listed:
             found.append(between[1].start)
     return found
 

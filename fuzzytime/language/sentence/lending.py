@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.phrase_anchors import INTO
 from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
-from fuzzytime.language.sentence.segments import ARTICLES
+from fuzzytime.language.sentence.segments import ARTICLES, ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
 
@@ -28,6 +28,9 @@ GIVEN = frozenset({"me", "us", "him", "her", "them"})
 REPEATING = frozenset({"repeat", "redo"})
 REPEATED = frozenset({"it", "this", "that"})
 """Verbs that ask for what was done before, and how that is named."""
+
+LATER = "later"
+"""The preposition of times that count from what was said before."""
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
@@ -215,8 +218,30 @@ def within(sketches: list[Sketch], text: str) -> list[Sketch]:
         if sketch.part.segment.connective != "then":
             length = _length(before)
             told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
+            if not length and _goes_on_soon(before, sketch, text):
+                told = replace(told, phrases=tuple(map(_behind_that, told.phrases)))
         found.append(told)
     return [replace(sketch, phrases=tuple(map(_halfway, sketch.phrases))) for sketch in found]
+
+
+def _goes_on_soon(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether the same sentence asks for something else of the same thing: "put it in, turn it after …"."""
+    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+    one, other = before.operation, sketch.operation
+    if one is None or other is None or one.stated or one.negated or ENDS & set(between):
+        return False
+    return (other.object or "").lower() in {"it", "them"} and before.part is not sketch.part
+
+
+def _behind_that(phrase: Phrase) -> Phrase:
+    """Let so long "after" count from what the same sentence asks for before."""
+    said = phrase.said
+    time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
+    if not isinstance(time, Duration) or said.preposition != "after" or said.constraint is Constraint.FOR:
+        return phrase
+    return replace(
+        phrase, said=Said(Offset(replace(time, hedges=())), None, LATER, (*said.hedges, *time.hedges))
+    )
 
 
 def _halfway(phrase: Phrase) -> Phrase:

@@ -17,7 +17,9 @@ def due_of(
     bounded = any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases)
     if not before or (words[-1:] != ["so"] and not bounded) or before[-1].operation is None:
         return None
-    if not before[-1].operation.stated:
+    asked = sketch.operation is None or not sketch.operation.stated
+    if not before[-1].operation.stated or not asked:
+        # "Story at seven, lights out by half past" is one after the other.
         return None
     said = [requirement.earliest for requirement in instructions[-1].requirements]
     repeats = instructions[-1].repeats
