@@ -158,6 +158,10 @@ class Recurrence(Protocol):
         """Give the occurrences' times from 0 to ``until``, in seconds from when the instruction was given."""
         ...
 
+    def spaced(self, length: float) -> "Recurrence":
+        """Give the same for what goes on that many seconds, where gaps are said and not the times."""
+        ...
+
     def windows(self, until: float) -> tuple[tuple[float, float], ...]:
         """Give the same with their ends: of "every morning", where each begins and is over."""
         ...

@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.interpreter.behind import Behind, behind_of
 from fuzzytime.interpreter.in_order import Rows, without_now
 from fuzzytime.interpreter.inside import GoingOn, going_on
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
@@ -140,7 +141,8 @@ class Gathering:
     def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
         inside = going_on(instruction, self.links.instructions, self.skills)
-        made = _made(self.maker, wish, reading, instruction, self.problems, inside)
+        behind = behind_of(instruction, self.links.instructions, self.skills)
+        made = _made(self.maker, wish, reading, instruction, self.problems, inside or behind)
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))
         first = len(self.skills)
@@ -254,7 +256,7 @@ def _made(
     reading: Reading,
     instruction: Instruction,
     problems: list[Problem],
-    inside: GoingOn | None,
+    inside: GoingOn | Behind | None,
 ) -> list[Interpreted]:
     """Make an instruction's skills; where there is none to make, say why."""
     operation = instruction.operation

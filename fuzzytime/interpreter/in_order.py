@@ -20,6 +20,7 @@ OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when a step is, and not only when it is at the latest or at the earliest."""
 
 NOW = "now"
+ON_THE_WAY = "on the way"
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,13 +136,19 @@ class Rows:
         operation = skills[made[0]].operation if made else None
         if operation is None or operation.object is None or operation.stated:
             return
-        before = self.latest.get(operation.object)
+        before = self._latest_about(operation.object)
         if operation.again and before is not None and len(made) == 1:
             one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
             if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
                 self.precedences.append(one.precedence(other))
         if not any(map(_repeats, (skills[place] for place in made))):
             self.latest[operation.object] = made[-1]
+
+    def _latest_about(self, thing: str) -> int | None:
+        """Give the latest that was asked for of a thing, or of who is given it: "Leo", of "Leo a bath"."""
+        words = thing.split()
+        known = (" ".join(words[:end]) for end in range(len(words), 0, -1))
+        return next((self.latest[name] for name in known if name in self.latest), None)
 
     def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""
@@ -247,7 +254,9 @@ def _goes_on_with(first: Instruction, second: Instruction) -> bool:
     one, other = first.operation, second.operation
     if one is None or other is None or one.stated or other.stated:
         return False
-    return other.object is None or shares_thing(one, other)
+    # "…, and pick up a pizza on the way back"
+    onward = (other.place or "").startswith(ON_THE_WAY)
+    return onward or other.object is None or shares_thing(one, other)
 
 
 def _repeats(interpreted: Interpreted) -> bool:

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.language import Instruction, shares_thing
-from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, Recurrence, TimeRequirement
 
 BACK = frozenset({"it", "them"})
 """Words for what was said before."""
@@ -22,9 +22,9 @@ class GoingOn:
     length: float
     name: str
 
-    def times(self, repeated: TimeRequirement, interval: float) -> list[TimeRequirement]:
+    def times(self, repeated: TimeRequirement, recurrence: Recurrence, _: float) -> list[TimeRequirement]:
         """Give a repetition's times in it, each at its distance from the start."""
-        count = 1
+        count, interval = 1, recurrence.interval or self.length
         found = []
         while count * interval < self.length:
             anchor = Anchor(

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from datetime import datetime
 
+from fuzzytime.interpreter.behind import Behind
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
@@ -49,11 +50,11 @@ class Maker:
         wish: SpokenWish,
         reading: Reading,
         instruction: Instruction,
-        inside: GoingOn | None = None,
+        inside: GoingOn | Behind | None = None,
     ) -> list[Interpreted]:
         """Make an instruction's skill, or one for each occurrence of a repetition within the horizon.
 
-        Where it is repeated ``inside`` something that goes on, each counts from that.
+        Where it is repeated ``inside`` something that goes on, or behind something, each counts from that.
 
         Raises
         ------
@@ -67,12 +68,13 @@ class Maker:
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._one(wish, reading, instruction, once)]
-        if inside is not None and repeated.recurrence.interval is not None:
-            rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
-            times = inside.times(repeated, repeated.recurrence.interval)[:MAX_OCCURRENCES]
-            return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
-        windows = repeated.recurrence.windows(until)[:MAX_OCCURRENCES]
+        recurrence = repeated.recurrence.spaced(self._duration(wish, instruction).hands_on)
+        if inside is not None and recurrence.interval is not None:
+            rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
+            times = inside.times(repeated, recurrence, until)[:MAX_OCCURRENCES]
+            return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
+        windows = recurrence.windows(until)[:MAX_OCCURRENCES]
         operation = instruction.operation
         # "I have a class every day from nine to ten"
         whole = operation is not None and operation.stated and repeated.recurrence.spans

@@ -109,10 +109,13 @@ def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interprete
 
 
 def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
-    """Give for what is repeated inside something else that itself, where it is its end that counts."""
+    """Give what is over where what is repeated is, if that counts: its last turn, or what it is inside of."""
     if len(meant) < 2 or anchor.edge is Edge.START or anchor.exact:
         return meant
-    repeated = (part for part in skills[meant[0]].requirements if part.recurrence is not None)
+    repeated = [part for part in skills[meant[0]].requirements if part.recurrence is not None]
+    if any(one.recurrence and one.recurrence.interval and not one.recurrence.endless for one in repeated):
+        # "Fold it four times, half an hour apart, then shape it"
+        return meant[-1:]
     inside = next((part.anchor.target for part in repeated if part.anchor is not None), None)
     return meant if inside is None else links.skills_of(inside)
 

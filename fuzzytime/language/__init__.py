@@ -30,8 +30,9 @@ from fuzzytime.language.reader import Language
 from fuzzytime.language.sentence.anchors import LEAVING
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
+from fuzzytime.language.sentence.named import is_several
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import ENDING, comes, is_several, shares_thing
+from fuzzytime.language.sentence.references import ENDING, comes, shares_thing
 
 __all__ = [
     "ENDING",

@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.clock_times import NOTHING, last_said
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.days_of_events import day_of
 from fuzzytime.language.sentence.drafts import Draft, drafted
@@ -112,11 +112,11 @@ class Language:
             mentions.add(operation)
         readings: list[Reading] = []
         drafts = under_headings(self._drafts(texts), self.lexicon)
-        since: float | None = None
+        since = NOTHING
         given_since = []
         for draft in drafts:
             # What lines said at another moment is no clue to what these mean.
-            since = since if readings and readings[-1].now == draft.now else None
+            since = since if readings and readings[-1].now == draft.now else NOTHING
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             since = last_said(_times_in(reading), since)

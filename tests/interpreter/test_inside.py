@@ -2,7 +2,7 @@
 
 import pytest
 
-from interpreter.telling import SEVEN, notes, starts, told
+from interpreter.telling import SEVEN, notes, order, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -61,3 +61,38 @@ def test_them_is_what_the_clause_in_front_is_about() -> None:
 
 def test_who_speaks_early_is_up() -> None:
     assert starts(told(["milk the cows at half past five"], now=SEVEN.replace(hour=5)))["s1"] == "05:30"
+
+
+def test_counted_turns_begin_behind_what_they_follow() -> None:
+    made = told(["stain the slide for 20 minutes, then rinse it three times, five minutes each"])
+    assert starts(made) == {"s1": "07:00", "s1.2": "07:20", "s1.3": "07:25", "s1.4": "07:30"}
+
+
+def test_counted_turns_begin_behind_what_was_done_with_the_same_thing() -> None:
+    made = told(["mix the dough at eight", "fold it twice, half an hour apart, then shape it"])
+    first, second = starts(made)["s2"], starts(made)["s2.2"]
+    assert first > "08:00"
+    assert order(made) == ["s1", "s2", "s2.2", "s2.3"]
+    assert int(second[:2]) * 60 + int(second[3:]) - int(first[:2]) * 60 - int(first[3:]) == 30
+
+
+def test_no_turn_begins_before_the_one_before_it_is_over() -> None:
+    made = told(["do three sets of press-ups, two minutes per set, with a minute between sets"])
+    assert list(starts(made).values()) == ["07:00", "07:03", "07:06"]
+
+
+def test_what_is_done_with_somebody_follows_what_was_asked_for_them() -> None:
+    assert order(told(["collect the kids at three and take them to the park"])) == ["s1", "s1.2"]
+    assert order(told(["wake Leo at eight", "give him a bath"])) == ["s1", "s2"]
+    assert order(told(["feed the cat at eight and let her out"])) == ["s1", "s1.2"]
+
+
+def test_what_is_needed_then_is_done_by_then() -> None:
+    made = told(["charge the bike for an hour, I need it at nine"])
+    assert len(made.skills) == 1
+    assert starts(made)["s1"] <= "08:00"
+
+
+def test_what_is_on_the_way_comes_behind() -> None:
+    made = told(["take Leo to the dentist at half three and pick up a pizza on the way back"])
+    assert order(made) == ["s1", "s1.2"]

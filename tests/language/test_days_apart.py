@@ -55,3 +55,24 @@ def test_a_time_lies_on_the_day_that_is_said_apart(text: str, wanted: str) -> No
 def test_a_day_ends_with_its_sentence() -> None:
     reading = Language.shipped().read("Tomorrow wash the car at 9. Feed the cat at 6.", now=NOW)
     assert reading.instructions[1].requirements[0].t_spec == 9 * 3600
+
+
+@pytest.mark.parametrize(
+    ("text", "day"),
+    [
+        ("call Bob on friday and print the music the day after", "07"),
+        ("call Bob on friday and print the music that day", "06"),
+        ("the party is on the 21st. Bake the cake the day before", "20"),
+        ("fly on sunday and pack the day before", "07"),
+        ("print the music the day after", "05"),
+    ],
+)
+def test_days_count_from_the_day_that_was_said(text: str, day: str) -> None:
+    last = Language.shipped().read(text, now=NOW).instructions[-1].requirements[-1]
+    assert last.earliest is not None
+    assert f"{instant_after(NOW, last.earliest):%d}" == day
+
+
+def test_that_day_needs_a_day() -> None:
+    reading = Language.shipped().read("call Bob and send the music that day", now=NOW)
+    assert any("which day" in remark.message for remark in reading.remarks)

@@ -1,4 +1,4 @@
-"""What is done so many times, so long apart: "twice, an hour apart", "three times today, two hours apart"."""
+"""What is done so many times, so long apart, or each so long: "twice, an hour apart"."""
 
 from dataclasses import replace
 
@@ -23,10 +23,24 @@ def times_apart(times: int, length: Duration) -> Repeat | None:
 
 @grammar.rule("repeat", "<repeat> ,|-|( <apart> )?", "<repeat> <apart>", weight=0.6)
 def so_often_apart(repeat: Repeat, length: Duration) -> Repeat | None:
-    """Three times today, two hours apart."""
+    """Three times today, two hours apart; twice a day, twelve hours apart."""
+    if repeat.shared and repeat.every is not None and repeat.every.seconds == length.seconds:
+        return replace(repeat, shared=False)
     if repeat.times is None or repeat.every is not None:
         return None
     return replace(repeat, every=length, until=None)
+
+
+@grammar.rule("each", "for? <duration> each", "each|every one? for <duration>")
+def so_long_each(duration: Duration) -> Duration | None:
+    """Five minutes each."""
+    return duration if duration.seconds > 0 and duration.until is None else None
+
+
+@grammar.rule("said", "<times> ,|-|( <each> )?", "<times> <each>", weight=0.6)
+def times_each(times: int, length: Duration) -> Said | None:
+    """Three times, five minutes each: one right after the other."""
+    return Said(Repeat(length, times=times), Constraint.EVERY, lasting=length) if times > 1 else None
 
 
 @grammar.rule("said", "<apart>", weight=0.3)

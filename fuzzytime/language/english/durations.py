@@ -59,7 +59,13 @@ def and_a_bit(quantity: Quantity, unit: UnitWord) -> Duration | None:
     return None if length is None else length.hedged("about")
 
 
-@grammar.rule("duration", "<duration> and? <duration>", "<duration> , and? <duration>", weight=0.1)
+@grammar.rule("duration", "<duration> , <duration>", weight=0.1)
+def listed(first: Duration, second: Duration) -> Duration | None:
+    """2 years, 3 months; but "for a week, an hour before food" are two lengths."""
+    return None if first.indefinite or second.indefinite else sum_of(first, second)
+
+
+@grammar.rule("duration", "<duration> and? <duration>", "<duration> , and <duration>", weight=0.1)
 def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months; "an hour and a quarter" has no quarter of a year."""
     units, more = ({unit for _, unit in duration.terms} for duration in (first, second))

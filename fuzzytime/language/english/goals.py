@@ -68,7 +68,7 @@ def to_the_hour(minutes: float) -> HourMark:
     return HourMark(60 - int(minutes))
 
 
-@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past", weight=0.1)
+@grammar.rule("same", "<minutes of clock>|<bare minutes of clock> past", weight=0.6)
 def past_no_hour(minutes: float) -> HourMark:
     """(at) a quarter past: of the hour that was said before, or of the next."""
     return HourMark(int(minutes), open=True)

@@ -6,7 +6,7 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.language.meaning.feasts import Yearly
 from fuzzytime.language.meaning.nested import Nth, WeekOf
-from fuzzytime.language.meaning.relations import Away, Deictic, Following, Which
+from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Which
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -147,6 +147,13 @@ def next_after(series: Calendar, anchor: Calendar) -> Calendar | None:
     return (
         Following(1, series, anchor) if anchor.grain is Unit.DAY and series.grain is not Unit.YEAR else None
     )
+
+
+@grammar.rule("date", "the <series> after|following", weight=-0.3)
+def after_that_day(series: Calendar) -> Calendar | None:
+    """(dig it this weekend and plant it) the weekend after: behind the day that was said."""
+    day = series.grain in {Unit.DAY, Unit.YEAR} and not isinstance(series, (Weekend, Fields))
+    return None if day else Following(1, series, Relative(0, onward=True))
 
 
 @grammar.rule("date", "the <series> before <feast>|<date>", weight=0.4)

@@ -113,8 +113,8 @@ class Judge:
             # "Call me then"; "then call me" is a step behind another.
             return piece.start > 0 and self.around.follower(piece) in {"", ".", "!", ";"}
         if isinstance(time, Offset) and self.texts[piece.end - 1] == "in":
-            # "Ten minutes in, add the garlic"
-            return self.around.follower(piece) in {"", ",", "."}
+            # "Ten minutes in, add the garlic", "hand them out ten minutes in and collect them"
+            return self.around.follower(piece) in {"", ",", ".", "and"}
         if isinstance(time, Offset) and time.anchor is None and self._lasts(piece):
             # "For an hour beforehand": that long, before what was said.
             return False
@@ -122,7 +122,11 @@ class Judge:
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
             looks = self.around.before(piece) in LOOKING and isinstance(time, TimeWord)
             led = piece.start > 0 and not looks and not self.around.timely(piece.start - 1)
-            return led and self.around.follower(piece) in {"", ".", "!", ";"}
+            # "Mow the front before and the back after"; but "before and after lunch"
+            joined = self.around.follower(piece) == "and" and self.texts[piece.end + 1 : piece.end + 2] != [
+                "after"
+            ]
+            return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
         if isinstance(time, Range):
             return self._accepts_range(piece, said, time)
         if isinstance(time, HourMark) and time.open:

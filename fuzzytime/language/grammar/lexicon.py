@@ -64,6 +64,10 @@ class Lexicon:
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
         Words of asides that say how long something takes, by what they do there.
+    moments
+        What is a moment and hardly a place: "at kick-off".
+    spacing
+        Words of gaps between what is done several times, by what they do there.
     becoming, levels
         What something becomes, and how strong it is on: "pat it dry", "cook it on low".
     passing
@@ -88,8 +92,8 @@ class Lexicon:
         In what state something is for a while: "the bridge is closed until noon".
     happening
         What has a time without a verb: "dinner at seven".
-    persons, addressing
-        Words for people, and verbs whose object is one: "it" stands for neither.
+    persons, addressing, animals
+        Words for people, and verbs whose object is one: "it" stands for neither; what is "him" and "it".
     rescheduling, events
         Verbs that give another time to what has one, and what has one: "change the alarm to seven".
     machines
@@ -142,6 +146,8 @@ class Lexicon:
     places: frozenset[str]
     vague_adverbs: frozenset[str]
     asides: Mapping[str, frozenset[str]]
+    spacing: Mapping[str, frozenset[str]]
+    moments: frozenset[tuple[str, ...]]
     becoming: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]
@@ -158,6 +164,7 @@ class Lexicon:
     frames: frozenset[str]
     standing: frozenset[str]
     persons: frozenset[str]
+    animals: frozenset[str]
     machines: frozenset[str]
     workers: frozenset[str]
     moving: frozenset[str]

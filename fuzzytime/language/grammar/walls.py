@@ -115,12 +115,8 @@ class Walls(Standing):
         if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
             # "Move the 3 pm to five"
             return True
-        last = self.texts[piece.end - 1]
-        if (
-            last in {"before", "after"}
-            and wall.days is not None
-            and self.around.follower(piece)[:1].isalpha()
-        ):
+        last, behind = self.texts[piece.end - 1], self.around.follower(piece)
+        if last in {"before", "after"} and wall.days is not None and behind[:1].isalpha() and behind != "and":
             # "The day before the flight"
             return True
         followed = self.around.follower(piece) in {"before", "after"}

@@ -235,7 +235,14 @@ class Said:
         if isinstance(time, Repeat):
             timed = any(wall.clock is not None for wall in time.walls)
             return bool(time.walls) and not timed and time.starting is None and time.until is None
-        return isinstance(time, Wall) and time.clock is None and not time.weak and self.constraint in ON
+        # "On the 12th" is one, where "the 12th" alone may be something else.
+        sure = isinstance(time, Wall) and (not time.weak or self.preposition is not None)
+        return isinstance(time, Wall) and time.clock is None and sure and self.constraint in ON
+
+    @property
+    def sure(self) -> "Said":
+        """The same as a time whatever stands beside it: "on the 12th", where others are on that day."""
+        return replace(self, time=replace(self.time, weak=False)) if isinstance(self.time, Wall) else self
 
 
 @dataclass(frozen=True, slots=True)

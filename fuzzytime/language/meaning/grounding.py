@@ -25,12 +25,13 @@ from fuzzytime.language.meaning.instants import (
     UngroundedError,
     halved,
     midnight,
+    next_minute,
     over_at_midnight,
     shifted,
 )
 from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
-from fuzzytime.language.meaning.relations import Deictic, Relative, Which
+from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
@@ -56,6 +57,8 @@ class Grounding:
         What decides.
     lasting : float
         Seconds that what is asked for was said to last, 0 where nothing was said.
+    day : datetime, optional
+        The day that was said before.
     since : datetime, optional
         The clock time that was said before in the same text.
     listed : bool
@@ -80,6 +83,7 @@ class Grounding:
     policy: Policy
     lasting: float = 0.0
     since: datetime | None = None
+    day: datetime | None = None
     listed: bool = False
     follows: bool = False
     carried: bool = False
@@ -130,10 +134,11 @@ class Grounding:
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
-            if self.due is not None and said.open and self.due - HOUR > self.now:
-                begun = self.due - HOUR
-            moment = begun.replace(minute=said.minute, second=0, microsecond=0)
-            moment += timedelta(hours=moment <= begun)
+            moment = next_minute(begun, said.minute)
+            if self.due is not None and said.open:
+                # "Dinner is at seven, lay the table by quarter to"
+                before = next_minute(self.due - HOUR, said.minute)
+                moment = before if before > self.now else moment
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
 
@@ -160,10 +165,15 @@ class Grounding:
 
     def _day_said(self, calendar: Calendar) -> Today:
         """Give the day to count from: today, or for "the day after" that said before, if it is to come."""
-        onward = isinstance(calendar, Relative) and calendar.onward
+        # "The weekend after" is behind that day.
+        base = calendar.anchor if isinstance(calendar, Following) else calendar
+        onward = isinstance(base, Relative) and base.onward
         onward = onward or calendar == Deictic(Which.NEXT, Cycle(Unit.DAY))
-        if onward and self.since is not None and self.since.date() > self.now.date():
-            return replace(self.today, day=self.since.date())
+        said = self.day or self.since
+        if said is None and base == Relative(0, onward=True):
+            raise UngroundedError("which day is meant is not said")
+        if onward and said is not None and said.date() > self.now.date():
+            return replace(self.today, day=said.date())
         return self.today
 
     def _nearest(self, calendar: Fields) -> Iterator[Days]:

@@ -74,3 +74,9 @@ def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:
 def halved(clock: Clock, half: Half) -> Clock:
     """Give a clock time in a half of the day, where its own is open."""
     return replace(clock, half=half) if clock.is_open else clock
+
+
+def next_minute(moment: datetime, minute: int) -> datetime:
+    """Give the next moment of a minute of an hour."""
+    there = moment.replace(minute=minute, second=0, microsecond=0)
+    return there + timedelta(hours=there <= moment)

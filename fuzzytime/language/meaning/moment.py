@@ -15,10 +15,10 @@ from fuzzytime.times import parse_clock, parse_zone, seconds_between
 class Moment:
     """When an instruction was given: with a zone, without, or not known.
 
-    ``since`` is the time in seconds that was said before in the same text, ``listed`` whether for the same
-    thing to be done: "at eight and nine", ``follows`` whether what is asked for comes after it, ``carried``
-    whether another text said it, given at the same time: the line before. ``due`` is when in seconds that
-    happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
+    ``since`` is the time in seconds that was said before in the same text, ``day`` the day, ``listed``
+    whether for the same thing to be done: "at eight and nine", ``follows`` whether what is asked for comes
+    after it, ``carried`` whether another text said it, given at the same time: the line before. ``due`` is
+    when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
     that this is what follows: "open it at eight and close it at six".
     ``usual`` says that the hours of the policy are those at which people do what is asked for.
@@ -27,6 +27,7 @@ class Moment:
     now: datetime | None
     policy: Policy
     since: float | None = None
+    day: float | None = None
     listed: bool = False
     follows: bool = False
     carried: bool = False
@@ -53,6 +54,7 @@ class Moment:
             here,
             self.policy,
             since=since,
+            day=None if self.day is None else here + timedelta(seconds=self.day),
             listed=self.listed,
             follows=self.follows,
             carried=self.carried,

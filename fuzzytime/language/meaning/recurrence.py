@@ -6,7 +6,7 @@ An occurrence is a moment ("at nine"), or a stretch of time within which what is
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from itertools import islice
 from typing import TYPE_CHECKING
@@ -37,6 +37,8 @@ Window = tuple[float, float]
 class EvenRecurrence:
     """Every so many seconds, from a first time on; each lasts a length.
 
+    ``counted`` says that how often is said, and how long is waited in between: "three sets, a minute apart".
+
     >>> EvenRecurrence(step=1200, first=1200).occurrences(3600)
     (1200, 2400, 3600)
     """
@@ -45,6 +47,7 @@ class EvenRecurrence:
     first: float
     last: float = math.inf
     length: float = 0.0
+    counted: bool = False
 
     @property
     def endless(self) -> bool:
@@ -79,6 +82,14 @@ class EvenRecurrence:
     def coming(self, count: int) -> tuple[Window, ...]:
         """Give the next occurrences, at most so many."""
         return self.windows(self.first + self.step * count)[:count]
+
+    def spaced(self, length: float) -> "EvenRecurrence":
+        """Give the same for what goes on that many seconds: none begins before the one before it is over."""
+        if not self.counted or length < self.step or math.isclose(length, self.step):
+            return self
+        turns = round((self.last - self.first) / self.step)
+        step = self.step + length
+        return replace(self, step=step, last=self.first + turns * step)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -183,6 +194,10 @@ class CalendarRecurrence:
         """Whether a clock time is that of all workdays: "at six on weekdays and at eight at weekends"."""
         return {other.days for other in self.walls if other.clock == wall.clock} == WORKDAYS
 
+    def spaced(self, length: float) -> "CalendarRecurrence":  # noqa: ARG002 - what the calendar names stays
+        """Give the same: its times are named."""
+        return self
+
 
 def _series(days: Calendar | None) -> Calendar:
     return days if days is not None else Cycle(Unit.DAY)
@@ -213,7 +228,9 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
         # "Twice, an hour apart"
         start, step = max(0.0, first or 0.0), repeat.every.seconds
         over = start + (repeat.times - 1) * step
-        return EvenRecurrence(step=step, first=start, last=over if last is None else min(over, last))
+        return EvenRecurrence(
+            step=step, first=start, last=over if last is None else min(over, last), counted=last is None
+        )
     if repeat.times is not None and last is not None:
         # "Twice today": once in each half of what is left of it.
         start = max(0.0, first or 0.0)

@@ -173,7 +173,8 @@ def _order_before(tree: Tree, root: int) -> int:
         # "Serve the soup the second it boils": the clause was taken for the sentence.
         for place in tree.children(root, "advcl", "ccomp"):
             if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
-                return root if tree.children(place, "mark", "aux", "advmod", *SUBJECTS) else place
+                led = [p for p in tree.children(place, "advmod") if p < place]
+                return root if led or tree.children(place, "mark", "aux", *SUBJECTS) else place
     return root
 
 

@@ -11,18 +11,21 @@ from fuzzytime.language.meaning.expressions import HALFWAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.content_words import content_words
+from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BE,
     BEGINNING,
     ENDING,
-    PRONOUNS,
     Mentions,
     best_of,
     comes,
     is_done_with,
 )
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+
+HOME = frozenset({"back", "home"})
+"""Where who speaks comes to: "I'll be back about six"."""
 
 BACK = frozenset({"it", "that", "this"})
 """Words for an event that is the instruction before."""
@@ -115,6 +118,11 @@ class Anchors:
         if clause.verb not in ARRIVING and not clause.is_there:
             return None
         if clause.condition is not None and clause.condition.subject in SPEAKERS:
+            here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
+            back = (place for place, one in (*here, *self.just_before()) if _comes_back(one))
+            known = next(back, None)
+            if known is not None:
+                return known
             goes = ((place, one.lemma) for place, one in self.just_before())
             return next((place for place, lemma in goes if lemma in LEAVING), None)
         return next((place for place, happening in self.just_before() if comes(happening)), None)
@@ -144,6 +152,12 @@ class Anchors:
             if is_done_with(self.operation_at(place), words):
                 return place
         return self.mentions.touching(words, self.first)
+
+    def done_with_it(self, pronoun: str) -> int | None:
+        """Give the instruction right before it, where that is about what the same pronoun stands for."""
+        before = self.operation_at(self.position - 1) if self.position else None
+        same = before is not None and not before.negated and (before.object or "").lower() == pronoun
+        return self.position - 1 if same else None
 
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
@@ -223,3 +237,9 @@ class Anchors:
         """Give the latest instruction that was said to go on for some time, or that right before."""
         before = [place for place in self.mentions.lasting if place < self.first]
         return self.position - 1 if self.position > self.first or not before else before[-1]
+
+
+def _comes_back(operation: Operation) -> bool:
+    """Whether somebody who speaks is said to be back then: "we'll be home by six"."""
+    said = {operation.particle, operation.place, operation.complement, operation.object}
+    return operation.stated and operation.lemma in {BE, "get", "come"} and not HOME.isdisjoint(said)

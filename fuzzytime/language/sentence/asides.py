@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 
@@ -68,6 +69,14 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
     if place < 1 or words[place].text not in OPENING:
         return None
     if (
+        words[place].text == "and"
+        and words[place + 1].text.endswith("s")
+        and _is_named(words, place, lexicon)
+    ):
+        # "…, which starts at eight and lasts 20 minutes"
+        end = _end(scanned, phrase)
+        return None if end is None else Aside((words[place].start, end), phrase)
+    if (
         words[place].text != BRACKET
         and words[place + 1].text not in told["naming"] | told["helping"] | told["back"]
     ):
@@ -75,6 +84,12 @@ def _aside(scanned: Scanned, phrase: Phrase, lexicon: Lexicon) -> Aside | None:
         return None
     end = _end(scanned, phrase)
     return None if end is None else Aside((words[place].start, end), phrase)
+
+
+def _is_named(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a word stands in what is said of something: ", which starts at eight and lasts"."""
+    opening = next((p for p in range(place, 0, -1) if words[p].text in OPENING), None)
+    return opening is not None and words[opening + 1].text in lexicon.asides["naming"]
 
 
 def _end(scanned: Scanned, phrase: Phrase) -> int | None:

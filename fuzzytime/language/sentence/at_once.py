@@ -55,7 +55,12 @@ def _without(sketch: Sketch, place: int) -> Sketch:
 def _is_joined(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether both are in one sentence, and the one before is done."""
     between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
-    done = before.operation is not None and not before.operation.stated
+    operation = before.operation
+    # As in "the machine finishes at 11:20, empty it straight away".
+    over = (
+        operation is not None and operation.stated and bool(before.phrases) and sketch.operation is not None
+    )
+    done = operation is not None and (not operation.stated or over)
     return (
         done and not ENDS & set(between) and not overlap(before.part.segment.span, sketch.part.segment.span)
     )

@@ -15,8 +15,14 @@ BESIDE = 2
 DENYING = frozenset({"don't", "dont", "don’t", "not", "never"})
 """Words of what is not to be done until then."""
 
-BEING = frozenset({"is", "starts", "begins", "happens"})
-"""Verbs of asides that say when an event is."""
+NAMING = frozenset({"which", "that"})
+"""Words that begin what is said of an event: ", which it's forecast to do around three"."""
+
+LONGEST_ASIDE = 6
+"""Words at most before the time of an event in what is said of it."""
+
+CLOSING = frozenset({",", ".", ";", "!", ")", "and"})
+"""What ends it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,11 +64,17 @@ class BeforeMarker:
 
     def aside(self, end: int) -> Phrase | None:
         """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
-        texts = [word.text for word in self.words[end : end + 3]]
-        named = texts[:2] == [",", "which"] and texts[2:] and texts[2] in BEING
-        first = end + (3 if named else 1)
-        led = named or texts[:1] == ["("]
-        return next((phrase for phrase in self.phrases if led and phrase.first == first), None)
+        texts = [word.text for word in self.words]
+        if texts[end : end + 1] == ["("]:
+            return next((phrase for phrase in self.phrases if phrase.first == end + 1), None)
+        if texts[end : end + 1] != [","] or texts[end + 1 : end + 2] not in [[word] for word in NAMING]:
+            return None
+        told = (phrase for phrase in self.phrases if end + 2 < phrase.first <= end + 2 + LONGEST_ASIDE)
+        time = next(told, None)
+        if time is None or not CLOSING.isdisjoint(texts[end + 2 : time.first]):
+            return None
+        closes = time.end == len(texts) or texts[time.end] in CLOSING
+        return time if closes else None
 
     def part_of_day(self, place: int) -> Phrase | None:
         """Give the part of a day right before a marker: "the evening before the trip"."""

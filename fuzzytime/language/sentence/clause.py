@@ -45,7 +45,8 @@ class Clause:
     @property
     def is_there(self) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
-        return self.verb in GETTING and self.condition is not None and self.condition.word in THERE
+        known = self.condition is not None and not THERE.isdisjoint({self.condition.word, self.object})
+        return self.verb in GETTING and known
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""

@@ -9,7 +9,9 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.references import ARRIVING, PRONOUNS, resolved_object
+from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.pronouns import resolved_object
+from fuzzytime.language.sentence.references import ARRIVING
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
@@ -87,7 +89,10 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         if clause.kind in BECOMING and clause.verb not in ARRIVING:
             # "Paint the door. Once the paint is dry, which takes two hours, sand it"
             takes = None if clause.takes is None else clause.takes.seconds
-            condition = replace(condition, about=anchors.done_with(condition.subject), takes=takes)
+            about = anchors.done_with(condition.subject)
+            if about is None and condition.subject in PRONOUNS:
+                about = anchors.done_with_it(condition.subject)
+            condition = replace(condition, about=about, takes=takes)
     return TimeRequirement(
         text=said.text,
         span=clause.span,
@@ -122,7 +127,9 @@ def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
         pronoun = replace(operation, object=clause.condition.subject)
         own = anchors.own[: anchors.position - anchors.first]
         earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
-        if earlier is not None and earlier.lower() not in PRONOUNS:
+        before = anchors.operation_at(anchors.position - 1) if anchors.position else None
+        if earlier is not None and (earlier.lower() not in PRONOUNS or earlier == (before and before.object)):
+            # "Let it run; as soon as it stops, check the oil": nothing names it, but it is the same.
             return earlier
     if operation is None:
         return None

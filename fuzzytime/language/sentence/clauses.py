@@ -28,7 +28,8 @@ from fuzzytime.requirement import Constraint, Edge, Unit
 
 BEFORE = "before"
 OTHER = frozenset({"the", "another"})
-EVENTFUL = frozenset({"after", "before", "until", "by the time"})
+BY_THEN = "by the time"
+EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
 DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
@@ -73,7 +74,7 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
-        if form is not None and is_length(form, words, place):
+        if form is not None and (is_length(form, words, place) or _leads_nowhere(form, words, place)):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
@@ -86,6 +87,12 @@ def clauses_of(
         found.append(clause)
         place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
     return found
+
+
+def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
+    """Whether a marker stands alone: "mow the front before and the back after"."""
+    behind = place + len(form)
+    return behind < len(words) and words[behind].text in {"and", "or"}
 
 
 class _Clauses:
@@ -209,9 +216,13 @@ class _Clauses:
             return event if event is None else replace(event, time=named)
         named_event = edge is not None or form == BY
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
+        # "By the time the night shift clocks off at six", where a tree finds no verb.
+        told = clause if told is None and kind == BY_THEN and time is not None else told
         found = self._denied(told, place)
         happens = found is not None and (_happens(found) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and happens)
+        # "During the interval, which starts at eight"
+        eventful = eventful or (kind == "while" and found is not None and found.is_event)
         if found is None or time is None or not eventful or not _dates(time, duration):
             return found
         return replace(found, time=time, span=(start, time.span[1]))

@@ -20,8 +20,9 @@ from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.at_events import at_events
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.clock_times import last_said
+from fuzzytime.language.sentence.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.connectives import (
     anchored_by_connective,
     follows_nothing,
@@ -34,23 +35,20 @@ from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.lengths import (
+    due_when_needed,
     length_of,
     lengths_in_front,
     time_of,
     told_alone,
     unknown_length,
 )
+from fuzzytime.language.sentence.named import PRONOUNS, is_several
 from fuzzytime.language.sentence.negations import LONGER, awaiting, denied_times, turned
 from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
-from fuzzytime.language.sentence.references import (
-    PRONOUNS,
-    SEVERAL,
-    Mentions,
-    is_several,
-    resolved_object,
-)
+from fuzzytime.language.sentence.pronouns import SEVERAL, resolved_object
+from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.tokens import tokens_of
@@ -67,17 +65,19 @@ def composed(
     first: int,
     *,
     awaits: bool = False,
-    since: float | None = None,
+    since: LastSaid = NOTHING,
 ) -> Reading:
     """Put a reading together; ``first`` of the operations were given before the text.
 
-    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is the clock time in seconds
-    that the text before it said last.
+    Where it ``awaits`` them, those behind its own may be meant too. ``since`` is what the
+    text before it said last.
     """
     if draft.leads:
         return read_heading(draft)
     composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
-    composer.moment = replace(composer.moment, since=since, carried=since is not None)
+    composer.moment = replace(
+        composer.moment, since=since.clock, carried=since.clock is not None, day=since.day
+    )
     return composer.reading()
 
 
@@ -236,7 +236,9 @@ class _Composer:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
             self.remarks += remarks
             requirements.append(required)
-        requirements += self._headed(sketch, anchors)
+        events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
+        self.remarks += remarks
+        requirements += [*events, *self._headed(sketch, anchors)]
         connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
         if connected is None and position == 0:
@@ -247,16 +249,15 @@ class _Composer:
         requirements = within_after(requirements)
         requirements.sort(key=lambda requirement: requirement.span)
         self.remarks += contradictions(requirements)
-        operation, duration = (
-            sketch.operation,
-            next((g.duration for g in times.found if g.duration is not None), None),
-        )
+        operation = sketch.operation
+        duration = next((g.duration for g in times.found if g.duration is not None), None)
         said = self.draft.text[slice(*segment.span)].strip()
         denied = denied_times(requirements, connected, said)
         if operation is not None and operation.negated and denied:
             lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
             requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
             operation, duration = replace(operation, negated=False), duration if lasting else None
+        requirements = due_when_needed(requirements, operation, said)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks
@@ -292,6 +293,8 @@ class _Composer:
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""
-        since = last_said(times.requirements, None)
-        if since is not None:
-            self.moment = replace(self.moment, since=since, carried=False)
+        said = last_said(times.requirements, NOTHING)
+        if said.clock is not None:
+            self.moment = replace(self.moment, since=said.clock, carried=False)
+        if said.day is not None:
+            self.moment = replace(self.moment, day=said.day)

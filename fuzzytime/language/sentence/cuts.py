@@ -1,15 +1,17 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import TimeWord
+from fuzzytime.language.sentence.actions import SUBJECTS
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.phrase_anchors import ORDERING
+from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.segments import ARTICLES, Segment
 from fuzzytime.language.sentence.statements import second_statement
 from fuzzytime.language.sentence.tree import Node
@@ -36,6 +38,9 @@ THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
 
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
 """How times bind that say when."""
+
+SIDES = MOMENTS | {Constraint.BEFORE, Constraint.AFTER}
+"""How times bind of which each is another thing's: "shirts before lunch and trousers after dinner"."""
 
 
 def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
@@ -157,17 +162,30 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
         if len(between) < SHORTEST_GAP:
             continue
         nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-        nouns = all(part.tree.nodes[p].tag in THINGS or part.tree.nodes[p].lower in things for p in nodes)
+        where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
+        nouns = all(_is_of_thing(part, p, things) for p in nodes)
+        kinds = {old.said.constraint, new.said.constraint}
+        happens = not lexicon.happening.isdisjoint(word.text for word in between)
         alike = (
-            old.said.constraint is new.said.constraint
-            or {old.said.constraint, new.said.constraint} <= MOMENTS
+            len(kinds) == 1
+            or kinds <= (MOMENTS if happens else SIDES)
             or (isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING)
         )
         led = between[1].text in prepositions
         named = led or between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
-        if nouns and named and alike:
+        if ((nouns and named) or where) and alike:
             found.append(between[1].start)
     return found
+
+
+def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
+    """Whether a word names a thing, or is said of one; a tree takes some plurals for verbs: "colours"."""
+    node = part.tree.nodes[place]
+    plural = node.tag == "VBZ" and part.tree.root is not None and not part.tree.children(place, *SUBJECTS)
+    ordered = plural and not part.tree.children(part.tree.root or 0, *SUBJECTS)
+    return node.tag in THINGS or node.lower in things or ordered
 
 
 def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:

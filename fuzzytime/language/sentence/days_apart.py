@@ -36,9 +36,10 @@ class _Day:
     @property
     def days(self) -> tuple[Said, ...]:
         """As said, and without the part of the day in it: "tomorrow morning and evening"."""
-        time = self.said.time
+        said = self.said.sure
+        time = said.time
         parted = isinstance(time, Wall) and time.days is not None and time.part is not None
-        return (self.said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (self.said,)
+        return (said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (said,)
 
 
 def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
@@ -61,7 +62,9 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
             told = _on_day(sketch, held)
         if named:
             told = _on_own_day(told, named[0])
-        held = _day_of(sketch) or held
+        # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
+        heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
+        held = _day_of(sketch, heads=heads) or held
         placed.append(told)
     return placed if heading is None else [_under(sketch, heading) for sketch in placed]
 
@@ -172,12 +175,12 @@ def _on_day(sketch: Sketch, held: _Day) -> Sketch:
     return replace(sketch, phrases=tuple(phrases))
 
 
-def _day_of(sketch: Sketch) -> _Day | None:
-    """Give the day that an instruction hands on to those joined to it."""
+def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
+    """Give the day that an instruction hands on to those joined to it, or to all where it ``heads`` them."""
     start = sketch.operation.span[0] if sketch.operation is not None else 0
     for phrase in sketch.phrases:
         said = phrase.said
-        if said.is_day and phrase.span[1] <= start:
+        if said.is_day and (heads or phrase.span[1] <= start):
             return _Day(said, phrase)
         time = said.time
         if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:

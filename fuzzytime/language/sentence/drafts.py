@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.corrections import corrected
 from fuzzytime.language.sentence.cuts import addressed, pieces_of, reminded
 from fuzzytime.language.sentence.fronts import fronts_of
+from fuzzytime.language.sentence.gaps import with_gaps
 from fuzzytime.language.sentence.in_between import said_apart
 from fuzzytime.language.sentence.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.list_marks import list_marks, without_marks
@@ -124,9 +125,10 @@ def drafted(
         asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
-        apart = said_apart(scanned, lexicon)
-        if apart != scanned.text:
-            scanned = Scanned.of(apart, grammar, lexicon)
+        for said in (with_gaps, said_apart):
+            instead = said(scanned, lexicon)
+            if instead != scanned.text:
+                scanned = Scanned.of(instead, grammar, lexicon)
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)

@@ -4,9 +4,19 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
-from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Offset, Phrase, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
+    Duration,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+)
+from fuzzytime.language.sentence.content_words import singular
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.phrase_anchors import INTO
+from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
 from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
@@ -21,6 +31,26 @@ REPEATED = frozenset({"it", "this", "that"})
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
+
+
+def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
+    first, mark, rest = text.partition(":")
+    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
+        return sketches
+    days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
+    if not days or first[days[-1].span[1] :].strip():
+        return sketches
+    days = [replace(day, said=day.said.sure) for day in days]
+    return [sketches[0], *(_on_days(sketch, days) for sketch in sketches[1:])]
+
+
+def _on_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
+    """Give a sketch on some days, unless it has one of its own."""
+    if any(phrase.said.is_day for phrase in sketch.phrases):
+        return sketch
+    references = (*(None for _ in days), *sketch.references)
+    return replace(sketch, phrases=(*days, *sketch.phrases), references=references)
 
 
 def led(sketches: list[Sketch]) -> list[Sketch]:
@@ -84,16 +114,19 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
         or ends[:1] in ([], [None])
     ):
         return phrase
-    return replace(
-        phrase, said=replace(phrase.said, time=replace(time, starting=Offset(time.every, 1, ends[0])))
-    )
+    starting = Offset(time.every, 1, ends[0])
+    until = time.until
+    if isinstance(until, Offset) and until.anchor is None:
+        # "…, then twice a day for another week"
+        until = replace(until, anchor=ends[0])
+    return replace(phrase, said=replace(phrase.said, time=replace(time, starting=starting, until=until)))
 
 
 def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
     part = sketch.part
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
-    said = [span for span in spans if not any(overlap(span, p.span) for p in sketch.phrases)]
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
     rest = text[said[0][0] : said[-1][1]] if said else ""
     if sketch.phrases:
         turned, _, level = rest.partition(" to ")
@@ -111,12 +144,19 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
+    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
+    if then and counted is not None:
+        return counted
     if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
     thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in ARTICLES or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    if part.segment.verbless and says_where(rest.lower(), lexicon):
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        whole = says_where((before.object or "").lower(), lexicon)
+        return replace(before, object=None if whole else before.object, place=rest, manner=None)
     if rest and part.segment.verbless and before.object is None and before.place is not None:
         # "Stop for a brew at ten and for lunch at noon"
         return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
@@ -125,6 +165,19 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     # "Hand me the wrench, then the pliers"
     given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
     return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another number: "two tablets now, then one every six hours"."""
+    words = (before.object or "").split()
+    place = next(
+        (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
+    )
+    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
+        return None
+    noun = words[place + 1 :]
+    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
+    return replace(before, object=" ".join((*words[:place], rest, *noun)))
 
 
 def _goes_on(said: Said) -> bool:

@@ -1,6 +1,7 @@
 """Lengths and times that are told of another instruction: "it takes an hour", "it must be done by six"."""
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from fuzzytime.language.finding import ground_all
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
@@ -8,10 +9,11 @@ from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
-from fuzzytime.language.sentence.references import ALL, PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.references import ALL
 from fuzzytime.language.sentence.stated import GOING
 from fuzzytime.language.sentence.statements import TAKING
-from fuzzytime.requirement import Anchor, Constraint, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 WHOLE = frozenset({"everything", "all"})
 US = frozenset({"we", "i"})
@@ -49,6 +51,11 @@ def length_of(
     return anchor
 
 
+SPEAKERS = frozenset({"i", "we", "i'll", "we'll"})
+NEEDING = frozenset({"need", "want"})
+"""Who says what is needed, and the verbs for it."""
+
+
 def time_of(
     operation: Operation | None, requirements: Sequence[TimeRequirement], text: str, anchors: Anchors
 ) -> Anchor | None:
@@ -58,6 +65,16 @@ def time_of(
     """
     if operation is None or operation.negated or not requirements:
         return None
+    if _is_needed(operation, text):
+        asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
+        same = (p for p in asked if (one := anchors.operation_at(p)) and one.object == operation.object)
+        needed = next(same, None)
+        bound = all(part.constraint in DONE and not part.anchor for part in requirements)
+        return (
+            Anchor(text=text, object=operation.object, target=needed)
+            if bound and needed is not None
+            else None
+        )
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
     if text.split(maxsplit=1)[0].lower() == operation.verb and text.lower().split()[:2] not in OBLIGED:
@@ -78,6 +95,34 @@ def time_of(
     if target is None or target >= anchors.position or not anchors.is_asked(target):
         return None
     return Anchor(text=text, object=operation.object, target=target)
+
+
+def _is_needed(operation: Operation | None, text: str) -> bool:
+    """Whether who speaks needs then what was named before: "charge the bike, I need it at seven"."""
+    first = text.split(maxsplit=1)[:1]
+    said = bool(first) and first[0].lower() in SPEAKERS and operation is not None
+    return said and operation is not None and operation.lemma in NEEDING and operation.again
+
+
+def due_when_needed(
+    requirements: list[TimeRequirement], operation: Operation | None, text: str
+) -> list[TimeRequirement]:
+    """Give when something is needed as when it must be done at the latest."""
+    if not _is_needed(operation, text):
+        return requirements
+    at = {Constraint.AT, Constraint.BEFORE}
+    return [
+        replace(
+            part,
+            constraint=Constraint.BEFORE,
+            earliest=None,
+            reference=Reference.FINISH,
+            reference_said=True,
+        )
+        if part.constraint in at
+        else part
+        for part in requirements
+    ]
 
 
 def _may_bound(part: TimeRequirement) -> bool:

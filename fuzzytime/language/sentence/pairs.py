@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.times_of_day import Clock
-from fuzzytime.language.sentence.references import PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.actions import is_numbered_place
 from fuzzytime.language.sentence.wording import Wording
 
@@ -17,6 +18,15 @@ HOW = ("RB", "JJ", "IN")
 """How tags of words begin that say how: "quite slowly", "at least twice"."""
 
 PLACES = ("prep", "advmod", "npadvmod")
+
+
+WHITHER = ("wards", "wise")
+"""How adverbs end that say where to, or which way round."""
+
+
+def says_where(word: str, lexicon: Lexicon) -> bool:
+    """Say whether a word alone may say where: "upstairs", "backwards"."""
+    return word in lexicon.places or word.endswith(WHITHER)
 
 
 @dataclass(frozen=True, slots=True)

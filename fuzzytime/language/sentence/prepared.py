@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.instruction import Instruction
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.language.sentence.sketch import Sketch
+from fuzzytime.requirement import Constraint
 
 
 def due_of(
@@ -12,7 +13,9 @@ def due_of(
 ) -> float | None:
     """Give when in seconds that happens which an instruction prepares, by those before it; None for none."""
     words = text[: sketch.part.segment.span[0]].lower().split()
-    if not before or words[-1:] != ["so"] or before[-1].operation is None:
+    # "The train goes at five past nine, be on the platform by nine"
+    bounded = any(phrase.said.constraint is Constraint.BEFORE for phrase in sketch.phrases)
+    if not before or (words[-1:] != ["so"] and not bounded) or before[-1].operation is None:
         return None
     if not before[-1].operation.stated:
         return None

@@ -2,24 +2,20 @@
 
 import heapq
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from datetime import date
 from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.content_words import content_words, singular, stems
+from fuzzytime.language.sentence.content_words import content_words, stems
+from fuzzytime.language.sentence.named import PRONOUNS, is_several, may_be_it, names_person
 
-PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
 ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
 """Words for all that is meant, whatever that is."""
 
-PEOPLE = frozenset({"them"})
-SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
-PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 
 ARRIVING = frozenset({"arrive", "come", "land", "dock"})
 """What is said of who or what is not there before."""
@@ -87,6 +83,7 @@ class Mentions:
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)
     _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+    _people: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
 
     def add(self, operation: Operation | None) -> None:
         """Add the next operation, None for an instruction without one."""
@@ -94,7 +91,10 @@ class Mentions:
         self.operations.append(operation)
         if operation is None:
             return
-        if _may_be_it(operation, self.lexicon):
+        named = operation.object
+        if named is not None and names_person(named, self.lexicon):
+            self._people[is_several(named)].append(position)
+        if may_be_it(operation, self.lexicon):
             self._things[is_several(operation.object or "")].append(position)
         if operation.negated:
             return
@@ -108,11 +108,18 @@ class Mentions:
         if not words | content_words(operation.place):
             self._bare.setdefault(operation.lemma, []).append(position)
 
-    def thing(self, before: int, *, several: bool) -> str | None:
-        """Give the latest object that "it" or "them" may be, of either number if need be."""
+    def thing(self, before: int, *, several: bool, strictly: bool = False) -> str | None:
+        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``."""
         one, many = (positions[: bisect_left(positions, before)][-1:] for positions in self._things)
-        found = (many if several else one) or sorted(one + many)[-1:]
+        found = (many if several else one) or ([] if strictly else sorted(one + many)[-1:])
         operation = self.operations[found[0]] if found else None
+        return None if operation is None else operation.object
+
+    def person(self, before: int, *, several: bool) -> str | None:
+        """Give the latest person who was named in an object, or the latest persons."""
+        found = self._people[several]
+        place = bisect_left(found, before) - 1
+        operation = self.operations[found[place]] if place >= 0 else None
         return None if operation is None else operation.object
 
     def about(self, words: frozenset[str], before: int) -> int | None:
@@ -245,46 +252,3 @@ def _named_after(words: frozenset[str], operation: Operation) -> float:
     """How well a noun for what is done fits an operation: the incubation, where the incubator is used."""
     known = content_words(operation.object) | content_words(operation.place)
     return ALIKE * (not stems(words).isdisjoint(stems(known | {operation.lemma})))
-
-
-def resolved_object(
-    operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
-) -> str | None:
-    """Give what "it" or "them" stands for: the object of the latest instruction that fits in number.
-
-    ``own`` are the operations before it in its text, which begins at ``first`` of all.
-
-    Neither stands for a person: in "call mum, then wash it", it is something else.
-    """
-    if operation.object is None or operation.object.lower() not in PRONOUNS:
-        return operation.object
-    if operation.lemma in mentions.lexicon.addressing and operation.object.lower() in PEOPLE:
-        # "Tell them when to stop"
-        return operation.object
-    several = operation.object.lower() in SEVERAL
-    near = Mentions(mentions.lexicon)
-    for earlier in own:
-        near.add(earlier)
-    here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
-    fitting = (thing for thing in (here, there) if thing is not None and is_several(thing) is several)
-    return next(fitting, here or there or operation.object)
-
-
-def _may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
-    """Whether "it" or "them" may stand for its object: a thing that is named, and no person."""
-    named = operation.object is not None and operation.object.lower() not in PRONOUNS
-    # "It takes an hour to warm up"
-    named = named and not (operation.object or "").startswith("to ")
-    return named and not _is_person(operation, lexicon)
-
-
-def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
-    words = {word.text for word in words_of(operation.object or "")}
-    return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
-
-
-def is_several(thing: str) -> bool:
-    """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
-    words = [word.text for word in words_of(thing)]
-    end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
-    return "and" in words or singular(words[end - 1]) != words[end - 1]

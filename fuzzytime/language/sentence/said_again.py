@@ -4,11 +4,10 @@ from collections.abc import Container, Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
-from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.instances import Instances
 from fuzzytime.language.sentence.sketch import Sketch
@@ -21,9 +20,6 @@ JOINING = AGAIN | {"and", "&", ",", "then", "once", "time", "dose"}
 """The words that may stand there."""
 
 SEVERAL = 2
-MOST = 100
-"""Times at most that something counted is done."""
-
 ONE_OF = "one of the "
 """What is said of one of several: "one of the alarms"."""
 
@@ -58,31 +54,6 @@ def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
     starts[0] = next(leading, starts[0])
     named = replace(sketch, operation=operation)
     return [_of(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
-
-
-def counted_apart(sketch: Sketch, lexicon: Lexicon) -> Sketch:
-    """Do what is counted so long apart one by one: "take two tablets, six hours apart"."""
-    operation = sketch.operation
-    if operation is None or operation.object is None or operation.stated:
-        return sketch
-    words = operation.object.split()
-    numbers = [_number(word, lexicon) for word in words]
-    place = next((place for place, number in enumerate(numbers[:-1]) if number), None)
-    phrases = list(sketch.phrases)
-    for at, phrase in enumerate(phrases):
-        time = phrase.said.time
-        if isinstance(time, Repeat) and time.apart and place is not None:
-            repeat = replace(time, times=numbers[place], apart=False)
-            phrases[at] = replace(phrase, said=replace(phrase.said, time=repeat))
-            one = " ".join((*words[:place], ONE_OF.strip(), *words[place:]))
-            operation = replace(operation, object=one)
-    return replace(sketch, phrases=tuple(phrases), operation=operation)
-
-
-def _number(word: str, lexicon: Lexicon) -> int | None:
-    """Give the number that a word is, of more than one."""
-    number = int(word) if word.isdecimal() else lexicon.numbers.get(word.lower())
-    return number if number is not None and SEVERAL <= number <= MOST else None
 
 
 def _of(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketch:
@@ -126,6 +97,8 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
 def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give days of the week the clock time of the last of them: "monday, wednesday and friday at ten"."""
     time = phrases[-1].said.time
+    if isinstance(time, Range):
+        return _with_shared_hours(phrases, time)
     if not isinstance(time, Wall) or time.clock is None or not _is_weekday(time):
         return list(phrases)
     walls = [phrase.said.time for phrase in phrases[:-1]]
@@ -138,6 +111,22 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
         told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
         found.append(replace(phrase, said=replace(phrase.said, time=told)))
     return found
+
+
+def _with_shared_hours(phrases: Sequence[Phrase], hours: Range) -> list[Phrase]:
+    """Give days of the week the hours of the last of them: "monday and friday from seven till eleven"."""
+    first, last = hours.first, hours.last
+    walls = [phrase.said.time for phrase in phrases[:-1]]
+    alone = all(isinstance(w, Wall) and _is_weekday(w) and w.clock is None and w.part is None for w in walls)
+    if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_weekday(first):
+        return list(phrases)
+    found = []
+    for phrase, wall in zip(phrases[:-1], walls, strict=True):
+        days = wall.days if isinstance(wall, Wall) else None
+        ends = replace(last, days=days) if last.days is not None else last
+        told = replace(phrases[-1].said, time=replace(hours, first=replace(first, days=days), last=ends))
+        found.append(replace(phrase, said=replace(told, preposition=phrase.said.preposition)))
+    return [*found, phrases[-1]]
 
 
 def _is_weekday(wall: Wall) -> bool:

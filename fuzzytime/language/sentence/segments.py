@@ -16,6 +16,17 @@ TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx",
 ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
+FIRST, SECOND = "first", "second"
+LONGEST_NAME = 4
+"""Words at most, and one, of the name of what has a time: "first aid course"."""
+
+MEANWHILE = "meanwhile"
+SERIES = frozenset({"every", "each"})
+"""Words behind "at the same time" that make it a time of day."""
+
+LONGEST_MEANWHILE = 6
+"""Words at most of what happens meanwhile: "with a ten-minute break at five"."""
+
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
@@ -67,14 +78,20 @@ def segments_of(
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(_listed(phrases))
     following |= set(_behind_happening(phrases, words, lexicon))
+    following |= set(_beside(phrases, words, lexicon))
+    following |= {phrase.end for phrase in phrases[:1] if _heads(phrase, words)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
         if place in inside and place not in vague:
             place += 1
             continue
-        found = longest_match(words, place, lexicon.connectives) if _opens(words, place, vague) else None
+        opens = _opens(words, place, vague) and not _counts_event(words, place, phrases, lexicon)
+        found = longest_match(words, place, lexicon.connectives) if opens else None
         end = 0 if found is None else _end_of(words, place, len(found))
+        if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
+            # "At the same time every evening"
+            found = None if words[end].text in SERIES else found
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
@@ -111,6 +128,26 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         taken = lexicon.function_words | lexicon.places
         if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
             yield behind
+
+
+def _beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where begins what happens meanwhile: "revise from four to six, with a break at five"."""
+    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    for phrase in phrases[1:]:
+        last = phrase.first - 1
+        called = words[last].text in lexicon.happening | lexicon.taken and last not in covered
+        first = next(
+            (p for p in range(last, max(0, last - LONGEST_MEANWHILE), -1) if words[p].text == "with"), 0
+        )
+        joined = first > 1 and (first - 1 in covered or words[first - 1].text == ",")
+        if called and joined and first not in covered and isinstance(phrase.said.time, Wall):
+            yield first + 1
+
+
+def _heads(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a day behind what it is the day of ends at a colon: "school trip on the 12th: …"."""
+    ends = phrase.end + 1 < len(words) and words[phrase.end].text == ":" and not words[phrase.end + 1].glued
+    return ends and phrase.said.is_day and phrase.first > 0
 
 
 def _is_clock(phrase: Phrase) -> bool:
@@ -156,6 +193,18 @@ def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
 
 
+def _counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+    """Whether "first" is of what has a time, or of several: "first lesson at nine", "first … second coat"."""
+    if words[place].text != FIRST or place + 1 >= len(words):
+        return False
+    behind = words[place + 1].text
+    if any(one.text == SECOND and other.text == behind for one, other in pairwise(words)):
+        return True
+    time = next((phrase.first for phrase in phrases if phrase.first > place), place)
+    named = place + 1 < time <= place + LONGEST_NAME
+    return named and words[time - 1].text in lexicon.happening | lexicon.taken
+
+
 def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     """Whether a mark ends a sentence: it is no part of a number or an abbreviation."""
     word = words[place]
@@ -165,6 +214,9 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     if after and not after.isspace():
         return False
     before = words[place - 1] if place else None
+    if before is not None and before.glued and words[place - 2].is_digits:
+        # "On the 21st": no saint.
+        return True
     return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
 
 

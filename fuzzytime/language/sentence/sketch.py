@@ -23,10 +23,10 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
 from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.elsewhere import elsewhere
+from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.happenings import happening_at, happens
+from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
-from fuzzytime.language.sentence.references import PRONOUNS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 BOUNDS = {
     "when": (None, "at"),
+    "while": (None, "at"),
     "before": (Constraint.BEFORE, "before"),
     "by the time": (Constraint.BEFORE, "by"),
     "until": (Constraint.BEFORE, "until"),
@@ -121,9 +122,17 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
+    aims = {aim_of(part, kept, action): "what it is for", reason_of(part, kept, action): "why"}
+    for aim, what in aims.items():
+        if aim is not None:
+            others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+            kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
+            clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
+            message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
+            excepted.append(Remark(RemarkKind.POLICY, aim, message))
     kept = [phrase for phrase in kept if phrase not in others]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished)
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim in aims if aim is not None))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     clauses = [
@@ -215,7 +224,8 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
-        said = Said(distance, None, None, clause.distance.hedges)
+        # "No later than two hours before the fight, which is at eight"
+        said = Said(distance, clause.side, None, clause.distance.hedges)
         days = time.said.time.days if time.said.time.clock is None and time.said.time.part is None else None
         away = None if days is None else days_away(distance.duration, days, direction)
         if away is not None:

@@ -13,18 +13,19 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.at_once import at_once
+from fuzzytime.language.sentence.both_sides import on_both_sides
 from fuzzytime.language.sentence.clause_requirements import BECOMING
 from fuzzytime.language.sentence.days_apart import on_their_days
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.lending import led, repeated, shared, within
+from fuzzytime.language.sentence.lending import led, repeated, shared, under_first_line, within
 from fuzzytime.language.sentence.said_again import (
     apart,
-    counted_apart,
     done_again,
     each_of,
     with_shared_clock,
 )
 from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
+from fuzzytime.language.sentence.turns import counted_apart
 from fuzzytime.requirement import Constraint
 
 ADDED = frozenset({"and", "&", ",", "also"})
@@ -40,12 +41,14 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
+    told = under_first_line(told, draft.text)
     words = draft.scanned.words
     split = (
-        counted_apart(one, lexicon)
+        counted_apart(one, words, lexicon)
         for sketch in told
         for each in each_of(sketch, draft.instances)
-        for one in done_again(each, words)
+        for again in done_again(each, words)
+        for one in on_both_sides(again, words)
     )
     for offered in split:
         whole, later = _first_offered(offered, draft.text)

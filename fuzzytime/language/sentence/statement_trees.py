@@ -23,6 +23,9 @@ HAVE = frozenset({"'ve", "’ve", "have", "has", "ve", "'s"})
 BARE_PHASES = frozenset(phase[:-1] for phase in SURE_PHASES - {"finishes"}) | {"finish"}
 """What several with a time of their own do: "the shops open at nine"."""
 
+ANYBODY = frozenset({"nobody", "everybody", "everyone", "somebody", "someone", "anybody", "anyone"})
+"""Words behind which "'s" is hardly an owner's mark before where somebody is."""
+
 BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
 """Tags of words that say where those are who do something: "the guests in room 12"."""
 
@@ -33,6 +36,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
     """
     tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
+    tree = _with_two(tree, timed)
     tree = _with_plural(_with_subject(tree), timed)
     root = tree.root
     if root is None or behind_particles(tree, root) not in timed:
@@ -95,6 +99,27 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
     return Tree(tree.text, tuple(turned))
 
 
+def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "my flight lands at ten and immigration takes an hour" its first verb, taken for a plural."""
+    root = tree.root
+    for verb in tree.children(root, "nsubj") if root is not None and tree.nodes[root].tag == "VBZ" else ():
+        named = plural_subject(tree, verb)
+        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in COUNTABLE]
+        told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
+        if not told or named is None or not second or root is None:
+            continue
+        nodes = list(tree.nodes)
+        nodes[verb] = replace(
+            nodes[verb], tag="VBZ", relation="ccomp", lemma=singular_verb(nodes[verb].lower)
+        )
+        for place in tree.children(verb, "det", "poss", "amod", "compound"):
+            nodes[place] = replace(nodes[place], head=named)
+        nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
+        nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
+        return Tree(tree.text, tuple(nodes))
+    return tree
+
+
 def _with_subject(tree: Tree) -> Tree:
     """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
     root = tree.root
@@ -149,8 +174,16 @@ def _with_having(tree: Tree) -> Tree:
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
-    """Give "the drill's at nine" its verb, which was taken for an owner's mark."""
+    """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
     root = tree.root
+    owner = root is not None and [p for p in tree.children(root, "poss") if tree.nodes[p].lower in ANYBODY]
+    if owner and root is not None and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
+        mark = owner[0] + 1
+        turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
+        turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
+        turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
+        turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
+        return Tree(tree.text, tuple(turned))
     being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
     verb = next(being, None)
     if root is None or verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):

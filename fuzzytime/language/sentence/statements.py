@@ -33,6 +33,12 @@ ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people",
 
 OTHERS = frozenset({"he", "she"})
 
+SO = frozenset({"so", "that"})
+"""Words that begin what something is for."""
+
+BECOMING = frozenset({"be", "get", "become", "stay"})
+"""Verbs of how something is then: "so the room is warm by six"."""
+
 NOBODY = frozenset({"nobody", "none", "nothing"})
 """Subjects of what is denied, beside those with "no" before them."""
 
@@ -106,15 +112,29 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     joined = joint > 0 and tree.nodes[start - 1].lower in {*JOINTS, "and", "&", "but"}
     # "Light the fire before we get back, we'll be home by six"
     speaks = tree.nodes[start].lower in SEVERAL and tree.nodes[joint].lower in JOINTS
-    told = joint - 1 in timed or speaks or _is_told_so(tree, joint)
+    apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
+    told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
     return start if joined and told else None
+
+
+def _is_apart(tree: Tree, place: int) -> bool:
+    """Whether a verb with an article or owner's word before who does it is joined to the first of all."""
+    node = tree.nodes[place]
+    first = min((min(tree.below(p)) for p in tree.children(place, *SUBJECTS)), default=place)
+    joined = node.relation == "conj" and node.head == tree.root and not tree.children(place, "mark")
+    return joined and tree.nodes[first].tag in DETERMINERS
 
 
 def _is_purpose(tree: Tree, place: int, start: int) -> bool:
     """Whether it says what an order before it is for: "put the roast in at noon so it's ready by two"."""
     root = tree.root
-    ordered = root is not None and root < start - 1 and not tree.children(root, *SUBJECTS)
-    return ordered and tree.nodes[start - 1].lower == "so" and tree.nodes[place].lemma == "be"
+    if root is None or tree.nodes[start - 1].lower not in SO or tree.nodes[place].lemma not in BECOMING:
+        return False
+    # "Light the fire at five so the room is warm by six" has the order below what it is for.
+    orders = (p for p in tree.children(root, "advcl", "ccomp") if root == place and p < start)
+    order = next(orders, root) if root >= start - 1 else root
+    bare = order < start - 1 and tree.nodes[order].tag in {"VB", "VBP"}
+    return bare and not tree.children(order, *SUBJECTS, "mark")
 
 
 def _is_told_so(tree: Tree, joint: int) -> bool:
@@ -165,13 +185,22 @@ def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSe
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
     if (
         place <= root
-        or not helping & DUE
+        or not (helping & DUE or _is_brought_about(tree, place))
         or not _is_statement(tree, root, timed)
         or timed.isdisjoint(range(place))
     ):
         return None
     start = min(p for p in tree.below(place) if tree.nodes[p].relation != "punct")
     return start if start > root and tree.nodes[start - 1].lower in {*JOINTS, "and"} else None
+
+
+def _is_brought_about(tree: Tree, place: int) -> bool:
+    """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
+    helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}
+    told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= ARE
+    first = min(tree.below(place))
+    # A tree has "so" with what stands before it, or with what it leads to.
+    return told and "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
 
 
 def _is_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
@@ -209,4 +238,8 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
         # "Tom is washing the car at five"
         return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
     finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
+    if helping == {"can"} and subjects[0].tag in NOUNS:
+        # "The surveyor can only come before noon": nobody else can help that.
+        only = any(tree.nodes[p].lower == "only" for p in tree.children(verb, "advmod"))
+        named = named or (only and subjects[0].lower not in lexicon.machines)
     return named and finite

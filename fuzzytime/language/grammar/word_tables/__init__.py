@@ -87,6 +87,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         vague_adverbs=frozenset(form[0] for form in speech.words("vague_adverbs")),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
+        spacing=_by_use(speech, "spacing"),
+        moments=frozenset(speech.words("moments")),
         becoming=frozenset(form[0] for form in speech.words("becoming")),
         levels=frozenset(form[0] for form in speech.words("levels")),
         passing=frozenset(form[0] for form in speech.words("passing")),
@@ -98,6 +100,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
         citing=frozenset(form[0] for form in speech.words("citing")),
         persons=frozenset(form[0] for form in speech.words("persons")),
+        animals=frozenset(form[0] for form in speech.words("animals")),
         machines=frozenset(form[0] for form in speech.words("machines")),
         workers=frozenset(form[0] for form in speech.words("workers")),
         moving=frozenset(form[0] for form in speech.words("rescheduling", "moving")),
@@ -147,7 +150,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "becoming", "levels", "passing",
+    "asides", "moments", "spacing", "animals", "becoming", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
