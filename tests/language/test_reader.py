@@ -385,3 +385,33 @@ def test_what_is_done_even_so_waits_for_nothing() -> None:
     reading = language().read("Call me even if it's the middle of the night", now=NOW)
     assert reading.instructions[0].requirements == ()
     assert [remark.message.endswith("all the same") for remark in reading.remarks] == [True]
+
+
+@pytest.mark.parametrize("text", ["when does the shop open", "when is the next bus"])
+def test_a_question_when_something_is_holds_no_time(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [i.requirements for i in reading.instructions] == [()]
+
+
+@pytest.mark.parametrize("text", ["tomorrow at nine call the insurance", "friday at two ring the school"])
+def test_a_verb_behind_a_time_in_front_is_what_is_to_be_done(text: str) -> None:
+    operation = language().read(text, now=NOW).instructions[0].operation
+    assert operation is not None
+    assert operation.verb in {"call", "ring"}
+
+
+def test_what_is_made_for_so_long_from_today_is_for_that_day() -> None:
+    made = language().read("schedule a checkup for two months from today", now=NOW).instructions[0]
+    away = language().read("i am away for two weeks from today", now=NOW).instructions[0]
+    assert [r.earliest for r in made.requirements] == [61 * 86400 - 9 * 3600]
+    assert (made.duration, away.duration) == (None, 14 * 86400)
+
+
+def test_a_weather_is_like_something_on_a_day() -> None:
+    asked = language().read("what's the weather like on thursday", now=NOW).instructions[0]
+    assert [r.text for r in asked.requirements] == ["on thursday"]
+
+
+def test_who_wants_to_be_up_is_so_in_the_morning() -> None:
+    up = language().read("i want to be up by six", now=NOW).instructions[0]
+    assert [r.latest for r in up.requirements] == [21 * 3600]

@@ -31,6 +31,9 @@ PREPOSITIONS = frozenset(
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
+FEAST_WORDS = 3
+"""Words of a feast's name before another that may be a time, at most."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -62,7 +65,23 @@ class Borders:
             or self._says_how(piece)
             or self._says_order(piece)
             or self._opens_another(piece)
+            or self._is_of_feast(piece)
+            or self._likens(piece)
         )
+
+    def _is_of_feast(self, piece: Piece) -> bool:
+        """Whether it begins within the name of a feast: "black friday deals"."""
+        found = (
+            one
+            for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
+            for one in self.lexicon.pieces(self.words, begin)
+        )
+        return any(one.category == "feast" and one.end > piece.start for one in found)
+
+    def _likens(self, piece: Piece) -> bool:
+        """Whether its "like" is what something looks like: "what is the weather like on friday"."""
+        time = piece.value.time
+        return self.texts[piece.start] == "like" and isinstance(time, Wall) and time.clock is None
 
     def _opens_another(self, piece: Piece) -> bool:
         """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
@@ -171,7 +190,7 @@ class Borders:
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
-        if piece.value.preposition != "in":
+        if piece.value.preposition not in {"in", "not before", "no later than"}:
             return False
         distances = (["before", "that"], ["after", "that"])
         if any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2)):

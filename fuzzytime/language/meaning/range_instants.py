@@ -125,6 +125,9 @@ def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
     if last.part is not None and not (last.part == first.part and last.part.half is Half.NIGHT):
         # "Overnight from ten until six": what begins at night may end in the morning.
         end_clock = halved(end_clock, last.part.half)
+    if start_clock.midnight and last.days is None:
+        # "Sunday from midnight to four": where that day begins.
+        start_clock = replace(start_clock, midnight=False)
     known_end = not end_clock.is_open
     if start_clock.is_open and known_end:
         begins = min(

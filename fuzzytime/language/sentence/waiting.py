@@ -39,6 +39,9 @@ SUBJECTS_OF = frozenset(
 LEAST_SAID = 3
 """Words of "and nobody calls"."""
 
+OWNING_TAGS = frozenset({"DT", "PRP$"})
+"""Tags of words that begin what is done something with."""
+
 INVERTING = frozenset({"should", "had"})
 """Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
 
@@ -185,6 +188,8 @@ class Waiting:
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
         if first is None or first == tree.root or tree.root is None:
             return False
+        if self._leads_to_order(tree):
+            return True
         node = tree.nodes[first]
         if not node.may_act or node.lower != node.lemma:
             return False
@@ -206,10 +211,19 @@ class Waiting:
         taken = any(first in tree.below(place) for place in subjects)
         return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
 
+    def _leads_to_order(self, tree: Tree) -> bool:
+        """Whether a bare verb with an object stands behind a time: "tomorrow at nine call the insurance"."""
+        first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
+        if first is None or not self.behind_time or first == tree.root or first + 1 >= len(tree.nodes):
+            return False
+        node = tree.nodes[first]
+        owning = node.tag.startswith("NN") and tree.nodes[first + 1].tag in OWNING_TAGS
+        return owning and node.may_act and node.lower == node.lemma
+
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if self._phrases and happens(tree, self._phrases, lexicon):
-            return may_be_ordered(tree)
+            return may_be_ordered(tree) or self._leads_to_order(tree)
         if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
             return False
         if not tree.nodes or is_doubtful(tree):
