@@ -415,3 +415,54 @@ def test_a_weather_is_like_something_on_a_day() -> None:
 def test_who_wants_to_be_up_is_so_in_the_morning() -> None:
     up = language().read("i want to be up by six", now=NOW).instructions[0]
     assert [r.latest for r in up.requirements] == [21 * 3600]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "between two and four call the plumber",
+        "between ten and half past call the plumber",
+        "tomorrow between two and four call mum",
+        "around six water the lawn",
+        "hey olly by seven feed the cat",
+        "alexa after six feed the cat",
+        "can you by seven feed the cat",
+        "could you please at half past six water the lawn",
+        "shortly before eleven thirty call the plumber",
+        "at precisely six p.m. water the lawn",
+        "hey robot at 6 p.m. water the lawn",
+        "at most half an hour after 1730 call the plumber",
+    ],
+)
+def test_a_time_in_front_leaves_one_order_behind_it(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    said = [
+        (i.operation.verb, i.operation.object, len(i.requirements))
+        for i in reading.instructions
+        if i.operation
+    ]
+    assert said in (
+        [("call", "the plumber", 1)],
+        [("call", "mum", 1)],
+        [("water", "the lawn", 1)],
+        [("feed", "the cat", 1)],
+    )
+    assert len(reading.instructions) == 1
+
+
+def test_an_order_behind_an_abbreviation_is_another() -> None:
+    reading = language().read("boil the eggs at 6 p.m. add the salt", now=NOW)
+    assert [i.operation.verb for i in reading.instructions if i.operation] == ["boil", "add"]
+
+
+@pytest.mark.parametrize("text", ["not until next week call the plumber", "not before 1h30 call the plumber"])
+def test_what_a_time_denies_is_not_the_verb(text: str) -> None:
+    call = language().read(text, now=NOW).instructions[0]
+    assert [r.constraint.value for r in call.requirements] == ["after"]
+    assert call.operation is not None
+    assert not call.operation.negated
+
+
+def test_minutes_beside_a_hedge_are_a_time() -> None:
+    call = language().read("call the plumber about eleven thirty", now=NOW).instructions[0]
+    assert [r.text for r in call.requirements] == ["about eleven thirty"]

@@ -93,7 +93,8 @@ class Walls(Standing):
         worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
         sure = said.preposition == "at" and worded
         unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
-        return said.preposition is not None and (self.around.may_end(piece) or (sure and not unit))
+        bound = said.preposition is not None or bool(said.hedges)
+        return bound and (self.around.may_end(piece) or (sure and not unit))
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""

@@ -20,6 +20,10 @@ GOING_AND = frozenset({"go", "come", "try", "hurry"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
+DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
+"""Words that deny a verb."""
+
+
 @dataclass(frozen=True, slots=True)
 class Action:
     """The verb of an instruction in its tree, and what the words around it say."""
@@ -247,10 +251,7 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 
 def _is_negated(tree: Tree, place: int) -> bool:
-    return any(
-        tree.nodes[p].lower in {"not", "n't", "n’t", "nt", "never"}
-        for p in tree.children(place, "neg", "advmod")
-    )
+    return any(tree.nodes[p].lower in DENYING for p in tree.children(place, "neg", "advmod"))
 
 
 def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:

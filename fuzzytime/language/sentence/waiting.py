@@ -188,7 +188,7 @@ class Waiting:
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
         if first is None or first == tree.root or tree.root is None:
             return False
-        if self._leads_to_order(tree):
+        if self._leads_to_order(tree, lexicon):
             return True
         node = tree.nodes[first]
         if not node.may_act or node.lower != node.lemma:
@@ -211,19 +211,20 @@ class Waiting:
         taken = any(first in tree.below(place) for place in subjects)
         return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
 
-    def _leads_to_order(self, tree: Tree) -> bool:
+    def _leads_to_order(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a bare verb with an object stands behind a time: "tomorrow at nine call the insurance"."""
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
-        if first is None or not self.behind_time or first == tree.root or first + 1 >= len(tree.nodes):
+        if first is None or not self.behind_time or first + 1 >= len(tree.nodes):
             return False
-        node = tree.nodes[first]
-        owning = node.tag.startswith("NN") and tree.nodes[first + 1].tag in OWNING_TAGS
-        return owning and node.may_act and node.lower == node.lemma
+        node, behind = tree.nodes[first], tree.nodes[first + 1]
+        called = node.lower in lexicon.addressing and (behind.tag == "NNP" or behind.lower in lexicon.persons)
+        acted = behind.tag in OWNING_TAGS or called
+        return node.tag.startswith("NN") and acted and node.may_act and node.lower == node.lemma
 
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if self._phrases and happens(tree, self._phrases, lexicon):
-            return may_be_ordered(tree) or self._leads_to_order(tree)
+            return may_be_ordered(tree) or self._leads_to_order(tree, lexicon)
         if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
             return False
         if not tree.nodes or is_doubtful(tree):
