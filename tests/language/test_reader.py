@@ -466,3 +466,10 @@ def test_what_a_time_denies_is_not_the_verb(text: str) -> None:
 def test_minutes_beside_a_hedge_are_a_time() -> None:
     call = language().read("call the plumber about eleven thirty", now=NOW).instructions[0]
     assert [r.text for r in call.requirements] == ["about eleven thirty"]
+
+
+@pytest.mark.parametrize("text", ["call bob on chinese new year", "call bob on orthodox easter"])
+def test_a_feast_of_another_calendar_is_pointed_at(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [i.requirements for i in reading.instructions] == [()]
+    assert any("was not understood" in remark.message for remark in reading.remarks)

@@ -66,8 +66,17 @@ class Borders:
             or self._says_order(piece)
             or self._opens_another(piece)
             or self._is_of_feast(piece)
+            or self._is_of_other_calendar(piece)
             or self._likens(piece)
         )
+
+    def _is_of_other_calendar(self, piece: Piece) -> bool:
+        """Whether it is a feast on a day that is not known here: "chinese new year"."""
+        for place in range(piece.start, piece.end):
+            feasts = any(one.category == "feast" for one in self.lexicon.pieces(self.words, place))
+            if feasts and place and self.texts[place - 1] in self.lexicon.other_calendars:
+                return True
+        return False
 
     def _is_of_feast(self, piece: Piece) -> bool:
         """Whether it begins within the name of a feast: "black friday deals"."""

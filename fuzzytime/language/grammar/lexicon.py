@@ -64,7 +64,7 @@ class Lexicon:
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
         Words of asides that say how long something takes, by what they do there.
-    becoming, levels
+    becoming, levels, other_calendars
         What something becomes, and how strong it is on: "pat it dry", "cook it on low".
     passing
         What is said of what is called by a number: "train 14 stops at nine".
@@ -143,6 +143,7 @@ class Lexicon:
     vague_adverbs: frozenset[str]
     asides: Mapping[str, frozenset[str]]
     becoming: frozenset[str]
+    other_calendars: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]
     instances: Mapping[str, frozenset[tuple[str, ...]]]

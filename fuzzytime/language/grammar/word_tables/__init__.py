@@ -88,6 +88,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
         becoming=frozenset(form[0] for form in speech.words("becoming")),
+        other_calendars=frozenset(form[0] for form in speech.words("other_calendars")),
         levels=frozenset(form[0] for form in speech.words("levels")),
         passing=frozenset(form[0] for form in speech.words("passing")),
         instances={name: frozenset(speech.words("instances", name)) for name in ("first", "further")},
@@ -147,7 +148,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "becoming", "levels", "passing",
+    "asides", "becoming", "other_calendars", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
