@@ -473,3 +473,38 @@ def test_a_feast_of_another_calendar_is_pointed_at(text: str) -> None:
     reading = language().read(text, now=NOW)
     assert [i.requirements for i in reading.instructions] == [()]
     assert any("was not understood" in remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "object_"),
+    [
+        ("order sushi for half past seven tonight", "order", "sushi"),
+        ("silence calls for two hours", "silence", "calls"),
+        ("tomorrow at nine text karen", "text", "karen"),
+        ("don't let me forget to post the letter this afternoon", "post", "the letter"),
+        ("phone interview at ten", "interview", "phone interview"),
+    ],
+)
+def test_orders_that_trees_have_for_nouns(text: str, verb: str, object_: str) -> None:
+    (instruction,) = language().read(text, now=NOW).instructions
+    operation = instruction.operation
+    assert operation is not None
+    assert (operation.verb, operation.object, operation.negated) == (verb, object_, False)
+
+
+def test_weekdays_need_no_commas_between_them() -> None:
+    set_ = language().read("set an alarm for monday wednesday and friday at six am", now=NOW).instructions
+    assert [[r.earliest for r in i.requirements] for i in set_] == [[421200.0], [594000.0], [162000.0]]
+
+
+def test_several_of_one_kind_need_no_comma_before_them() -> None:
+    text = "set two alarms for tomorrow one at six and one at seven"
+    alarms = language().read(text, now=NOW).instructions
+    assert [[r.earliest for r in i.requirements] for i in alarms] == [[75600.0], [79200.0]]
+
+
+def test_fillers_are_within_a_time_and_say_nothing() -> None:
+    (alarm,) = language().read("set an alarm for uh seven am", now=NOW).instructions
+    assert [(r.text, r.earliest) for r in alarm.requirements] == [("for uh seven am", 79200.0)]
+    assert alarm.operation is not None
+    assert alarm.operation.object == "an alarm"

@@ -5,10 +5,13 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
-from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.times_of_day import NOON, Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
+
+FULL_DIGITS = 4
+"""Digits of hour and minute together: "1830"."""
 
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
@@ -97,7 +100,9 @@ def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
 
 @grammar.rule("clock", "<integer> h", weight=-0.2)
 def hour_with_h(hour: Integer) -> Clock | None:
-    """15h; but 3h alone is a length."""
+    """15h, 1830h; but 3h alone is a length."""
+    if len(hour.digits) == FULL_DIGITS:
+        return military(hour)
     return (
         Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
     )
@@ -197,6 +202,12 @@ def named_twice(hour: Integer, part: Part) -> Clock | None:
     if hour.value > 12:
         return None
     return Clock(hour.value % 12 or 12, half=part.half, midnight=not part.start and hour.value == 12)
+
+
+@grammar.rule("clock", "<hh:mm> <moment part>", weight=0.3)
+def typed_twice(numbers: Typed, part: Part) -> Clock | None:
+    """12:00 noon, 12:00 midnight."""
+    return named(part) if (numbers[0], numbers[1]) == (12, 0) and part.start % NOON == 0 else None
 
 
 @grammar.rule("wall", "<clock>")

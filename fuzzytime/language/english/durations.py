@@ -220,6 +220,13 @@ def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | Non
     return Duration(((amount - off, unit),), middle.hedges, until=longer)
 
 
+@grammar.rule("duration", "a|an good|solid <fraction> <unit>", weight=0.1)
+def a_good_part(fraction: float, unit: UnitWord) -> Duration | None:
+    """A good half hour: that long, or longer."""
+    found = _length(Quantity(fraction), unit)
+    return None if found is None or fraction == 1 else found.hedged("at least")
+
+
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)
 def hedged(hedge: str, duration: Duration) -> Duration:
     """Roughly ten minutes, at least an hour."""

@@ -55,7 +55,7 @@ def at_the_bottom_of_the_hour() -> HourMark:
     return HourMark(30)
 
 
-@grammar.rule("same", "on the half hour", weight=0.3)
+@grammar.rule("same", "on|at the half hour", weight=0.3)
 def on_the_half_hour() -> HourMark:
     """On the half hour."""
     return HourMark(30)

@@ -179,8 +179,8 @@ def sometime(preposition: Preposition, said: Said) -> Said | None:
 
 @grammar.rule("said", "somewhere|someplace <said>", weight=0.05)
 def somewhere(said: Said) -> Said | None:
-    """Somewhere between 3 and 4."""
-    return said if said.preposition == "between" else None
+    """Somewhere between 3 and 4, somewhere in the next hour."""
+    return said if said.constraint is Constraint.BETWEEN else None
 
 
 @grammar.rule("said", "for <preposition_at> <goal>", weight=0.3)

@@ -46,7 +46,7 @@ class Lexicon:
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, comparisons, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
-    wanting, forgetting
+    wanting, forgetting, ordering
         Verbs above the one that is meant: "I want to", "don't forget to".
     causing, letting
         Verbs that bring something about: "have … ready", "let … rest".
@@ -64,7 +64,7 @@ class Lexicon:
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
         Words of asides that say how long something takes, by what they do there.
-    becoming, levels, other_calendars
+    becoming, levels, other_calendars, fillers
         What something becomes, and how strong it is on: "pat it dry", "cook it on low".
     passing
         What is said of what is called by a number: "train 14 stops at nine".
@@ -134,6 +134,7 @@ class Lexicon:
     results: frozenset[str]
     wanting: frozenset[str]
     forgetting: frozenset[str]
+    ordering: frozenset[str]
     causing: frozenset[str]
     letting: frozenset[str]
     intransitive: frozenset[str]
@@ -144,6 +145,7 @@ class Lexicon:
     asides: Mapping[str, frozenset[str]]
     becoming: frozenset[str]
     other_calendars: frozenset[str]
+    fillers: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]
     instances: Mapping[str, frozenset[tuple[str, ...]]]

@@ -51,9 +51,11 @@ def _spelt(word: Word, lexicon: Lexicon) -> Word:
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
-    """Cut "-ish" and "'s" off words about time, and leave out the hyphens of number words."""
+    """Cut "-ish" and "'s" off words about time, and leave out fillers and the hyphens of number words."""
     found: list[Word] = []
     for place, word in enumerate(words):
+        if word.text in lexicon.fillers:
+            continue
         base = word.text.removesuffix("ish")
         owner = word.text.removesuffix("'s")
         if owner != word.text and _is_owner(owner, lexicon) and not _continues(words, place, lexicon):

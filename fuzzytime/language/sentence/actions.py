@@ -82,7 +82,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
         elif (
             lemma in lexicon.wanting
             or _is_going_to(tree, root)
-            or (lemma == "let" and _lets(tree, root))
+            or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
             or (lemma == "have" and _has_to(tree, below))
         ):
             pass
@@ -229,7 +229,7 @@ def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
-    lets = tree.nodes[place].lemma == "let" and _lets(tree, place)
+    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place, lexicon))
     return not lets and small_clause(tree, place, lexicon) is not None
 
 
@@ -237,6 +237,13 @@ def _lets(tree: Tree, place: int) -> bool:
     """Whether it is "let us" or "lets", not "let me know"."""
     following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether it is "don't let me forget to post it"."""
+    below = _complement(tree, place, "let")
+    forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
+    return forgets and below is not None and bool(tree.children(below, "xcomp"))
 
 
 def _is_going_to(tree: Tree, place: int) -> bool:

@@ -140,6 +140,11 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     return found
 
 
+def is_weekday(phrase: Phrase) -> bool:
+    """Whether it is a day of the week, with or without a time of day."""
+    return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
+
+
 def _is_weekday(wall: Wall) -> bool:
     return isinstance(wall.days, Fields) and wall.days.weekly
 

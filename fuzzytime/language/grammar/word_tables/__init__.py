@@ -73,6 +73,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         amounts=amounts,
         results=frozenset(" ".join(form) for form in speech.words("results")),
         wanting=frozenset(form[0] for form in speech.words("verbs", "wanting")),
+        ordering=frozenset(form[0] for form in speech.words("verbs", "ordering")),
         forgetting=frozenset(form[0] for form in speech.words("verbs", "forgetting")),
         causing=frozenset(form[0] for form in speech.words("verbs", "causing")),
         letting=frozenset(form[0] for form in speech.words("verbs", "letting")),
@@ -88,6 +89,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
         becoming=frozenset(form[0] for form in speech.words("becoming")),
+        fillers=frozenset(form[0] for form in speech.words("fillers")),
         other_calendars=frozenset(form[0] for form in speech.words("other_calendars")),
         levels=frozenset(form[0] for form in speech.words("levels")),
         passing=frozenset(form[0] for form in speech.words("passing")),
@@ -148,7 +150,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "becoming", "other_calendars", "levels", "passing",
+    "asides", "becoming", "other_calendars", "fillers", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
