@@ -508,3 +508,13 @@ def test_fillers_are_within_a_time_and_say_nothing() -> None:
     assert [(r.text, r.earliest) for r in alarm.requirements] == [("for uh seven am", 79200.0)]
     assert alarm.operation is not None
     assert alarm.operation.object == "an alarm"
+
+
+def test_what_is_played_may_be_called_like_a_time() -> None:
+    for text, times in (
+        ("play jazz tomorrow", ["tomorrow"]),
+        ("play tomorrow at six", ["tomorrow at six"]),
+        ("text dad happy new year at midnight", ["at midnight"]),
+    ):
+        (instruction,) = language().read(text, now=NOW).instructions
+        assert [r.text for r in instruction.requirements] == times

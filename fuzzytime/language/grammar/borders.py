@@ -68,7 +68,20 @@ class Borders:
             or self._is_of_feast(piece)
             or self._is_of_other_calendar(piece)
             or self._likens(piece)
+            or self._is_played(piece)
         )
+
+    def _is_played(self, piece: Piece) -> bool:
+        """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
+        time = piece.value.time
+        if piece.value.preposition is not None or (isinstance(time, Wall) and time.clock is not None):
+            return False
+        verb = piece.start - 1
+        while verb > 0 and (
+            self.around.timely(verb) or self.measures.is_number(verb) or self.texts[verb] in NAMED
+        ):
+            verb -= 1
+        return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
 
     def _is_of_other_calendar(self, piece: Piece) -> bool:
         """Whether it is a feast on a day that is not known here: "chinese new year"."""

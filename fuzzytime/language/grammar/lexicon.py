@@ -74,6 +74,8 @@ class Lexicon:
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
         Verbs whose object is called by its time: "catch the 7:42".
+    playing
+        Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
         Words behind which, and right behind which, "for" and a number alone say how many minutes.
     citing
@@ -153,6 +155,7 @@ class Lexicon:
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]
+    playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]
     citing: frozenset[str]

@@ -76,9 +76,9 @@ class Surroundings:
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
         orders = called or behind in BEHIND_VERBS or (number and counted and led)
-        return self._opens(piece.start) and orders and not plural
+        return self.opens(piece.start) and orders and not plural
 
-    def _opens(self, place: int) -> bool:
+    def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
         *_, first, before = (".", ".", *self.texts[:place])
         asked = before == "you" and first in ASKING

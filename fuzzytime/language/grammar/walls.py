@@ -4,9 +4,10 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
 from fuzzytime.language.grammar.words import joins
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
@@ -15,8 +16,11 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
 
-GREETING = frozenset({"good"})
-"""What makes a part of the day a greeting: "good morning"."""
+PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
+"""Periods that "the week" and "the year" are, behind a preposition."""
+
+GREETING = frozenset({"good", "happy", "merry"})
+"""What makes a part of the day, or a feast, a greeting: "good morning", "happy new year"."""
 
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
@@ -36,7 +40,7 @@ class Walls(Standing):
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
-        counted = self._is_counted_part(piece, wall)
+        counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -85,6 +89,10 @@ class Walls(Standing):
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
 
+    def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
+        return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+
     def _accepts_pair(self, piece: Piece, said: Said) -> bool:
         """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
         if said.preposition == "to" and self.measures.measured(piece) and not self.around.puts_off(piece):
@@ -101,7 +109,7 @@ class Walls(Standing):
         if self.texts[piece.end - 1] == THING:
             return self.around.follower(piece) not in STOPS
         served = self._is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
-        greeting = self.around.before(piece) in GREETING and wall.days is None and wall.clock is None
+        greeting = self.around.before(piece) in GREETING and (wall.clock is None or wall.days is not None)
         return greeting or (self.texts[piece.start] == "with" and served)
 
     def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:

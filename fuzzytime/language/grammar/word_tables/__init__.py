@@ -96,6 +96,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         instances={name: frozenset(speech.words("instances", name)) for name in ("first", "further")},
         appointing=frozenset(form[0] for form in speech.words("appointing")),
         lasting=frozenset(form[0] for form in speech.words("lasting")),
+        playing=frozenset(form[0] for form in speech.words("playing")),
         catching=frozenset(form[0] for form in speech.words("catching")),
         timing=frozenset(form[0] for form in speech.words("timing", "verbs")),
         timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
@@ -150,7 +151,7 @@ _SPEECH = (
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "becoming", "other_calendars", "fillers", "levels", "passing",
+    "asides", "becoming", "other_calendars", "fillers", "playing", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
