@@ -215,7 +215,8 @@ class Borders:
         if piece.value.preposition not in {"in", "not before", "no later than"}:
             return False
         distances = (["before", "that"], ["after", "that"])
-        if any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2)):
+        inside = piece.value.preposition == "in" and self.texts[piece.end - 2 : piece.end] in distances
+        if inside or self.texts[piece.end : piece.end + 2] in distances:
             return True
         # "Check in 24 hours before the flight"
         time = piece.value.time

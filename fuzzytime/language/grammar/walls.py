@@ -137,6 +137,7 @@ class Walls(Standing):
         last = self.texts[piece.end - 1]
         if (
             last in {"before", "after"}
+            and self.texts[piece.end - 2] not in {"or", "and", "not", "time"}
             and wall.days is not None
             and self.around.follower(piece)[:1].isalpha()
         ):
