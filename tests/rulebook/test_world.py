@@ -1,6 +1,7 @@
 """What a context tells over time."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import product
 from typing import cast
@@ -20,7 +21,7 @@ class Weighted:
     components: tuple[float, ...]
 
 
-def world_of(weights: dict[str, tuple[float, ...]]) -> World:
+def world_of(weights: Mapping[str, tuple[float, ...]]) -> World:
     series = {name: cast("Series", Weighted(parts)) for name, parts in weights.items()}
     return World(cast("Tables", None), series, {})
 
