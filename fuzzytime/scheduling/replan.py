@@ -118,7 +118,9 @@ def replan(
             )
     started = [
         position
-        for position, (start, rejected) in enumerate(zip(previous.start_times, previous.rejected, strict=True))
+        for position, (start, rejected) in enumerate(
+            zip(previous.start_times, previous.rejected, strict=True)
+        )
         if start < now and not rejected
     ]
     kept = tuple(
