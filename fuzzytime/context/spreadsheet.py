@@ -2,7 +2,8 @@
 
 The head names the columns: either the fields of a reading (``signal,at_s,value,unit``), one reading a row;
 or one time (``at`` or ``at_s``) and signals (``at,pan_temp,oven_temp``), one moment a row. A cell may be
-empty, rows may come in any order, and semicolons or tabs may stand for the commas.
+empty, rows may come in any order, and semicolons or tabs may stand for the commas; numbers may have a decimal
+comma then.
 """
 
 import csv
@@ -12,13 +13,13 @@ from dataclasses import dataclass
 from datetime import datetime
 from itertools import chain
 
+from fuzzytime.cells import delimiter_of, with_point
 from fuzzytime.context.lines import KEYS, LONGEST_LINE, LineError, reading_of
 from fuzzytime.context.readings import MAX_READINGS, Context, Reading
 from fuzzytime.context.signals import Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.spelling import suggestion
 
-_DELIMITERS = (",", ";", "\t")
 _TIMES = frozenset({"at", "at_s"})
 
 
@@ -28,7 +29,7 @@ def is_head(line: str) -> bool:
     >>> is_head("at_s,pan_temp"), is_head('{"signal": "pan_temp", "at_s": 0, "value": 3}')
     (True, False)
     """
-    names = {name.strip().strip('"') for name in line.split(_delimiter(line))}
+    names = {name.strip().strip('"') for name in line.split(delimiter_of(line))}
     return not line.startswith("{") and bool({*_TIMES, "signal"} & names)
 
 
@@ -79,10 +80,6 @@ class _Row:
         return Mistake(shown, self.number, column, "", str(error), self.line)
 
 
-def _delimiter(head: str) -> str:
-    return max(_DELIMITERS, key=head.count)
-
-
 def _rows(text: str, shown: str) -> Iterator[_Row]:
     """Give the rows that are not empty."""
     lines: list[str] = []
@@ -94,11 +91,12 @@ def _rows(text: str, shown: str) -> Iterator[_Row]:
 
     stream = io.StringIO(text, newline="")
     first = stream.readline()
-    rows = csv.reader(remembered(chain([first], stream)), delimiter=_delimiter(first), strict=True)
+    delimiter = delimiter_of(first)
+    rows = csv.reader(remembered(chain([first], stream)), delimiter=delimiter, strict=True)
     try:
         for cells in rows:
             if any(map(str.strip, cells)):
-                yield _Row(tuple(cells), rows.line_num, lines[0])
+                yield _Row(tuple(with_point(cell, delimiter) for cell in cells), rows.line_num, lines[0])
     except csv.Error as error:
         message = f"a row must be cells with commas between: {error}"
         raise DocumentError((Mistake(shown, rows.line_num, 1, "", message, *lines),)) from error

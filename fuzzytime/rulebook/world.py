@@ -3,7 +3,6 @@
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from itertools import product
 
 import numpy as np
 
@@ -103,16 +102,16 @@ class World:
 
     def combinations(self, names: Iterable[str]) -> tuple[Combination, ...]:
         """Give the likeliest combinations of the components of some signals' forecasts."""
-        chosen = [name for name in dict.fromkeys(names) if name in self.series]
-        parts = [list(enumerate(self.series[name].components)) for name in chosen]
-        found = [
-            Combination(
-                math.prod(weight for _, weight in picked),
-                {name: index for name, (index, _) in zip(chosen, picked, strict=True)},
-            )
-            for picked in product(*parts)
-        ]
-        kept = sorted(found, key=lambda combination: -combination.weight)[:MOST_COMBINATIONS]
+        kept = [Combination(1.0, {})]
+        for name in dict.fromkeys(names):
+            if name in self.series:
+                found = [
+                    Combination(part.weight * weight, {**part.components, name: index})
+                    for part in kept
+                    for index, weight in enumerate(self.series[name].components)
+                ]
+                # What is left out here has as many likelier ones in front of it with any component to come.
+                kept = sorted(found, key=lambda combination: -combination.weight)[:MOST_COMBINATIONS]
         total = math.fsum(combination.weight for combination in kept)
         return tuple(Combination(part.weight / total, part.components) for part in kept)
 

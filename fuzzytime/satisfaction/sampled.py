@@ -39,10 +39,13 @@ class Sampled(PiecewiseLinear):
         at, value = np.array(times, float), np.array(values, float)
         if at.ndim != 1 or at.shape != value.shape or not at.size:
             raise FuzzytimeError(f"points need as many times as values, got {at.shape} and {value.shape}")
-        if not np.isfinite(at).all() or (np.diff(at) < 0).any():
-            raise FuzzytimeError("times of points must be finite and must not decrease")
-        if (at[2:] == at[:-2]).any():
-            raise FuzzytimeError("at most two points may share a time")
+        if not np.isfinite(at).all():
+            raise FuzzytimeError(f"times of points must be finite, got {at[~np.isfinite(at)][0]}")
+        if (falls := np.diff(at) < 0).any():
+            before, after = at[:-1][falls][0], at[1:][falls][0]
+            raise FuzzytimeError(f"times of points must not decrease, got {before:g} and then {after:g}")
+        if (thrice := at[2:] == at[:-2]).any():
+            raise FuzzytimeError(f"at most two points may share a time, got {at[2:][thrice][0]:g} thrice")
         if not ((value >= 0) & (value <= 1)).all():
             raise FuzzytimeError(f"satisfactions must lie in [0, 1], got {value.min():g} to {value.max():g}")
         at.flags.writeable = value.flags.writeable = False

@@ -17,8 +17,8 @@ from fuzzytime.scheduling.stretches import Stretches
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
 
-KICKS = 200
-"""Of a local search where an exact method has left a gap, at most."""
+KICKS, KICKS_A_PAIR = 200, 0.4
+"""Of a local search where a gap is left, at most; what may change places are pairs of skills."""
 
 AGAIN = 2.0
 """How many times as long as the first a second search may take at least, to be worth its beginning."""
@@ -54,9 +54,10 @@ class Auto:
         # They relax what binds jobs otherwise than by their order.
         is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not watch.is_over() and not (problem.kept_by_order and (few or problem.agents == 1)):
-            better = LocalSearch(kicks=KICKS).search(problem, watch.share(0.2), best)
+            kicks = max(KICKS, round(KICKS_A_PAIR * math.comb(len(problem.jobs), 2)))
+            better = LocalSearch(kicks=kicks).search(problem, watch.share(0.2), best)
             if len(problem.jobs) > PARTS.length + PARTS.rejected:
-                better = PARTS.improve(problem, watch.share(0.5), better)
+                better = PARTS.improve(problem, watch.share(0.6), better)
             other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best

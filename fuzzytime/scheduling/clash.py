@@ -14,14 +14,11 @@ from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.posing import horizon_of
 from fuzzytime.scheduling.schedule import TINY
-from fuzzytime.scheduling.windows import above, free_of
+from fuzzytime.scheduling.windows import free_of, strictly_above
 from fuzzytime.skills import FuzzyTask
 
 MOST_SETS = 100_000
 """How many sets of skills are tried by size."""
-
-INSIDE = 1e-9
-"""Seconds, or share of a time: so near to a time without satisfaction nobody starts."""
 
 
 def clash_of(
@@ -111,19 +108,8 @@ def _windows(task: FuzzyTask) -> list[tuple[Interval, ...]]:
     """Give for each skill the starts with some satisfaction, outside appointments."""
     horizon = horizon_of(task, TINY)
     taken = tuple(sorted((Interval(busy.start, busy.end) for busy in task.busy), key=lambda span: span.low))
-    found = []
-    for skill in task.skills:
-        spans = free_of(above(skill.satisfaction, TINY, horizon), taken, skill.duration)
-        inner = []
-        for span in spans:
-            low, high = span.low, span.high
-            if float(skill.satisfaction(low)) == 0:
-                low += INSIDE * max(1.0, low)
-            if float(skill.satisfaction(high)) == 0:
-                high -= INSIDE * max(1.0, high)
-            inner.append(Interval(low, high))
-        found.append(tuple(span for span in inner if not span.empty))
-    return found
+    wanted = (strictly_above(skill.satisfaction, TINY, horizon) for skill in task.skills)
+    return [free_of(spans, taken, skill.duration) for spans, skill in zip(wanted, task.skills, strict=True)]
 
 
 def _is_never_over(task: FuzzyTask, position: int, windows: Sequence[Interval]) -> bool:

@@ -7,7 +7,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import EMPTY, Interval, SatisfactionFunction
 from fuzzytime.scheduling.problem import Job, Lag, Lane, Problem
 from fuzzytime.scheduling.schedule import TINY
-from fuzzytime.scheduling.windows import above, free_of, in_common
+from fuzzytime.scheduling.windows import INSIDE, free_of, in_common, strictly_above
 from fuzzytime.skills import FuzzyTask
 
 
@@ -34,7 +34,9 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
         late = 0.0
         if position not in bound and any(lane is not None and lane.is_free_at_last for lane in mine):
             late = float(skill.satisfaction(math.inf))
-        wanted = above(skill.satisfaction, floor if position in leading else max(floor, late), horizon)
+        wanted = strictly_above(
+            skill.satisfaction, floor if position in leading else max(floor, late), horizon
+        )
         windows = tuple(
             () if lane is None else wanted if skill.happens else free_of(wanted, lane.busy, skill.duration)
             for lane in mine
@@ -97,7 +99,7 @@ def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float
         return 0.0
     end = function.support.high
     if end == math.inf:
-        return wanted[-1].high * (1 + 1e-9)
+        return wanted[-1].high + 2 * INSIDE * max(1.0, wanted[-1].high)
     # At a jump ψ keeps its larger value: the next whole second is beyond it.
     return end if float(function(end)) == 0 else math.floor(end) + 1.0
 

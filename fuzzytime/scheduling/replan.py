@@ -79,7 +79,7 @@ def replan(
 
     A skill that started before now keeps its agent until its hands-on time is over; what must come after it
     waits for it. What has not started moves by ``now`` to the new timeline, and is scheduled anew from the
-    start that it had.
+    start that it had. What was rejected has never started, and may find its place now.
 
     Parameters
     ----------
@@ -116,7 +116,13 @@ def replan(
             raise FuzzytimeError(
                 f"a dropped skill must be one of 0 to {len(previous.start_times) - 1}, got {position}"
             )
-    started = [position for position, start in enumerate(previous.start_times) if start < now]
+    started = [
+        position
+        for position, (start, rejected) in enumerate(
+            zip(previous.start_times, previous.rejected, strict=True)
+        )
+        if start < now and not rejected
+    ]
     kept = tuple(
         position
         for position in range(len(previous.start_times))

@@ -8,6 +8,9 @@ import numpy as np
 from fuzzytime.satisfaction import Interval, SatisfactionFunction
 from fuzzytime.scheduling.problem import Job
 
+INSIDE = 1e-9
+"""Seconds, or share of a time: so near to a time that is not good enough nobody starts."""
+
 
 def above(function: SatisfactionFunction, floor: float, horizon: float) -> tuple[Interval, ...]:
     """Give the closed intervals of [0, horizon] with ψ > floor, by signs between kinks and crossings."""
@@ -22,6 +25,19 @@ def above(function: SatisfactionFunction, floor: float, horizon: float) -> tuple
         elif points[index] or (index < inside.size and inside[index]):
             found.append(Interval(mark, mark))
     return tuple(found)
+
+
+def strictly_above(function: SatisfactionFunction, floor: float, horizon: float) -> tuple[Interval, ...]:
+    """Give what `above` does without the ends at which ψ is the floor itself: a skill is rejected there."""
+    return tuple(_drawn_in(function, floor, span) for span in above(function, floor, horizon))
+
+
+def _drawn_in(function: SatisfactionFunction, floor: float, span: Interval) -> Interval:
+    low, high = (
+        end if float(function(end)) > floor else end + inward * INSIDE * max(1.0, end)
+        for end, inward in ((span.low, 1.0), (span.high, -1.0))
+    )
+    return Interval(low, high) if low <= high else span
 
 
 def good_enough(job: Job) -> tuple[Interval, ...]:

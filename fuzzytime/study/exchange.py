@@ -4,16 +4,19 @@ A CSV file has the columns of `COLUMNS`, then one per question about the partici
 the question's key. Of those, ``participant``, ``instruction``, ``time_s`` and ``satisfaction`` must be there
 to import, and ``actor`` where the design has several groups. What is true of a participant stands in each of
 their rows. A cell that a spreadsheet would take for a formula is written with an apostrophe before it.
+What is read may have been saved by a spreadsheet, with semicolons or tabs between cells and decimal commas.
 """
 
 import csv
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 from typing import TextIO
 
 import numpy as np
 
+from fuzzytime.cells import delimiter_of, with_point
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Floats
 from fuzzytime.study.answers import Answers, Origin, Participant
@@ -36,7 +39,8 @@ COLUMNS = (
 """Columns that every exported file has; ``shown`` counts from 1 in the order of the participant's pages."""
 
 ABOUT = "about_"
-_NEEDED = ("participant", "instruction", "time_s", "satisfaction")
+_MEASURED = ("time_s", "satisfaction")
+_NEEDED = ("participant", "instruction", *_MEASURED)
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "'")
 
 
@@ -136,25 +140,30 @@ def read_csv(stream: Iterable[str], design: Design, path: str = "answers.csv") -
 
 
 def _records(stream: Iterable[str], path: str) -> Iterator[tuple[int, dict[str, str]]]:
-    """Give the rows by column, with their lines."""
-    reader = csv.reader(stream, strict=True)
+    """Give the rows by column, with their lines; those of empty cells only are passed over."""
+    lines, line = iter(stream), 1
     try:
-        header = next(reader, None)
-        if header is None:
+        head = next(lines, None)
+        if head is None:
             raise FuzzytimeError(f"{path}:1: a file of answers must have a header")
-        names = [name.lstrip("\ufeff").strip() for name in header]
+        delimiter = delimiter_of(head)
+        reader = csv.reader(chain([head], lines), delimiter=delimiter, strict=True)
+        names = [name.lstrip("\ufeff").strip() for name in next(reader)]
         missing = [name for name in _NEEDED if name not in names]
         if missing:
             raise FuzzytimeError(f"{path}:1: a file of answers must have the column {missing[0]!r}")
         for cells in reader:
-            if cells and len(cells) != len(names):
+            line = reader.line_num + 1
+            if not any(map(str.strip, cells)):
+                continue
+            if len(cells) != len(names):
                 raise FuzzytimeError(
                     f"{path}:{reader.line_num}: a row must have {len(names)} cells, got {len(cells)}"
                 )
-            if cells:
-                yield reader.line_num, dict(zip(names, cells, strict=True))
+            row = dict(zip(names, cells, strict=True))
+            yield reader.line_num, row | {name: with_point(row[name], delimiter) for name in _MEASURED}
     except (csv.Error, UnicodeDecodeError) as error:
-        raise FuzzytimeError(f"{path}:{reader.line_num + 1}: not valid CSV: {error}") from error
+        raise FuzzytimeError(f"{path}:{line}: not valid CSV: {error}") from error
 
 
 def _take(rows: dict[str, _Rows], row: Mapping[str, str], design: Design, line: int) -> None:

@@ -45,6 +45,13 @@ def test_a_row_is_a_moment_where_columns_name_signals(delimiter: str, encoding: 
     assert values(read(raw)) == [("oven_temp", -60, 20), ("pan_temp", -60, 75), ("pan_temp", -30, 80)]
 
 
+@pytest.mark.parametrize(("delimiter", "point"), [(";", ","), ("\t", ","), (";", "."), (",", ".")])
+def test_decimals_may_have_a_comma_where_cells_have_another_sign_between(delimiter: str, point: str) -> None:
+    rows = ["at_s|pan_temp", "-1.5|+60.25", "-60|.5 degC", "-70|140 degF"]
+    text = "\n".join(row.replace(".", point).replace("|", delimiter) for row in rows)
+    assert values(read(text)) == [("pan_temp", -70, 60), ("pan_temp", -60, 0.5), ("pan_temp", -1.5, 60.25)]
+
+
 @pytest.mark.parametrize(
     ("text", "place", "message"),
     [

@@ -385,3 +385,136 @@ def test_what_is_done_even_so_waits_for_nothing() -> None:
     reading = language().read("Call me even if it's the middle of the night", now=NOW)
     assert reading.instructions[0].requirements == ()
     assert [remark.message.endswith("all the same") for remark in reading.remarks] == [True]
+
+
+@pytest.mark.parametrize("text", ["when does the shop open", "when is the next bus"])
+def test_a_question_when_something_is_holds_no_time(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [i.requirements for i in reading.instructions] == [()]
+
+
+@pytest.mark.parametrize("text", ["tomorrow at nine call the insurance", "friday at two ring the school"])
+def test_a_verb_behind_a_time_in_front_is_what_is_to_be_done(text: str) -> None:
+    operation = language().read(text, now=NOW).instructions[0].operation
+    assert operation is not None
+    assert operation.verb in {"call", "ring"}
+
+
+def test_what_is_made_for_so_long_from_today_is_for_that_day() -> None:
+    made = language().read("schedule a checkup for two months from today", now=NOW).instructions[0]
+    away = language().read("i am away for two weeks from today", now=NOW).instructions[0]
+    assert [r.earliest for r in made.requirements] == [61 * 86400 - 9 * 3600]
+    assert (made.duration, away.duration) == (None, 14 * 86400)
+
+
+def test_a_weather_is_like_something_on_a_day() -> None:
+    asked = language().read("what's the weather like on thursday", now=NOW).instructions[0]
+    assert [r.text for r in asked.requirements] == ["on thursday"]
+
+
+def test_who_wants_to_be_up_is_so_in_the_morning() -> None:
+    up = language().read("i want to be up by six", now=NOW).instructions[0]
+    assert [r.latest for r in up.requirements] == [21 * 3600]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "between two and four call the plumber",
+        "between ten and half past call the plumber",
+        "tomorrow between two and four call mum",
+        "around six water the lawn",
+        "hey olly by seven feed the cat",
+        "alexa after six feed the cat",
+        "can you by seven feed the cat",
+        "could you please at half past six water the lawn",
+        "shortly before eleven thirty call the plumber",
+        "at precisely six p.m. water the lawn",
+        "hey robot at 6 p.m. water the lawn",
+        "at most half an hour after 1730 call the plumber",
+    ],
+)
+def test_a_time_in_front_leaves_one_order_behind_it(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    said = [
+        (i.operation.verb, i.operation.object, len(i.requirements))
+        for i in reading.instructions
+        if i.operation
+    ]
+    assert said in (
+        [("call", "the plumber", 1)],
+        [("call", "mum", 1)],
+        [("water", "the lawn", 1)],
+        [("feed", "the cat", 1)],
+    )
+    assert len(reading.instructions) == 1
+
+
+def test_an_order_behind_an_abbreviation_is_another() -> None:
+    reading = language().read("boil the eggs at 6 p.m. add the salt", now=NOW)
+    assert [i.operation.verb for i in reading.instructions if i.operation] == ["boil", "add"]
+
+
+@pytest.mark.parametrize("text", ["not until next week call the plumber", "not before 1h30 call the plumber"])
+def test_what_a_time_denies_is_not_the_verb(text: str) -> None:
+    call = language().read(text, now=NOW).instructions[0]
+    assert [r.constraint.value for r in call.requirements] == ["after"]
+    assert call.operation is not None
+    assert not call.operation.negated
+
+
+def test_minutes_beside_a_hedge_are_a_time() -> None:
+    call = language().read("call the plumber about eleven thirty", now=NOW).instructions[0]
+    assert [r.text for r in call.requirements] == ["about eleven thirty"]
+
+
+@pytest.mark.parametrize("text", ["call bob on chinese new year", "call bob on orthodox easter"])
+def test_a_feast_of_another_calendar_is_pointed_at(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [i.requirements for i in reading.instructions] == [()]
+    assert any("was not understood" in remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "object_"),
+    [
+        ("order sushi for half past seven tonight", "order", "sushi"),
+        ("silence calls for two hours", "silence", "calls"),
+        ("tomorrow at nine text karen", "text", "karen"),
+        ("don't let me forget to post the letter this afternoon", "post", "the letter"),
+        ("phone interview at ten", "interview", "phone interview"),
+    ],
+)
+def test_orders_that_trees_have_for_nouns(text: str, verb: str, object_: str) -> None:
+    (instruction,) = language().read(text, now=NOW).instructions
+    operation = instruction.operation
+    assert operation is not None
+    assert (operation.verb, operation.object, operation.negated) == (verb, object_, False)
+
+
+def test_weekdays_need_no_commas_between_them() -> None:
+    set_ = language().read("set an alarm for monday wednesday and friday at six am", now=NOW).instructions
+    assert [[r.earliest for r in i.requirements] for i in set_] == [[421200.0], [594000.0], [162000.0]]
+
+
+def test_several_of_one_kind_need_no_comma_before_them() -> None:
+    text = "set two alarms for tomorrow one at six and one at seven"
+    alarms = language().read(text, now=NOW).instructions
+    assert [[r.earliest for r in i.requirements] for i in alarms] == [[75600.0], [79200.0]]
+
+
+def test_fillers_are_within_a_time_and_say_nothing() -> None:
+    (alarm,) = language().read("set an alarm for uh seven am", now=NOW).instructions
+    assert [(r.text, r.earliest) for r in alarm.requirements] == [("for uh seven am", 79200.0)]
+    assert alarm.operation is not None
+    assert alarm.operation.object == "an alarm"
+
+
+def test_what_is_played_may_be_called_like_a_time() -> None:
+    for text, times in (
+        ("play jazz tomorrow", ["tomorrow"]),
+        ("play tomorrow at six", ["tomorrow at six"]),
+        ("text dad happy new year at midnight", ["at midnight"]),
+    ):
+        (instruction,) = language().read(text, now=NOW).instructions
+        assert [r.text for r in instruction.requirements] == times

@@ -326,7 +326,7 @@ def test_somebody_who_stops_a_run_is_told_what_goes_on() -> None:
     story = told(wishes, arrivals=[(60.0, Stop())])
     stopped = story.one(Stopped)
     assert (stopped.at, stopped.running, stopped.waiting) == (60.0, ("mix",), ("table",))
-    assert story.one(Finished).unfinished == ("mix",)
+    assert story.one(Finished).unfinished == ("mix", "table")
 
 
 # -- what happens by itself ---------------------------------------------------------------------------------

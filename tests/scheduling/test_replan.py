@@ -82,6 +82,18 @@ def test_a_skill_that_loses_its_place_is_said_to_be_rejected() -> None:
     assert (move.was_rejected, move.is_rejected) == (False, True)
 
 
+def test_what_was_rejected_has_not_started_and_holds_nobody() -> None:
+    soup, stew = (FuzzySkill(name, Triangle(5, 10, 15), 60) for name in ("soup", "stew"))
+    before = solve(FuzzyTask((soup, stew)))
+    assert before.rejected == (False, True)
+    bell = FuzzySkill("bell", Triangle(-10, 0, 10), 5)
+    later = replan(before, before.start_times[1] + 10, added=[bell])
+    assert not later.running
+    assert later.kept == (1,)
+    assert later.schedule.rejected == (True, False)
+    assert later.schedule.start_times[1] == pytest.approx(0.0, abs=1e-6)
+
+
 def test_what_is_dropped_makes_room() -> None:
     spikes = (
         FuzzySkill("flip", Rectangle(100, 100), 10, priority=2),

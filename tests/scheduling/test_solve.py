@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from fuzzytime.errors import FuzzytimeError, RefusedError
-from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, Trapezoid, Triangle
+from fuzzytime.satisfaction import ALWAYS, NEVER, Bell, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
 from fuzzytime.scheduling.alone import best_alone
 from fuzzytime.scheduling.limits import Stopwatch
@@ -223,3 +223,13 @@ def test_what_happens_at_no_certain_moment_happens_when_it_is_best() -> None:
 def test_what_happens_by_itself_has_no_duration() -> None:
     with pytest.raises(FuzzytimeError, match="must take no agent's time, got a duration of 60 s"):
         FuzzySkill("the train leaves", ALWAYS, 60, happens=True)
+
+
+def test_what_is_pushed_to_the_edge_of_what_satisfies_is_placed_where_what_follows_it_is() -> None:
+    # At its edge the bell's own rounding takes it below the threshold.
+    first = FuzzySkill("mix the dough", Bell(130, 40, 1), 30.0)
+    second = FuzzySkill("bake the bread", Triangle(30, 40, 100), 30.0, priority=100.0)
+    schedule = solve(FuzzyTask((first, second), precedences=(Precedence(0, 1),)), threshold=0.1)
+    assert float(first.satisfaction(10.0)) <= 0.1
+    assert schedule.start_times == pytest.approx((10.0, 40.0))
+    assert schedule.rejected == (False, False)

@@ -95,6 +95,21 @@ def test_samples_at_other_times_are_interpolated(design: Design) -> None:
     assert person.origin == "imported"
 
 
+@pytest.mark.parametrize(("delimiter", "point"), [(";", ","), ("\t", ","), (";", "."), (",", ".")])
+def test_answers_come_back_from_a_spreadsheet_that_writes_decimal_commas(
+    some: Answers, delimiter: str, point: str
+) -> None:
+    rows = [[cell.replace(".", point) for cell in row] for row in csv.reader(io.StringIO(as_csv(some)))]
+    saved = io.StringIO()
+    csv.writer(saved, delimiter=delimiter).writerows([*rows, [""] * len(rows[0])])
+    text = "\ufeff" + saved.getvalue()
+    back = read_csv(io.StringIO(text, newline=""), some.design)
+    for person, other in zip(back.participants, some.participants, strict=True):
+        assert person.curves.keys() == other.curves.keys()
+        for key, curve in person.curves.items():
+            assert curve.tolist() == other.curves[key].tolist()
+
+
 HEAD = "participant,actor,instruction,time_s,satisfaction,control,about_age\n"
 
 

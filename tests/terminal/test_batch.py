@@ -80,6 +80,15 @@ def test_a_folder_s_task_files_are_found_and_nothing_else(tmp_path: Path) -> Non
 # -- answers ------------------------------------------------------------------------------------------------
 
 
+def test_a_link_that_leads_nowhere_is_named_and_not_passed_over(tmp_path: Path) -> None:
+    (tmp_path / "soup.txt").write_text("Stir the soup soon\n")
+    (tmp_path / "gone.txt").symlink_to(tmp_path / "nosuch")
+    done = ran("batch", str(tmp_path), "--jobs", "1", *NOW, folder=tmp_path)
+    gone, soup = answers_of(done.out)
+    assert gone["error"]["code"] == Exit.NO_INPUT
+    assert "plan" in soup
+
+
 def test_an_answer_is_what_plan_says(tmp_path: Path) -> None:
     done = ran(
         "batch", "examples/workshop.yaml", "examples/breakfast.txt", "--jobs", "1", *NOW, folder=tmp_path

@@ -132,13 +132,40 @@ def test_a_browser_shows_the_plan_as_a_table(page: "Page", breakfast: dict[str, 
     shown(page, tmp_path, "html", "examples/breakfast.txt")
     skills = sorted(json.loads(breakfast["json"])["skills"], key=lambda skill: skill["start_s"])
     rows = [row.locator("td").all_inner_texts() for row in page.locator("tbody tr").all()]
-    assert sorted(row[2] for row in rows) == sorted(skill["name"] for skill in skills)
-    assert [row[0] for row in rows] == [skill["start"][11:16] for skill in skills]
-    assert {row[2]: row[4].strip() for row in rows} == {
+    assert sorted(row[3] for row in rows) == sorted(skill["name"] for skill in skills)
+    assert [row[:2] for row in rows] == [[skill["id"], skill["start"][11:16]] for skill in skills]
+    assert {row[3]: row[5].strip() for row in rows} == {
         skill["name"]: f"{skill['satisfaction']:.2f}" for skill in skills
     }
     assert page.locator("meter").count() == len(skills)
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+@pytest.mark.browser
+def test_a_page_for_several_says_who_does_what_and_of_what_happens_that_nobody_does(
+    page: "Page", tmp_path: Path
+) -> None:
+    wishes = ("-i", "Stir the soup now", "-i", "Feed the cat now", "-i", "The guests come in an hour")
+    shown(page, tmp_path, "html", *wishes, "--agents", "2")
+    rows = [row.locator("td").all_inner_texts() for row in page.locator("tbody tr").all()]
+    doers = {row[0]: row[3] for row in rows}
+    assert doers.pop("s3") == "–"
+    assert sorted(doers.values()) == ["1", "2"]
+
+
+@pytest.mark.browser
+def test_no_name_in_a_picture_reaches_into_the_curves(page: "Page", tmp_path: Path) -> None:
+    names = ("W" * 60, "minimum mummy women " * 4, "LARGE CAPITALS EVERYWHERE " * 3, "日本語" * 20, "il" * 50)
+    wishes = [part for name in names for part in ("-i", f"Call {name} at noon")]
+    shown(page, tmp_path, "svg", *wishes)
+    curves = page.locator("line.grid[y1='56']").first.bounding_box()
+    labels = [
+        label.evaluate("one => one.getBBox().x + one.getBBox().width")
+        for label in page.locator(".label").all()
+    ]
+    assert curves is not None
+    assert len(labels) == len(names)
+    assert max(labels) <= curves["x"]
 
 
 @pytest.mark.browser

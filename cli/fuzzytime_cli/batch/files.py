@@ -34,5 +34,7 @@ def _files_of(path: Path) -> Iterator[Path]:
         return
     for file in sorted(path.rglob("*")):
         hidden = any(part.startswith(".") for part in file.relative_to(path).parts)
-        if file.suffix.lower() in ENDINGS and file.name not in _OURS and not hidden and file.is_file():
+        # A link that leads nowhere has its error beside the others' answers.
+        found = file.is_file() or (file.is_symlink() and not file.exists())
+        if file.suffix.lower() in ENDINGS and file.name not in _OURS and not hidden and found:
             yield file

@@ -7,6 +7,15 @@ from datetime import datetime
 from fuzzytime.times import instant_after, seconds_between
 
 
+def date_of(moment: datetime) -> str:
+    """Print a date as people write it.
+
+    >>> date_of(datetime(2026, 3, 4))
+    'Wednesday 4 March 2026'
+    """
+    return f"{moment:%A} {moment.day} {moment:%B %Y}"
+
+
 @dataclass(frozen=True, slots=True)
 class Clock:
     """Prints times of a plan: with seconds where one of them needs them, with the day where it is another.

@@ -2,6 +2,7 @@
 
 from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime_cli.drawing.markup import element, words
+from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.formats.picture import plan_svg
 from fuzzytime_cli.formats.table import PlanView
 
@@ -9,9 +10,10 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 STYLE = (
     ":root{color-scheme:light dark}body{font:16px/1.45 system-ui,sans-serif;max-width:54rem;margin:2rem auto;"
     "padding:0 1rem}table{border-collapse:collapse;width:100%}th,td{text-align:left;padding:.3rem .6rem;"
-    "border-bottom:1px solid #8884}td.number{text-align:right;font-variant-numeric:tabular-nums}"
+    "border-bottom:1px solid #8884}.number{text-align:right;white-space:nowrap;"
+    "font-variant-numeric:tabular-nums}"
     "svg{max-width:100%;height:auto}meter{width:6rem}.problem{color:#b3361e}"
-    "@media(max-width:40rem){body{font-size:13px;padding:0 .5rem}th,td{padding:.3rem .2rem}"
+    "@media(max-width:40rem){body{font-size:13px;padding:0 .5rem}th,td{padding:.3rem .15rem}"
     "meter{display:none}}"
 )
 
@@ -19,13 +21,14 @@ STYLE = (
 def page_text(plan: Plan, seconds: float) -> str:
     """Write the page; it loads nothing, and runs nothing. Whom skills lost to is looked for for so long."""
     view = PlanView(plan, 100, seconds=seconds)
-    title = words(f"Plan from {plan.request.now:%A %d %B %Y, %H:%M}")
+    title = words(f"Plan from {date_of(plan.request.now)}, {plan.request.now:%H:%M}")
     head = (
         '<meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         f"<title>{title}</title><style>{STYLE}</style>"
     )
-    heading = "".join(element("th", name) for name in ("start", "end", "what", "asked", "satisfied"))
+    columns = ("", "start", "end", *(["by"] if plan.request.agents > 1 else []), "what", "asked")
+    heading = "".join(element("th", name) for name in columns) + element("th", "satisfied", class_="number")
     rows = "".join(_row(plan, position, view) for position in plan.schedule.order)
     table = element("table", element("thead", element("tr", heading)) + element("tbody", rows))
     sentences = "".join(element("p", words(sentence)) for sentence in view.sentences())
@@ -40,7 +43,8 @@ def page_text(plan: Plan, seconds: float) -> str:
 
 def _row(plan: Plan, position: int, view: PlanView) -> str:
     specific, satisfaction = plan.schedule.skills[position], plan.schedule.satisfactions[position]
-    texts = (*view.times(position), specific.name, view.asked(position))
+    doer = [view.doer(position)] if plan.request.agents > 1 else []
+    texts = (view.labels[position], *view.times(position), *doer, specific.name, view.asked(position))
     cells = "".join(element("td", words(text)) for text in texts)
     figure = "rejected" if plan.schedule.rejected[position] else f"{satisfaction:.2f}"
     meter = element("meter", "", value=f"{satisfaction:.4f}")

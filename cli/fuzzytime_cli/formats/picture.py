@@ -7,7 +7,7 @@ from fuzzytime_cli.drawing.chart import sample_times, since_midnight
 from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import round_times
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.formats.clock import Clock, date_of
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
@@ -55,8 +55,7 @@ class _Picture:
         return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts) + self._legend())
 
     def _head(self) -> list[str]:
-        now = self.plan.request.now
-        date = f"{now:%A} {now.day} {now:%B %Y}"
+        date = date_of(self.plan.request.now)
         return [
             element("text", words(date), class_="small", x=8, y=TOP - 9),
             element("text", "satisfied", class_="small", x=WIDTH - 6, y=TOP - 9, text_anchor="end"),
@@ -117,10 +116,16 @@ class _Picture:
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
         said = element("title", words(getattr(interpreted.wish, "text", specific.name)))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
-        if self.plan.schedule.task.agents > 1 and not rejected:
+        if self.plan.schedule.task.agents > 1 and not rejected and not interpreted.skill.happens:
             figure = f"by {specific.agent}: {figure}"
         parts = [
-            element("text", words(_shortened(specific.name, 30)) + said, class_="label", x=8, y=base - 5),
+            element(
+                "text",
+                words(_shortened(plain(specific.name), LEFT - 16)) + said,
+                class_="label",
+                x=8,
+                y=base - 5,
+            ),
             element("line", class_="grid", x1=LEFT, y1=base, x2=WIDTH - RIGHT, y2=base),
             self._wish(interpreted, base),
             element("text", figure, class_="small", x=WIDTH - 6, y=base - 5, text_anchor="end"),
@@ -141,5 +146,16 @@ class _Picture:
         return element("path", class_="wish", d=outline + "Z")
 
 
-def _shortened(text: str, most: int) -> str:
-    return text if len(text) <= most else text[: most - 1] + "…"
+def _shortened(text: str, width: float) -> str:
+    """Cut harmless text to about a width in a label's type; what is cut ends in an ellipsis."""
+    ends = np.cumsum([_width(character) for character in text])
+    if not text or ends[-1] <= width:
+        return text
+    return text[: int(np.searchsorted(ends, width - _width("…"), "right"))].rstrip() + "…"
+
+
+def _width(character: str) -> float:
+    """Give about how wide a character of a label is."""
+    if character in "mwMW%@…":
+        return 12.0
+    return 13.0 if width_of(character) > 1 else 9.0 if character.isupper() else 7.2

@@ -134,6 +134,11 @@ class PlanView:
         happens = self.plan.skills[position].skill.happens
         return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
 
+    def doer(self, position: int) -> str:
+        """Give the agent that does a skill; what is rejected, or happens by itself, is nobody's."""
+        nobody = self.schedule.rejected[position] or self.plan.skills[position].skill.happens
+        return "–" if nobody else str(self.schedule.skills[position].agent)
+
     # -- the table ------------------------------------------------------------------------------------------
 
     def _columns(self) -> _Columns:
@@ -173,7 +178,7 @@ class PlanView:
         if columns.end:
             row.append(" " + fitted(end, columns.end), "not dim")
         if columns.agent:
-            row.append(f" {specific.agent:>2}", "not dim")
+            row.append(f" {self.doer(position):>2}", "not dim")
         row.append(" " + fitted(plain(specific.name), columns.name), "not dim")
         if columns.bar:
             shown = fitted("rejected", _BAR) if rejected else bar(satisfaction, unicode=self.unicode)

@@ -31,15 +31,16 @@ class Window:
         """Give the column of a time, possibly outside."""
         return int(np.floor((time - self.start) / self.step))
 
-    def middles(self) -> np.ndarray:
-        """Give the times at the middles of the columns."""
-        return self.start + (np.arange(self.columns) + 0.5) * self.step
-
 
 def shades(function: SatisfactionFunction, window: Window) -> list[str]:
     """Give the shade of each column: the best satisfaction of a start within it."""
     inner = window.start + (np.arange(window.columns)[:, None] + np.linspace(0, 1, 9)) * window.step
     best = function(inner).max(axis=1)
+    # A wish may be far narrower than a column.
+    marks = np.array(
+        [time for time in (*function.kinks, function.best.low) if window.start <= time < window.end]
+    )
+    np.maximum.at(best, [min(window.column(time), window.columns - 1) for time in marks], function(marks))
     level = np.where(best <= 0.02, 0, np.minimum(np.floor(best * 3) + 1, 3)).astype(int)
     return [SHADES[index] for index in level]
 

@@ -86,10 +86,14 @@ class Dispatcher:
 
     def stopped(self, now: float) -> told.Stopped:
         """Tell what goes on, and what was not started."""
-        waiting = (*(one.identifier for one in self.outlook.waiting), *self.outlook.rejected)
-        if self.planning.plan is None:
-            waiting = tuple(wish.identifier for wish in self.planning.request.wishes)
+        waiting = (*self._not_started(), *self.outlook.rejected)
         return told.Stopped(at=now, running=self.ledger.names(Phase.RUNNING, Phase.RESTING), waiting=waiting)
+
+    def _not_started(self) -> tuple[str, ...]:
+        """Give what was still to come; of what was never planned only the wishes have names."""
+        if self.planning.plan is None:
+            return tuple(wish.identifier for wish in self.planning.request.wishes)
+        return tuple(one.identifier for one in self.outlook.waiting)
 
     def finished(self, now: float) -> told.Finished:
         """Tell what became of every skill."""
@@ -102,7 +106,7 @@ class Dispatcher:
             failed=self.ledger.names(Phase.FAILED),
             dropped=self.ledger.names(Phase.DROPPED),
             rejected=tuple(self.outlook.rejected),
-            unfinished=self.ledger.names(Phase.RUNNING, Phase.RESTING),
+            unfinished=(*self.ledger.names(Phase.RUNNING, Phase.RESTING), *self._not_started()),
             satisfaction={"geometric_mean": round(mean, 6), "least": round(min(reached, default=1.0), 6)},
         )
 

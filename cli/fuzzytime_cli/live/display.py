@@ -136,7 +136,7 @@ class EventScreen:
             if identifiers:
                 parts.append(f"{name}: {plain(', '.join(identifiers))}")
         mean, least = event.satisfaction["geometric_mean"], event.satisfaction["least"]
-        if event.done or event.unfinished:
+        if event.done:
             parts.append(f"satisfaction {mean:.2f}, least {least:.2f}")
         return [self._line(event.at, event.type, "; ".join(parts), "bold")]
 

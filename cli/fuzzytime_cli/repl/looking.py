@@ -9,7 +9,7 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Plan
 from fuzzytime.times import seconds_between
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.formats.clock import Clock, date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Move, moves
 from fuzzytime_cli.repl.naming import identifier_meant
@@ -133,5 +133,6 @@ def plot(scene: Scene, text: str) -> Reply:
 def now(scene: Scene, _: str) -> Reply:
     """Say the moment."""
     return said(
-        f"{scene.now:%A %d %B %Y, %H:%M:%S}" + (f" ({scene.now.tzname()})" if scene.now.tzinfo else "")
+        f"{date_of(scene.now)}, {scene.now:%H:%M:%S}"
+        + (f" ({scene.now.tzname()})" if scene.now.tzinfo else "")
     )

@@ -136,7 +136,14 @@ def or_earlier(goal: Goal) -> Said:
 
 
 @grammar.rule(
-    "said", "<said> ,? at the very? latest", "at the? very? latest ,? <said>", "latest <said>", weight=0.5
+    "said",
+    "<said> ,? at the very? latest",
+    "at the? very? latest ,? <said>",
+    "latest <said>",
+    "<said> ,? or|and before|earlier|sooner",
+    "<said> ,? or|and before that",
+    "<said> ,? if not before|earlier|sooner",
+    weight=0.5,
 )
 def latest(said: Said) -> Said | None:
     """In ten minutes at the latest, at the latest on friday."""
@@ -147,9 +154,14 @@ def latest(said: Said) -> Said | None:
 
 @grammar.rule(
     "said",
-    "<said> ,? at the very? earliest",
+    "<said> ,? at? the? very? earliest",
     "at the? very? earliest ,? <said>",
     "earliest <said>",
+    "<said> ,? or|and later|after|onwards|onward",
+    "<said> onwards|onward",
+    "<said> ,? or any|some time after|later",
+    "<said> ,? or anytime|sometime after|later",
+    "<said> ,? and|but not before|earlier|sooner",
     weight=0.5,
 )
 def earliest(said: Said) -> Said | None:

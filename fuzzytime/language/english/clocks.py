@@ -5,10 +5,16 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
 from fuzzytime.language.meaning.expressions import Duration, Quantity, Wall
-from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.times_of_day import NOON, Clock, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
+
+FULL_DIGITS = 4
+"""Digits of hour and minute together: "1830"."""
+
+TO_AN_HOUR = frozenset({15, 20})
+"""Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
 
 @grammar.rule("clock", "<integer>", weight=-0.4)
@@ -22,7 +28,8 @@ def number(hour: Integer) -> Clock | None:
         return Clock(value // 100, value % 100, 0, Unit.MINUTE, full_day=full_day, bare=True)
     if value > 24 or len(digits) > 2:
         return None
-    return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True)
+    minutes = value in TO_AN_HOUR and not digits
+    return Clock(value % 24, full_day=value > 12 or digits.startswith("0"), bare=True, minutes=minutes)
 
 
 @grammar.rule(
@@ -93,7 +100,9 @@ def spaced_with_h(hour: Integer, minute: Integer) -> Clock | None:
 
 @grammar.rule("clock", "<integer> h", weight=-0.2)
 def hour_with_h(hour: Integer) -> Clock | None:
-    """15h; but 3h alone is a length."""
+    """15h, 1830h; but 3h alone is a length."""
+    if len(hour.digits) == FULL_DIGITS:
+        return military(hour)
     return (
         Clock(hour.value, 0, 0, Unit.MINUTE, full_day=True) if hour.digits and 8 <= hour.value <= 24 else None
     )
@@ -142,6 +151,14 @@ def pair_with_zero(hour: Integer, minute: Integer) -> Clock | None:
     return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=hour.value > 12)
 
 
+@grammar.rule("clock", "o|oh|zero <integer> <integer>", "o|oh|zero <integer> o|oh|zero <integer>", weight=0.1)
+def early_pair(hour: Integer, minute: Integer) -> Clock | None:
+    """Oh seven thirty, oh six oh five."""
+    if not 0 < hour.value < 10 or not 0 < minute.value < 60:
+        return None
+    return Clock(hour.value, minute.value, 0, Unit.MINUTE, full_day=True)
+
+
 @grammar.rule("clock", "<integer> o'clock? <integer> minutes", weight=-0.4)
 def with_minutes(hour: Integer, minute: Integer) -> Clock | None:
     """Six forty-three minutes, seven o'clock five minutes; but "course 2 twenty minutes later"."""
@@ -160,88 +177,6 @@ def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     if found is None or found.half is not None or (found.hour > 12 and half is Half.AM):
         return None
     return replace(found, half=half, bare=False, pair=False, full_day=found.full_day and found.hour > 12)
-
-
-# -- minutes past and to --------------------------------------------------------------------------------
-
-
-def moved(clock: Clock, minutes: float) -> Clock | None:
-    """Give a clock time that many minutes after the hour, or the half hour, that is said."""
-    if clock.grain is Unit.SECOND or clock.minute % 30 or not -60 < minutes < 60 or minutes != int(minutes):
-        return None
-    return replace(clock, shift=int(minutes * 60), grain=Unit.MINUTE, bare=False, pair=False)
-
-
-@grammar.rule("minutes of clock", "<integer> minutes|minute|mins|min")
-def counted(minutes: Integer) -> float | None:
-    """Fifteen minutes."""
-    return minutes.value if 0 < minutes.value < 60 else None
-
-
-@grammar.rule("bare minutes of clock", "<integer>")
-def rounded(minutes: Integer) -> float | None:
-    """Twenty (past): a number alone must be round."""
-    return minutes.value if 0 < minutes.value < 60 and minutes.value % 5 == 0 else None
-
-
-@grammar.rule("minutes of clock", "a? <fraction>")
-def quarter(fraction: float) -> float | None:
-    """A quarter, half, three quarters."""
-    return fraction * 60 if fraction in {0.25, 0.5, 0.75} else None
-
-
-@grammar.rule("clock", "<minutes of clock> past|after <clock>", weight=0.2)
-def past(minutes: float, clock: Clock) -> Clock | None:
-    """A quarter past three, ten after six pm."""
-    return moved(clock, minutes)
-
-
-@grammar.rule("clock", "<minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
-def to(minutes: float, clock: Clock) -> Clock | None:
-    """Ten to eleven, a quarter to noon."""
-    return moved(clock, -minutes)
-
-
-@grammar.rule("clock", "<bare minutes of clock> past|after <clock>", weight=0.2)
-def bare_past(minutes: float, clock: Clock) -> Clock | None:
-    """Ten past three."""
-    return moved(clock, minutes)
-
-
-@grammar.rule("clock", "<bare minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
-def bare_to(minutes: float, clock: Clock) -> Clock | None:
-    """Ten to eleven; it may be a count of something too."""
-    found = moved(clock, -minutes)
-    return replace(found, pair=clock.bare) if found is not None else None
-
-
-@grammar.rule(
-    "unfinished",
-    "for a|another moment|while|bit|jiffy",
-    "for a little while|bit",
-    "for some time",
-    "half past",
-    "a? <fraction> past",
-    "since then",
-    "the eve of the|a|my|our",
-    "at the very? end|start|beginning",
-    "halfway|midway through",
-    "closing|opening|boarding|quitting|departure|arrival time",
-    "half way through",
-    "the <part> before|after",
-    "<times> per",
-    "for? half|twice|just|exactly as long as",
-    "for? <times> as long as",
-)
-def of_no_hour(part: Part | int | None = None) -> bool:
-    """For a while, the night before: of what, or how long, is not said."""
-    return True
-
-
-@grammar.rule("clock", "half <clock>", weight=0.1)
-def half_hour(clock: Clock) -> Clock | None:
-    """Half three: half past three."""
-    return moved(clock, 30) if clock.grain is Unit.HOUR and not clock.full_day else None
 
 
 # -- words for clock times ------------------------------------------------------------------------------
@@ -267,6 +202,12 @@ def named_twice(hour: Integer, part: Part) -> Clock | None:
     if hour.value > 12:
         return None
     return Clock(hour.value % 12 or 12, half=part.half, midnight=not part.start and hour.value == 12)
+
+
+@grammar.rule("clock", "<hh:mm> <moment part>", weight=0.3)
+def typed_twice(numbers: Typed, part: Part) -> Clock | None:
+    """12:00 noon, 12:00 midnight."""
+    return named(part) if (numbers[0], numbers[1]) == (12, 0) and part.start % NOON == 0 else None
 
 
 @grammar.rule("wall", "<clock>")

@@ -191,9 +191,23 @@ def within_the_hour(unit: UnitWord) -> Said | None:
     return _length(Duration(((unit.count, unit.unit),)), Constraint.BEFORE, "within")
 
 
-@grammar.rule("said", "<preposition_after> in <duration>", "not for another? <duration>", weight=0.5)
+@grammar.rule("said", "<preposition_before> in <duration>", weight=0.5)
+def not_later_than_in(preposition: Preposition, duration: Duration) -> Said:
+    """No later than in ten minutes."""
+    return _length(duration, Constraint.BEFORE, preposition.name)
+
+
+@grammar.rule(
+    "said",
+    "<preposition_after> in <duration>",
+    "<preposition_after> <duration>",
+    "<preposition_after> <duration> from now",
+    "not for another? <duration>",
+    "not in less than <duration>",
+    weight=0.5,
+)
 def not_for(first: Preposition | Duration, second: Duration | None = None) -> Said | None:
-    """No sooner than in ten minutes, not for another ten minutes."""
+    """No sooner than in ten minutes, not before ten minutes, not for another ten minutes."""
     if isinstance(first, Preposition) and first.name != "not before":
         return None
     duration = first if isinstance(first, Duration) else second

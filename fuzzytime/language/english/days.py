@@ -118,6 +118,12 @@ def after_next(series: Calendar) -> Calendar:
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
+@grammar.rule("days", "the? <series> before last", weight=0.5)
+def before_last(series: Calendar) -> Calendar:
+    """The week before last."""
+    return Following(-1, series, Deictic(Which.LAST, series))
+
+
 @grammar.rule("days", "<duration> from now", weight=-0.3)
 def days_from_now(duration: Duration) -> Calendar | None:
     """Three days from now, beside a time of that day."""
@@ -200,13 +206,13 @@ def weekday_fortnight(number: int) -> Calendar:
     return Away(2, Unit.WEEK, Fields(weekday=number))
 
 
-@grammar.rule("days", "<duration> from|after|following|since <days>", weight=0.2)
+@grammar.rule("days", "<duration> from|after|following|since <days>|<date>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""
     return days_away(duration, anchor, 1) if not duration.hedges else None
 
 
-@grammar.rule("days", "<duration> before <days>", "<duration> prior to <days>", weight=0.2)
+@grammar.rule("days", "<duration> before <days>|<date>", "<duration> prior to <days>|<date>", weight=0.2)
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Two weeks before christmas."""
     return days_away(duration, anchor, -1) if not duration.hedges else None

@@ -12,6 +12,9 @@ grammar = Grammar()
 METRES = 100
 """From how many on "m" is hardly minutes: "turn left in 300 m"."""
 
+YEARS = range(1800, 2100)
+"""Numbers that an "s" makes a decade: "hits of the 1980s"."""
+
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
@@ -22,6 +25,9 @@ def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
     # "In a mo": a moment, no month.
     short = len(unit.form) == 1 or unit.form == "mo"
     if unit.form == "m" and amount >= METRES:
+        return None
+    if unit.form == "s" and amount % 10 == 0 and amount in YEARS:
+        # "The 1990s"
         return None
     if amount * UNIT_SECONDS[unit.unit] > LARGEST or (quantity.indefinite and short):
         return None
@@ -218,6 +224,13 @@ def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | Non
         return None
     longer = Duration(((amount + off, unit),), bare_end=isinstance(width, Quantity))
     return Duration(((amount - off, unit),), middle.hedges, until=longer)
+
+
+@grammar.rule("duration", "a|an good|solid <fraction> <unit>", weight=0.1)
+def a_good_part(fraction: float, unit: UnitWord) -> Duration | None:
+    """A good half hour: that long, or longer."""
+    found = _length(Quantity(fraction), unit)
+    return None if found is None or fraction == 1 else found.hedged("at least")
 
 
 @grammar.rule("duration", "<hedge> the? <duration>", weight=0.05)

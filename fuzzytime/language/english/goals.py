@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.requirements import LOWER, UPPER
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -31,7 +32,11 @@ def goal(time: Time) -> Goal:
 
 
 @grammar.rule(
-    "same", "this|same time <days>", "at? the? same time <days>", "<days> at? this|the same? time", weight=0.3
+    "same",
+    "this|same time on? <days>|<date>",
+    "at? the? same time on? <days>|<date>",
+    "<days> at? this|the same? time",
+    weight=0.3,
 )
 def same_time(days: Calendar) -> SameTime:
     """This time tomorrow."""
@@ -50,7 +55,7 @@ def at_the_bottom_of_the_hour() -> HourMark:
     return HourMark(30)
 
 
-@grammar.rule("same", "on the half hour", weight=0.3)
+@grammar.rule("same", "on|at the half hour", weight=0.3)
 def on_the_half_hour() -> HourMark:
     """On the half hour."""
     return HourMark(30)
@@ -89,6 +94,10 @@ def goal_like_now(time: SameTime | HourMark) -> Goal:
 @grammar.rule("goal", "<hedge> the? <goal>", weight=0.05)
 def hedged(hedge: str, goal: Goal) -> Goal | None:
     """About noon, almost six."""
+    clock = goal.time.clock if isinstance(goal.time, Wall) else None
+    if clock is not None and clock.apart and hedge in LOWER | UPPER:
+        # "At least ten minutes before noon": how far, at least.
+        return None
     return replace(goal, hedges=(hedge, *goal.hedges)) if len(goal.hedges) < 3 else None
 
 
@@ -132,7 +141,7 @@ def from_goal(duration: Duration, goal: Goal) -> Offset | None:
 
 
 @grammar.rule(
-    "offset", "less than <duration> after|from <goal>", "within <duration> after|from|of <goal>", weight=0.4
+    "offset", "less than <duration> after|from <goal>", "within <duration> after|from <goal>", weight=0.4
 )
 def soon_after(duration: Duration, goal: Goal) -> Range | None:
     """Less than three days after tomorrow: from then to then."""
@@ -141,6 +150,34 @@ def soon_after(duration: Duration, goal: Goal) -> Range | None:
         # "Within an hour of the fall"
         return None
     return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
+
+
+@grammar.rule("offset", "within <duration> of <goal>", weight=0.4)
+def near(duration: Duration, goal: Goal) -> Range | None:
+    """Within ten minutes of noon: on either side; within an hour of lunch: from then on."""
+    found = soon_after(duration, goal)
+    if found is None or not isinstance(goal.time, Wall) or goal.time.clock is None:
+        return found
+    return replace(found, first=Offset(duration, -1, goal.time))
+
+
+@grammar.rule("offset", "<hedge> <duration> after|past|following <goal>", weight=0.5)
+def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Range | None:
+    """At most ten minutes after noon: from then to then."""
+    return soon_after(duration, goal) if hedge in UPPER and not _is_day(goal) else None
+
+
+@grammar.rule("offset", "<hedge> <duration> before <goal>", "<hedge> <duration> prior to <goal>", weight=0.5)
+def at_most_before(hedge: str, duration: Duration, goal: Goal) -> Range | None:
+    """No more than ten minutes before noon: from then to noon."""
+    if hedge not in UPPER or _is_day(goal) or not _counts_from(goal):
+        return None
+    return Range(Offset(duration, -1, goal.time), goal.time)
+
+
+def _is_day(goal: Goal) -> bool:
+    """Whether it is a day, or a longer period, and no time of it."""
+    return isinstance(goal.time, Wall) and goal.time.clock is None and goal.time.part is None
 
 
 def _counts_from(goal: Goal) -> bool:

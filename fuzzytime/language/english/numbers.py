@@ -75,6 +75,12 @@ def and_a_bit(number: Integer) -> Quantity:
     return Quantity(number.value, ("about",))
 
 
+@grammar.rule("quantity", "<integer> -? odd", weight=0.1)
+def odd(number: Integer) -> Quantity:
+    """Twenty-odd (minutes)."""
+    return Quantity(number.value, ("about",))
+
+
 @grammar.rule("quantity", "a|an good|solid <integer>", weight=0.1)
 def a_good(number: Integer) -> Quantity:
     """A good ten (minutes): that many, or more."""

@@ -76,7 +76,7 @@ def deictic_part(first: object, second: object, third: Part | None = None) -> Wa
     return Wall(Relative(which.offset, onward=which is Which.NEXT), found)
 
 
-@grammar.rule("wall", "<share>? <day_part>", weight=0.1)
+@grammar.rule("wall", "<share>? <day_part>", weight=0.3)
 def tonight(share: tuple[float, float] | None, found: tuple[Relative, Part]) -> Wall:
     """Tonight, late last night."""
     days, part_of_day = found

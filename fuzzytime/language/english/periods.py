@@ -156,9 +156,9 @@ def after_that_day(series: Calendar) -> Calendar | None:
     return None if day else Following(1, series, Relative(0, onward=True))
 
 
-@grammar.rule("date", "the <series> before <feast>|<date>", weight=0.4)
+@grammar.rule("date", "the last? <series> before <feast>|<date>", weight=0.4)
 def last_before(series: Calendar, anchor: Calendar) -> Calendar | None:
-    """The saturday before christmas."""
+    """The saturday before christmas, the last sunday before easter."""
     weekly = isinstance(series, Weekend) or (isinstance(series, Fields) and series.weekly)
     return Following(-1, series, anchor) if weekly and anchor.grain is Unit.DAY else None
 
@@ -184,6 +184,18 @@ def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
 
 def _six_days_before(anchor: Calendar) -> Calendar:
     return Away(-5, Unit.DAY, anchor)
+
+
+@grammar.rule("days", "the? day before <days>|<date>", "the eve of <date>|<feast>", weight=0.7)
+def day_before(days: Calendar) -> Calendar | None:
+    """The day before friday, the day before the first of april."""
+    return Away(-1, Unit.DAY, days) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the? day after|following <days>|<date>", weight=0.7)
+def day_after(days: Calendar) -> Calendar | None:
+    """The day after friday."""
+    return Away(1, Unit.DAY, days) if days.grain is Unit.DAY else None
 
 
 @grammar.rule("days", "the? day|evening|morning|night before <feast>", weight=0.7)

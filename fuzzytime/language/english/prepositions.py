@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint, Unit
@@ -107,6 +108,14 @@ def at_hedged_clock(first: str | Clock, second: Clock | str) -> Said | None:
     return Said(Wall(clock=replace(clock, bare=False, pair=False)), None, "at", (hedge,))
 
 
+@grammar.rule(
+    "said", "on|at the stroke|dot of <clock>", "on|at the stroke|dot of <clock> <days>", weight=0.35
+)
+def on_the_stroke(clock: Clock, days: Calendar | None = None) -> Said:
+    """On the stroke of noon, at the dot of six tomorrow."""
+    return Said(Wall(days, clock=replace(clock, bare=False, pair=False)), None, "at", ("exactly",))
+
+
 @grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
     """At 2.30 tomorrow."""
@@ -166,6 +175,12 @@ def _a_little_off(said: Said, hedge: str) -> Said | None:
 def sometime(preposition: Preposition, said: Said) -> Said | None:
     """Sometime between 3 and 4."""
     return said if preposition.name == "sometime" and said.preposition is not None else None
+
+
+@grammar.rule("said", "somewhere|someplace <said>", weight=0.05)
+def somewhere(said: Said) -> Said | None:
+    """Somewhere between 3 and 4, somewhere in the next hour."""
+    return said if said.constraint is Constraint.BETWEEN else None
 
 
 @grammar.rule("said", "for <preposition_at> <goal>", weight=0.3)

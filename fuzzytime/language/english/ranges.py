@@ -2,7 +2,8 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.english.clocks import moved, number
+from fuzzytime.language.english.clocks import number
+from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
@@ -13,9 +14,11 @@ from fuzzytime.language.meaning.expressions import (
     Edge,
     Ending,
     Goal,
+    HourMark,
     Offset,
     Range,
     Said,
+    Time,
     TimeWord,
     Wall,
 )
@@ -25,13 +28,19 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
+NOON = 12
+
 
 def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
+    last = _in_hour(first, last)
     for time in (first.time, last.time):
         if not isinstance(time, (Wall, Ending, Offset)) and not (
             isinstance(time, TimeWord) and time.word == "now"
         ):
             return None
+    if _is_to_hour(first.time, last.time):
+        # "Twenty to seven in the evening" is one time.
+        return None
     if isinstance(first.time, Wall) and first.time.bare and isinstance(last.time, Offset):
         # "Between 10 and 15 minutes from now": the number shares the unit.
         return None
@@ -42,6 +51,27 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
     time = Range(first.time, last.time)
     return Said(time, Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
+
+
+def _is_to_hour(first: Time, last: Time) -> bool:
+    """Whether the first end of a range is minutes to the hour that is its last."""
+    start = first.anchor if isinstance(first, Offset) else first
+    clocks = [wall.clock for wall in (start, last) if isinstance(wall, Wall) and wall.clock is not None]
+    return len(clocks) == 2 and clocks[0].minutes and clocks[1].hour <= NOON
+
+
+def _in_hour(first: Goal, last: Goal) -> Goal:
+    """Give the end of a range whose hour is that of its start: "after ten but before half past"."""
+    mark, wall = last.time, first.time
+    if not isinstance(mark, HourMark) or not mark.open or not isinstance(wall, Wall) or wall.clock is None:
+        return last
+    if wall.clock.shift or wall.clock.minute >= mark.minute:
+        return last
+    return replace(last, time=replace(wall, clock=replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE)))
+
+
+def _is_meal(wall: Wall) -> bool:
+    return wall.weak and wall.part is not None
 
 
 def _comparable(first: Wall, last: Wall) -> bool:
@@ -163,7 +193,8 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
 def from_to(first: Goal, last: Goal) -> Said | None:
     """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
-    if len(walls) == 2 and all(wall.bare for wall in walls):
+    if len(walls) == 2 and (all(wall.bare for wall in walls) or _is_meal(walls[0])):
+        # "Move lunch to one": a meal is what is moved.
         return None
     grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}
     if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:

@@ -63,7 +63,8 @@ def on_a_weekday(repeat: Repeat, number: int) -> Repeat | None:
     return narrowed_repeat(repeat, Wall(Fields(weekday=number)))
 
 
-@grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>")
+@grammar.rule("repeat", "<repeat> ,|and|or <weekday>|<weekdays>", "<repeat> , and <weekday>|<weekdays>")
+@grammar.rule("repeat", "<repeat> <weekday>|<weekdays>", weight=0.3)
 def more_weekdays(repeat: Repeat, number: int) -> Repeat | None:
     """Every monday and thursday, on mondays and fridays."""
     if not repeat.walls or any(not isinstance(wall.days, Fields) or wall.clock for wall in repeat.walls):

@@ -34,14 +34,16 @@ def of_unit(unit: UnitWord, count: float = 1) -> Repeat:
     )
 
 
-@grammar.rule("repeat", "every|each|per single? <unit>", "every|each and every|each <unit>")
+@grammar.rule(
+    "repeat", "once every|each <unit>", "every|each|per single? <unit>", "every|each and every|each <unit>"
+)
 def every(unit: UnitWord) -> Repeat | None:
     """Every day, each week."""
     # Every night is a part of every day.
     return of_unit(unit) if len(unit.form) > 1 and unit.form != "night" else None
 
 
-@grammar.rule("repeat", "every|each <duration>")
+@grammar.rule("repeat", "once? every|each <duration>")
 def every_so_long(duration: Duration) -> Repeat | None:
     """Every twenty minutes, every two days, every hour and a half."""
     if len(duration.terms) == 1 and duration.terms[0][1] not in SMALL and not duration.hedges:

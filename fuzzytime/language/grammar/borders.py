@@ -31,6 +31,9 @@ PREPOSITIONS = frozenset(
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
+FEAST_WORDS = 3
+"""Words of a feast's name before another that may be a time, at most."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -62,7 +65,45 @@ class Borders:
             or self._says_how(piece)
             or self._says_order(piece)
             or self._opens_another(piece)
+            or self._is_of_feast(piece)
+            or self._is_of_other_calendar(piece)
+            or self._likens(piece)
+            or self._is_played(piece)
         )
+
+    def _is_played(self, piece: Piece) -> bool:
+        """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
+        time = piece.value.time
+        if piece.value.preposition is not None or (isinstance(time, Wall) and time.clock is not None):
+            return False
+        verb = piece.start - 1
+        while verb > 0 and (
+            self.around.timely(verb) or self.measures.is_number(verb) or self.texts[verb] in NAMED
+        ):
+            verb -= 1
+        return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
+
+    def _is_of_other_calendar(self, piece: Piece) -> bool:
+        """Whether it is a feast on a day that is not known here: "chinese new year"."""
+        for place in range(piece.start, piece.end):
+            feasts = any(one.category == "feast" for one in self.lexicon.pieces(self.words, place))
+            if feasts and place and self.texts[place - 1] in self.lexicon.other_calendars:
+                return True
+        return False
+
+    def _is_of_feast(self, piece: Piece) -> bool:
+        """Whether it begins within the name of a feast: "black friday deals"."""
+        found = (
+            one
+            for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
+            for one in self.lexicon.pieces(self.words, begin)
+        )
+        return any(one.category == "feast" and one.end > piece.start for one in found)
+
+    def _likens(self, piece: Piece) -> bool:
+        """Whether its "like" is what something looks like: "what is the weather like on friday"."""
+        time = piece.value.time
+        return self.texts[piece.start] == "like" and isinstance(time, Wall) and time.clock is None
 
     def _opens_another(self, piece: Piece) -> bool:
         """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
@@ -171,10 +212,11 @@ class Borders:
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
-        if piece.value.preposition != "in":
+        if piece.value.preposition not in {"in", "not before", "no later than"}:
             return False
         distances = (["before", "that"], ["after", "that"])
-        if any(self.texts[p : p + 2] in distances for p in (piece.end, piece.end - 2)):
+        inside = piece.value.preposition == "in" and self.texts[piece.end - 2 : piece.end] in distances
+        if inside or self.texts[piece.end : piece.end + 2] in distances:
             return True
         # "Check in 24 hours before the flight"
         time = piece.value.time

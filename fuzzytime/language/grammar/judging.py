@@ -86,12 +86,8 @@ class Judge:
         ):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
-        if (
-            said.preposition == "in"
-            and isinstance(time, Duration)
-            and time.bare_end
-            and self._is_share(piece)
-        ):
+        share = isinstance(time, Duration) and time.bare_end and self._is_share(piece)
+        if said.preposition == "in" and share:
             return False
         if said.preposition == "for" and self._is_distance(piece) and not self._appoints(piece):
             # "Write for two hours before noon" says how long, and a bound.
@@ -276,6 +272,9 @@ class Judge:
         if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
             # "Reserve the blue one until friday"
             return False
+        if isinstance(time.first, Offset) or isinstance(time.last, Offset):
+            # "At most half an hour after 1730"
+            return self.around.may_end(piece)
         ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
         clocked = isinstance(time.last, Wall) and time.last.clock is not None
         if (

@@ -64,6 +64,11 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                 ):
                     continue
                 yield from range(start, piece.end)
+        for piece in cell.get("feast", {}).values():
+            # "On orthodox easter"
+            other = start > 0 and around.texts[start - 1] in lexicon.other_calendars
+            if other and around.may_end(piece):
+                yield from range(start - 1, piece.end)
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:

@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.surroundings import POSSESSIVES
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
 from fuzzytime.requirement import Constraint, Unit
 
@@ -84,6 +85,18 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     if not named or not lexicon.moving & set(before):
         return phrase
     return replace(phrase, said=Said(said.time.last, None, "to"))
+
+
+def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read "for two months from today" as that day, behind what is made for a time: "a checkup for …"."""
+    said, wall = phrase.said, phrase.said.time
+    if said.lasting is None or words[phrase.first].text != "for" or not isinstance(wall, Wall):
+        return phrase
+    day = isinstance(wall.days, Relative) and wall.clock is None and wall.part is None
+    if not day or not lexicon.appointing & {word.text for word in words[: phrase.first]}:
+        return phrase
+    days = None if said.lasting.hedges or wall.days is None else days_away(said.lasting, wall.days, 1)
+    return phrase if days is None else replace(phrase, said=Said(Wall(days), None, "for"))
 
 
 def _counted(number: Duration, unit: Unit) -> Duration:

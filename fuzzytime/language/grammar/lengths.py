@@ -49,8 +49,8 @@ class Lengths(Standing):
         if last.bare_end and (self.measures.divided(piece) or self._is_counting(piece)):
             return False
         alone = duration.indefinite and said.preposition is None
-        if alone and self.measures.is_number(piece.start - 1) and not self._is_before_marker(piece.end):
-            # "Raise it to 20 an hour"
+        if alone and self._is_counted(piece.start) and not self._is_before_marker(piece.end):
+            # "Raise it to 20 an hour", "at 60 kilometres an hour"
             return False
         asked = {self.around.before(piece), self.texts[piece.start]}
         if last.ordinal_end and alone and ASKED & asked:
@@ -61,6 +61,16 @@ class Lengths(Standing):
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether a number, or some things of a number, stand before a place."""
+        if self.measures.is_number(place - 1):
+            return True
+        thing = self.texts[place - 1] if place else ""
+        named = (
+            thing.isalpha() and thing not in self.lexicon.function_words and not self.around.timely(place - 1)
+        )
+        return named and self.measures.is_number(place - 2)
 
     def _is_helped(self, place: int) -> bool:
         """Whether a helping verb stands right before a word, which is a verb then: "should last"."""

@@ -46,7 +46,7 @@ class Lexicon:
         Words of the calendar that have another meaning too.
     indicators, connectives, clauses, comparisons, corrections, addresses, courtesies, amounts, results
         Words that the reading of sentences uses, by meaning.
-    wanting, forgetting
+    wanting, forgetting, ordering
         Verbs above the one that is meant: "I want to", "don't forget to".
     causing, letting
         Verbs that bring something about: "have … ready", "let … rest".
@@ -68,6 +68,10 @@ class Lexicon:
         What is a moment and hardly a place: "at kick-off".
     spacing
         Words of gaps between what is done several times, by what they do there.
+    other_calendars
+        Words before a feast that put it on a day which is not known: "orthodox easter".
+    fillers
+        What people say while they think: "um".
     becoming, levels
         What something becomes, and how strong it is on: "pat it dry", "cook it on low".
     passing
@@ -78,6 +82,8 @@ class Lexicon:
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
         Verbs whose object is called by its time: "catch the 7:42".
+    playing
+        Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
         Words behind which, and right behind which, "for" and a number alone say how many minutes.
     citing
@@ -138,6 +144,7 @@ class Lexicon:
     results: frozenset[str]
     wanting: frozenset[str]
     forgetting: frozenset[str]
+    ordering: frozenset[str]
     causing: frozenset[str]
     letting: frozenset[str]
     intransitive: frozenset[str]
@@ -149,6 +156,8 @@ class Lexicon:
     spacing: Mapping[str, frozenset[str]]
     moments: frozenset[tuple[str, ...]]
     becoming: frozenset[str]
+    other_calendars: frozenset[str]
+    fillers: frozenset[str]
     levels: frozenset[str]
     passing: frozenset[str]
     instances: Mapping[str, frozenset[tuple[str, ...]]]
@@ -156,6 +165,7 @@ class Lexicon:
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]
+    playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]
     citing: frozenset[str]

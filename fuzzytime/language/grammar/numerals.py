@@ -15,6 +15,7 @@ from fuzzytime.language.policy import DateOrder
 from fuzzytime.requirement import Unit
 
 LONGEST_DIGITS = 9
+MINUTE_DIGITS = 2
 RUN = 14
 """Marks and digits without spaces that one shape may hold at most."""
 
@@ -107,6 +108,7 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
     following = words[start + 1] if start + 1 < len(words) else None
     if following is not None and following.glued and following.text in {"st", "nd", "rd", "th"}:
         yield Piece("ordinal", start, start + 2, value.value, 0.0, "digits")
+    yield from _spaced(words, start)
     run, ends = _run(words, start)
     for category, shape in _SHAPES:
         match = shape.match(run)
@@ -116,10 +118,21 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
             if category == "d.m." and behind and behind[0].capital:
                 # "Set it to 2.5. At noon, stop it."
                 continue
-            if category in DATES and lexicon.policy.date_order is DateOrder.DAY_MONTH:
+            # 10.3.2026: where points part them, the day comes first.
+            pointed = category == "n-n-n" and match[0].count(".") == 2
+            if pointed or (category in DATES and lexicon.policy.date_order is DateOrder.DAY_MONTH):
                 parts = (parts[1], parts[0], *parts[2:])
             name = "last d.m." if category == "d.m." and not behind else category
             yield Piece(name, start, ends[match.end()], Typed(parts), 0.0, "shape")
+
+
+def _spaced(words: Sequence[Word], start: int) -> Iterator[Piece]:
+    """Give the clock time whose colon stands between spaces, as those write it who take down what is said."""
+    mark, minutes = (*words[start + 1 : start + 3], None, None)[:2]
+    if mark is None or minutes is None or mark.text != ":" or mark.glued or minutes.glued:
+        return
+    if minutes.is_digits and len(minutes.text) == MINUTE_DIGITS and len(words[start].text) <= MINUTE_DIGITS:
+        yield Piece("hh:mm", start, start + 3, Typed((words[start].text, minutes.text)), 0.0, "shape")
 
 
 def _run(words: Sequence[Word], start: int) -> tuple[str, dict[int, int]]:

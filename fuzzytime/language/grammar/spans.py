@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
-from fuzzytime.language.grammar.lending import in_half, in_minutes, in_unit, moved_to
+from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
@@ -51,9 +51,11 @@ def _spelt(word: Word, lexicon: Lexicon) -> Word:
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
-    """Cut "-ish" and "'s" off words about time, and leave out the hyphens of number words."""
+    """Cut "-ish" and "'s" off words about time, and leave out fillers and the hyphens of number words."""
     found: list[Word] = []
     for place, word in enumerate(words):
+        if word.text in lexicon.fillers:
+            continue
         base = word.text.removesuffix("ish")
         owner = word.text.removesuffix("'s")
         if owner != word.text and _is_owner(owner, lexicon) and not _continues(words, place, lexicon):
@@ -102,7 +104,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
-    found = [moved_to(phrase, scanned.words, lexicon) for phrase in found]
+    found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
         found[place] = in_half(found[place], found[place + 1], scanned.words)
     return tuple(found)

@@ -25,6 +25,8 @@ PLURALS = frozenset(
     {"people", "men", "women", "children", "feet", "fish", "sheep", "dozen", "hundred", "percent"}
 )
 """Words that may be counted and do not look it."""
+ASKING = frozenset({"can", "could", "would", "will"})
+"""Verbs before "you" that ask for something politely."""
 SPENDING = frozenset({"spend", "all", "throughout"})
 """Words behind which a part of the day is when: "spend the afternoon cleaning"."""
 
@@ -64,7 +66,6 @@ class Surroundings:
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
-        before = self.texts[piece.start - 1] if piece.start else "."
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
         follower = self.follower(piece)
         plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in PLURALS
@@ -75,7 +76,13 @@ class Surroundings:
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
         orders = called or behind in BEHIND_VERBS or (number and counted and led)
-        return before in SENTENCE_STARTS and orders and not plural
+        return self.opens(piece.start) and orders and not plural
+
+    def opens(self, place: int) -> bool:
+        """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
+        *_, first, before = (".", ".", *self.texts[:place])
+        asked = before == "you" and first in ASKING
+        return asked or before in SENTENCE_STARTS or before in self.lexicon.addresses
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""

@@ -4,9 +4,10 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
 from fuzzytime.language.grammar.words import joins
-from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Unit
 
 UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "starting"})
@@ -14,6 +15,12 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 
 NAMING = frozenset({"on", "to", "for", "of"})
 """Prepositions behind which an article and a time begin a noun: "the slides for the 3 pm meeting"."""
+
+PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
+"""Periods that "the week" and "the year" are, behind a preposition."""
+
+GREETING = frozenset({"good", "happy", "merry"})
+"""What makes a part of the day, or a feast, a greeting: "good morning", "happy new year"."""
 
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
@@ -33,8 +40,8 @@ class Walls(Standing):
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
-        counted = self._is_counted_part(piece, wall)
-        if counted or self._is_thing(piece) or self._is_part_of_noun(piece, said, wall):
+        counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
+        if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
             return self._accepts_number(piece, said, wall)
@@ -48,11 +55,7 @@ class Walls(Standing):
             # "Seat 12A"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
-            # "At five thirty pick up bread": no amount is said like that.
-            worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
-            sure = said.preposition == "at" and worded
-            unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
-            return said.preposition is not None and (self.around.may_end(piece) or (sure and not unit))
+            return self._accepts_pair(piece, said)
         if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
             # "Before bed", but "before the bed is made"
             return False
@@ -86,12 +89,28 @@ class Walls(Standing):
             len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         )
 
-    def _is_thing(self, piece: Piece) -> bool:
-        """Whether it is served with something, or described behind: "with tea", "the first thing you see"."""
+    def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
+        return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+
+    def _accepts_pair(self, piece: Piece, said: Said) -> bool:
+        """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
+        if said.preposition == "to" and self.measures.measured(piece) and not self.around.puts_off(piece):
+            return False
+        # "At five thirty pick up bread": no amount is said like that.
+        worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
+        sure = said.preposition == "at" and worded
+        unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
+        bound = said.preposition is not None or bool(said.hedges)
+        return bound and (self.around.may_end(piece) or (sure and not unit))
+
+    def _is_thing(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
         if self.texts[piece.end - 1] == THING:
             return self.around.follower(piece) not in STOPS
         served = self._is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
-        return self.texts[piece.start] == "with" and served
+        greeting = self.around.before(piece) in GREETING and (wall.clock is None or wall.days is not None)
+        return greeting or (self.texts[piece.start] == "with" and served)
 
     def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it only names something, or belongs to what does."""
@@ -116,7 +135,13 @@ class Walls(Standing):
             # "Move the 3 pm to five"
             return True
         last, behind = self.texts[piece.end - 1], self.around.follower(piece)
-        if last in {"before", "after"} and wall.days is not None and behind[:1].isalpha() and behind != "and":
+        if (
+            last in {"before", "after"}
+            and self.texts[piece.end - 2] not in {"or", "and", "not", "time"}
+            and wall.days is not None
+            and behind[:1].isalpha()
+            and behind != "and"
+        ):
             # "The day before the flight"
             return True
         followed = self.around.follower(piece) in {"before", "after"}
@@ -157,8 +182,9 @@ class Walls(Standing):
         if said.preposition is None and self.around.before(piece) == "the":
             # As in "Cancel the 7:42".
             return True
-        # As in "Book me on the 7:42".
-        minutes = wall.clock.grain is Unit.MINUTE and not wall.clock.pair
+        # As in "Book me on the 7:42", "on the nine thirty".
+        pair = wall.clock.pair and said.preposition != "on"
+        minutes = wall.clock.grain is Unit.MINUTE and not pair
         return minutes and said.preposition in {"on", "for"} and self.texts[piece.start + 1] == "the"
 
     def _is_ambiguous(self, place: int) -> bool:

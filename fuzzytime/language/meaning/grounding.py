@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import date, datetime, timedelta
 from itertools import islice
 
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, moved
 from fuzzytime.language.meaning.chosen_clocks import before_due, decided, same_day_after
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -126,11 +126,10 @@ class Grounding:
             whole = self.wall(said.of)
             return Instants(max(self.now, whole.start), whole.end, Unit.SECOND)
         if isinstance(said, SameTime):
-            days = next(self.days(said.days))
-            week = days.first + timedelta(days=(self.now.weekday() - days.first.weekday()) % 7)
+            day = self._same_day(said.days)
             # "Call mum at six. Same time tomorrow, call dad": at six, too.
             here = self.now if self.since is None else self.since
-            moment = datetime.combine(week if said.days.grain is Unit.WEEK else days.first, here.time())
+            moment = datetime.combine(day, here.time())
             return Instants(moment, moment, Unit.MINUTE)
         if isinstance(said, HourMark):
             begun = self.now if self.since is None else max(self.now, self.since)
@@ -141,6 +140,17 @@ class Grounding:
                 moment = before if before > self.now else moment
             return Instants(moment, moment, Unit.MINUTE)
         return Instants(self.now, self.now, Unit.SECOND)
+
+    def _same_day(self, calendar: Calendar) -> date:
+        """Give the day of a period that is in it what today is in its own: "this time next year"."""
+        first = next(self.days(calendar)).first
+        if calendar.grain is Unit.WEEK:
+            return first + timedelta(days=(self.now.weekday() - first.weekday()) % 7)
+        if calendar.grain not in {Unit.MONTH, Unit.YEAR}:
+            return first
+        months = 12 * (first.year - self.now.year)
+        months += first.month - self.now.month if calendar.grain is Unit.MONTH else 0
+        return moved(self.now.date(), Unit.MONTH, months)
 
     # -- days -------------------------------------------------------------------------------------------
 

@@ -63,6 +63,9 @@ def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:
     """Give the moment a duration away: months and years by the calendar, all else by the clock."""
     found = moment
     for amount, unit in duration.terms:
+        if unit is Unit.YEAR and amount != int(amount):
+            # Half a year is six months.
+            amount, unit = amount * 12, Unit.MONTH  # noqa: PLW2901 - the same length
         if unit in CALENDAR_UNITS and amount == int(amount):
             day = moved(found.date(), unit, int(amount) * direction)
             found = datetime.combine(day, found.time())

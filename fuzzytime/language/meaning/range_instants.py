@@ -63,7 +63,9 @@ def _day_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
     lent = False
     if isinstance(first_days, Fields) and isinstance(last_days, Fields):
         lent = first_days.year is None and last_days.year is not None
-        first_days = _before(first_days, last_days).filled(last_days)
+        if first_days != Fields(year=first_days.year):
+            # "From 2027 to may 2028" begins with its year.
+            first_days = _before(first_days, last_days).filled(last_days)
         if last_days.month is None and last_days.weekday is None:
             last_days = replace(last_days, month=first_days.month, year=last_days.year or first_days.year)
         elif last_days.year is None and first_days.year is not None and last_days.month is not None:
@@ -125,6 +127,9 @@ def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
     if last.part is not None and not (last.part == first.part and last.part.half is Half.NIGHT):
         # "Overnight from ten until six": what begins at night may end in the morning.
         end_clock = halved(end_clock, last.part.half)
+    if start_clock.midnight and last.days is None:
+        # "Sunday from midnight to four": where that day begins.
+        start_clock = replace(start_clock, midnight=False)
     known_end = not end_clock.is_open
     if start_clock.is_open and known_end:
         begins = min(

@@ -33,7 +33,9 @@ class Clock:
     """A time of day as said; ``full_day`` where the hour counts from 0 to 24 ("15h30", "0730").
 
     ``bare`` says that it is a number alone ("six"); ``pair`` that it is two ("ten thirty"); ``midnight`` that
-    it is named by that word, which people say of the end of a day, too.
+    it is named by that word, which people say of the end of a day, too. ``apart`` says that it is told by
+    how far it is from another ("ten minutes before noon"), ``minutes`` that its number may as well be minutes
+    past or to another hour ("twenty").
     """
 
     hour: int
@@ -46,6 +48,8 @@ class Clock:
     pair: bool = False
     shift: int = 0
     midnight: bool = False
+    apart: bool = False
+    minutes: bool = False
 
     @property
     def may_end_day(self) -> bool:

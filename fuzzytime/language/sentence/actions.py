@@ -20,6 +20,10 @@ GOING_AND = frozenset({"go", "come", "try", "hurry"})
 SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
+DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
+"""Words that deny a verb."""
+
+
 @dataclass(frozen=True, slots=True)
 class Action:
     """The verb of an instruction in its tree, and what the words around it say."""
@@ -78,7 +82,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
         elif (
             lemma in lexicon.wanting
             or _is_going_to(tree, root)
-            or (lemma == "let" and _lets(tree, root))
+            or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
             or (lemma == "have" and _has_to(tree, below))
         ):
             pass
@@ -226,7 +230,7 @@ def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
-    lets = tree.nodes[place].lemma == "let" and _lets(tree, place)
+    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place, lexicon))
     return not lets and small_clause(tree, place, lexicon) is not None
 
 
@@ -234,6 +238,13 @@ def _lets(tree: Tree, place: int) -> bool:
     """Whether it is "let us" or "lets", not "let me know"."""
     following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether it is "don't let me forget to post it"."""
+    below = _complement(tree, place, "let")
+    forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
+    return forgets and below is not None and bool(tree.children(below, "xcomp"))
 
 
 def _is_going_to(tree: Tree, place: int) -> bool:
@@ -248,10 +259,7 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 
 def _is_negated(tree: Tree, place: int) -> bool:
-    return any(
-        tree.nodes[p].lower in {"not", "n't", "n’t", "nt", "never"}
-        for p in tree.children(place, "neg", "advmod")
-    )
+    return any(tree.nodes[p].lower in DENYING for p in tree.children(place, "neg", "advmod"))
 
 
 def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:

@@ -31,7 +31,7 @@ from fuzzytime.language.sentence.connectives import (
 )
 from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
-from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unused_orders, unused_words
+from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unasked, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import read_heading
 from fuzzytime.language.sentence.lengths import (
@@ -113,7 +113,8 @@ class _Composer:
             doubts = self._doubts(sketch)
             self.remarks += doubts
             if doubts:
-                sketches[place] = replace(sketch, operation=None)
+                clauses = unasked(sketch.clauses, self.draft.text)
+                sketches[place] = replace(sketch, operation=None, clauses=clauses)
             elif sketch.operation is not None:
                 self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
                 thing = resolved_object(sketch.operation, operations, self.mentions, self.first)

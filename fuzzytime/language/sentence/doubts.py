@@ -5,6 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.statements import DETERMINERS, NOBODY
 from fuzzytime.language.sentence.tree import Node, Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -23,6 +24,12 @@ DENIED = frozenset({"not", "now", "yet", "today", "and", "but", "please"})
 
 SHIFTING = frozenset({"bring", "put", "extend"})
 """Further verbs that give another time to what has one: "bring the meeting forward by an hour"."""
+
+ASKING = frozenset(
+    {"is", "are", "was", "were", "do", "does", "did", "will", "would", "can", "could", "should", "shall"}
+    | {"am", "has", "have", "must", "may"}
+)
+"""Verbs behind "when" that ask."""
 
 WERE = frozenset({"was", "were"})
 SPEAKING = frozenset({"i", "we", "you"})
@@ -68,6 +75,13 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
     if foreign:
         message = f"{text[slice(*span)]!r} is not English, as {foreign[0]!r} shows"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def unasked(clauses: Sequence[Clause], text: str) -> tuple[Clause, ...]:
+    """Give the clauses that do not ask when something is: "when does the shop open"."""
+    said = [[word.text for word in words_of(text[slice(*clause.span)])] for clause in clauses]
+    asking = [words[:1] == ["when"] and words[1:2] != [] and words[1] in ASKING for words in said]
+    return tuple(clause for clause, asks in zip(clauses, asking, strict=True) if not asks)
 
 
 def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[Span]) -> Iterator[Remark]:

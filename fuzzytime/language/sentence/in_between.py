@@ -5,6 +5,7 @@ Two times are a range, which the grammar reads; an event's time is that of anoth
 
 from collections.abc import Iterator
 
+from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.sentence.event_edges import LONGEST_EVENT, is_event
@@ -36,9 +37,17 @@ def _betweens(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[tuple[int, i
             continue
         ends = range(joint + 2, min(joint + 2 + LONGEST_EVENT, len(words) + 1))
         event = is_event(words, place + 1, joint, frozenset(), lexicon)
+        # "Between two and four call mum": what a clock time or a day begins is no event.
         other = any(is_event(words, joint + 1, end, frozenset(), lexicon) for end in ends)
+        own = [p for p in scanned.pieces("wall") if _is_own(p)] + scanned.pieces("minutes past")
+        other = other and not any(piece.start == joint + 1 for piece in own)
         walls = {(piece.start, piece.end) for piece in scanned.pieces("wall")} if event or other else set()
         first = event or (place + 1, joint) in walls or (place + 2, joint) in walls
         last = other or any(start == joint + 1 for start, _ in walls)
         if (event or other) and first and last:
             yield (word.start, word.end), (words[joint].start, words[joint].end)
+
+
+def _is_own(piece: Piece) -> bool:
+    """Whether it is a clock time or a day, without an article that may open an event's name."""
+    return piece.value.clock is not None or piece.value.days is not None

@@ -15,6 +15,9 @@ from fuzzytime.language.instruction import Span
 MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 """What stands before the first of several."""
 
+ONE = ("one",)
+TWO = 2
+
 JOINTS = MARKS | {"and", "&", "then"}
 """What stands before a further one."""
 
@@ -58,14 +61,18 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
     for place in range(1, len(words)):
         before = words[place - 1]
         named = lexicon.instances["further" if starts else "first"]
-        if before.text not in (JOINTS if starts else MARKS):
-            continue
         form = longest_match(words, place, named)
+        # "Two alarms for tomorrow one at six and one at seven", as it is said
+        told = bool(starts) or _has_number(words, place, lexicon)
+        spoken = form == ONE and _times_behind(words, place) and told
+        if before.text not in (JOINTS if starts else MARKS) and not spoken:
+            continue
         behind = place if form is None else place + len(form)
         if form is None or behind >= len(words):
             continue
         starts.append(words[behind - 1].end)
-        counting.append((before.start if len(starts) == 1 else words[place].start, words[behind - 1].end))
+        marked = len(starts) == 1 and not spoken
+        counting.append((before.start if marked else words[place].start, words[behind - 1].end))
     number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
     if number is not None and lexicon.numbers.get(number.text, number.text) in {
         len(starts),
@@ -74,6 +81,17 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
         counting.append((number.start, number.end))
         return Instances(tuple(starts), tuple(counting), counted=_behind(scanned, number))
     return Instances(tuple(starts), tuple(counting))
+
+
+def _times_behind(words: Sequence[Word], place: int) -> bool:
+    """Whether a preposition of times stands behind a word."""
+    return place + 1 < len(words) and words[place + 1].text in {"at", "for", "on"}
+
+
+def _has_number(words: Sequence[Word], end: int, lexicon: Lexicon) -> bool:
+    """Whether a number, and a word that it counts, stand before a place."""
+    numbers = (words[place].text for place in range(end - 1) if words[place + 1].text.endswith("s"))
+    return any(lexicon.numbers.get(text, 0) >= TWO for text in numbers)
 
 
 def _counts(words: Sequence[Word], counting: Sequence[Span], lexicon: Lexicon) -> Iterator[Word]:

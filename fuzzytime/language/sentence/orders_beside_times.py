@@ -6,6 +6,9 @@ from fuzzytime.language.sentence.tree import Tree
 
 JOINTS = frozenset({"and", "but", ",", ";", "&", "then", "please", "also", "so"})
 IMPERATIVE = frozenset({"VB", "VBP"})
+OWNING_TAGS = frozenset({"DT", "PRP$"})
+"""Tags of words that begin what is done something with."""
+
 OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 
 
@@ -43,3 +46,32 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
+
+
+def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a first word taken for a noun is an order: "order sushi for seven", "text karen at two"."""
+    if tree.root != 1 or not tree.nodes[0].tag.startswith("NN"):
+        return False
+    orders = lexicon.ordering | (lexicon.addressing if _is_called(tree, 1, lexicon) else frozenset())
+    return tree.nodes[0].lower in orders
+
+
+def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
+    """Whether a bare verb with an object stands behind a time: "tomorrow at nine call the insurance".
+
+    ``behind_time`` is where the words behind a time in front begin, 0 where there is none.
+    """
+    first = next(iter(tree.at(behind_time, behind_time + 1)), None) if behind_time else None
+    if first is None or first + 1 >= len(tree.nodes):
+        return False
+    node, behind = tree.nodes[first], tree.nodes[first + 1]
+    owning = behind.tag in OWNING_TAGS and node.may_act
+    called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
+    return node.tag.startswith("NN") and node.lower == node.lemma and (owning or called)
+
+
+def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a noun may be somebody: not "interview" in "phone interview at two"."""
+    node = tree.nodes[place]
+    event = node.may_act or node.lower in lexicon.happening | lexicon.taken
+    return node.lower in lexicon.persons or (node.tag.startswith("NN") and not event)

@@ -129,6 +129,11 @@ def _with_shared_hours(phrases: Sequence[Phrase], hours: Range) -> list[Phrase]:
     return [*found, phrases[-1]]
 
 
+def is_weekday(phrase: Phrase) -> bool:
+    """Whether it is a day of the week, with or without a time of day."""
+    return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
+
+
 def _is_weekday(wall: Wall) -> bool:
     return isinstance(wall.days, Fields) and wall.days.weekly
 

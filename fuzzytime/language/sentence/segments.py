@@ -1,10 +1,12 @@
 """A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.surroundings import ASKING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
@@ -100,7 +102,7 @@ def segments_of(
         if words[place].text in ENDS and _is_end(text, words, place):
             cuts.append((place, place + 1, ""))
         place += 1
-    return list(_between(text, words, cuts, lexicon))
+    return list(_between(text, words, cuts, {phrase.first for phrase in phrases}, lexicon))
 
 
 def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
@@ -169,7 +171,15 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     word, object_ = words[phrase.end], words[phrase.end + 1].text
     inside = word.text in lexicon.function_words | lexicon.places
-    return word.capital or (not inside and object_ in ARTICLES | {"it", "them"})
+    acts = not inside and object_ in ARTICLES | {"it", "them"}
+    return word.capital or (acts and not _leads(phrase, words, lexicon))
+
+
+def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt"."""
+    ends = (place + 1 for place in range(phrase.first) if words[place].text in ENDS)
+    begin = max(ends, default=0)
+    return _behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first
 
 
 def _end_of(words: Sequence[Word], place: int, length: int) -> int:
@@ -224,11 +234,12 @@ def _between(
     text: str,
     words: Sequence[Word],
     cuts: Sequence[tuple[int, int, str]],
+    times: AbstractSet[int],
     lexicon: Lexicon,
 ) -> Iterator[Segment]:
     start, connective, said = 0, "", (0, 0)
     for first, end, name in (*cuts, (len(words), len(words), "")):
-        begin = _behind_opening(words, start, first, lexicon)
+        begin = _behind_opening(words, start, first, times, lexicon)
         last = _before_courtesies(words, begin, first, lexicon)
         segment = _segment(text, words, begin, last, connective, said)
         if segment is not None:
@@ -239,13 +250,20 @@ def _between(
             connective, said = name, (words[first].start, words[end - 1].end)
 
 
-def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
-    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it."""
+def _behind_opening(
+    words: Sequence[Word], start: int, end: int, times: AbstractSet[int], lexicon: Lexicon
+) -> int:
+    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it.
+
+    Nor is "could you please", where a time stands behind it, at one of ``times``.
+    """
     begin = start
     while begin < end - 1:
         suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
+        elif (asked := _asked_before(words, begin, times)) is not None:
+            begin = asked
         elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
             break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
@@ -253,6 +271,13 @@ def _behind_opening(words: Sequence[Word], start: int, end: int, lexicon: Lexico
         else:
             break
     return begin
+
+
+def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int]) -> int | None:
+    """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
+    first, *behind = (word.text for word in words[place : place + 3])
+    time = place + 2 + (behind[1:] == ["please"])
+    return time if first in ASKING and behind[:1] == ["you"] and time in times else None
 
 
 def _counts(word: Word, lexicon: Lexicon) -> bool:

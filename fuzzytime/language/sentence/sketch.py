@@ -17,7 +17,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.relations import days_away
-from fuzzytime.language.sentence.actions import Action, action_of, reference_of, says_how_things_are
+from fuzzytime.language.sentence.actions import DENYING, Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clauses import clauses_of
@@ -201,6 +201,10 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in DENYING}
+    if denying and denying <= timed:
+        # "Not until next week call the plumber": it is the time that is denied.
+        action = replace(action, negated=False)
     if any(part.tree.nodes[p].lower in PRONOUNS for p in part.tree.children(action.place, "nsubj", "expl")):
         # "It takes twenty minutes to get there"
         return action

@@ -22,6 +22,7 @@ from fuzzytime.language.sentence.said_again import (
     apart,
     done_again,
     each_of,
+    is_weekday,
     with_shared_clock,
 )
 from fuzzytime.language.sentence.sketch import Sketch, order_of, sketch_of
@@ -31,6 +32,9 @@ from fuzzytime.requirement import Constraint
 ADDED = frozenset({"and", "&", ",", "also"})
 COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
 """Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
+
+LIST = 2
+"""Weekdays side by side, without "and", that are hardly a list."""
 
 OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
@@ -155,11 +159,15 @@ def _alternatives(
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
             if between & {"otherwise", "else"}:
                 between -= COURTEOUS
+            if not between and is_weekday(group[-1]) and is_weekday(following):
+                # "Monday wednesday and friday", as it is said
+                between = {","}
             if not between or between - ADDED - OFFERED or not (_is_when(group[-1]) and _is_when(following)):
                 break
             group.append(following)
             joints |= between
-        if len(group) > 1 and joints & (ADDED | OFFERED) - {","}:
+        several = len(group) > LIST and all(map(is_weekday, group))
+        if len(group) > 1 and (several or joints & (ADDED | OFFERED) - {","}):
             rest = tuple(phrase for phrase in phrases if phrase not in group)
             if joints & OFFERED:
                 return [((*rest, group[0]), tuple(group[1:]))]

@@ -13,6 +13,7 @@ from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.happenings import happens, may_be_ordered
+from fuzzytime.language.sentence.orders_beside_times import begins_order, leads_to_order
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.statement_trees import leaves
 from fuzzytime.language.sentence.tree import Tree
@@ -185,6 +186,8 @@ class Waiting:
         first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
         if first is None or first == tree.root or tree.root is None:
             return False
+        if leads_to_order(tree, self.behind_time, lexicon):
+            return True
         node = tree.nodes[first]
         if not node.may_act or node.lower != node.lemma:
             return False
@@ -209,7 +212,11 @@ class Waiting:
     def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
         """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
         if self._phrases and happens(tree, self._phrases, lexicon):
-            return may_be_ordered(tree)
+            return (
+                may_be_ordered(tree)
+                or begins_order(tree, lexicon)
+                or leads_to_order(tree, self.behind_time, lexicon)
+            )
         if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
             return False
         if not tree.nodes or is_doubtful(tree):
@@ -220,7 +227,7 @@ class Waiting:
         places = self.source.places(self.main, self.segment.span[1])
         timed = {words[place].start - self.main for place in places if place in covered}
         first = tree.nodes[tree.root or 0].start
-        if self._overlooks_order(tree, lexicon) or first in timed:
+        if self._overlooks_order(tree, lexicon) or begins_order(tree, lexicon) or first in timed:
             return True
         root = self.main + first
         before = [p for p in self.source.places(self.main, root) if p not in covered]
