@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded, grounded
@@ -96,7 +96,9 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     found: list[Grounded] = []
     remarks: list[Remark] = []
     for phrase in phrases:
-        begun = next((one.requirement for one in found if one.requirement.constraint is Constraint.AT), None)
+        kinds = {Constraint.AT, Constraint.BETWEEN} if _is_part_alone(phrase) else {Constraint.AT}
+        # "Unplug it tonight so it's dry by morning": the morning behind that night.
+        begun = next((one.requirement for one in found if one.requirement.constraint in kinds), None)
         here = moment
         if begun is not None and phrase.said.constraint is Constraint.BEFORE and begun.earliest is not None:
             # "At four so it's cool by six": the six behind that four.
@@ -110,3 +112,9 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
         found += some
         remarks += [remark for one in some for remark in one.remarks]
     return Times(tuple(found), tuple(remarks))
+
+
+def _is_part_alone(phrase: Phrase) -> bool:
+    """Whether a time is a part of a day that is not said."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.part is not None and time.days is None and time.clock is None
