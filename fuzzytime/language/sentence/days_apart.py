@@ -69,6 +69,26 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     return placed if heading is None else [_under(sketch, heading) for sketch in placed]
 
 
+def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
+    first, mark, rest = text.partition(":")
+    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
+        return sketches
+    days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
+    if not days or first[days[-1].span[1] :].strip():
+        return sketches
+    days = [replace(day, said=day.said.sure) for day in days]
+    return [sketches[0], *(_with_days(sketch, days) for sketch in sketches[1:])]
+
+
+def _with_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
+    """Give a sketch on some days, unless it has one of its own."""
+    if any(phrase.said.is_day for phrase in sketch.phrases):
+        return sketch
+    references = (*(None for _ in days), *sketch.references)
+    return replace(sketch, phrases=(*days, *sketch.phrases), references=references)
+
+
 def _under(sketch: Sketch, heading: Heading) -> Sketch:
     """Give an instruction the times of a line above, where its own do not say when something is done."""
     operation = sketch.operation

@@ -36,26 +36,6 @@ STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
 
-def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
-    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
-    first, mark, rest = text.partition(":")
-    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
-        return sketches
-    days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
-    if not days or first[days[-1].span[1] :].strip():
-        return sketches
-    days = [replace(day, said=day.said.sure) for day in days]
-    return [sketches[0], *(_on_days(sketch, days) for sketch in sketches[1:])]
-
-
-def _on_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
-    """Give a sketch on some days, unless it has one of its own."""
-    if any(phrase.said.is_day for phrase in sketch.phrases):
-        return sketch
-    references = (*(None for _ in days), *sketch.references)
-    return replace(sketch, phrases=(*days, *sketch.phrases), references=references)
-
-
 def led(sketches: list[Sketch]) -> list[Sketch]:
     """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
     found: list[Sketch] = []

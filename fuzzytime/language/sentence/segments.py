@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.surroundings import ASKING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.sentence.named_events import beside, counts_event, heads
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
@@ -18,16 +19,9 @@ TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx",
 ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
 """Connectives that open an instruction only where it begins."""
 
-FIRST, SECOND = "first", "second"
-LONGEST_NAME = 4
-"""Words at most, and one, of the name of what has a time: "first aid course"."""
-
 MEANWHILE = "meanwhile"
 SERIES = frozenset({"every", "each"})
 """Words behind "at the same time" that make it a time of day."""
-
-LONGEST_MEANWHILE = 6
-"""Words at most of what happens meanwhile: "with a ten-minute break at five"."""
 
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
@@ -80,15 +74,15 @@ def segments_of(
     following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
     following |= set(_listed(phrases))
     following |= set(_behind_happening(phrases, words, lexicon))
-    following |= set(_beside(phrases, words, lexicon))
-    following |= {phrase.end for phrase in phrases[:1] if _heads(phrase, words)}
+    following |= set(beside(phrases, words, lexicon))
+    following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
     while place < len(words):
         if place in following:
             cuts.append((place, place, ""))
         if place in inside and place not in vague:
             place += 1
             continue
-        opens = _opens(words, place, vague) and not _counts_event(words, place, phrases, lexicon)
+        opens = _opens(words, place, vague) and not counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
@@ -130,26 +124,6 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         taken = lexicon.function_words | lexicon.places
         if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
             yield behind
-
-
-def _beside(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
-    """Give where begins what happens meanwhile: "revise from four to six, with a break at five"."""
-    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
-    for phrase in phrases[1:]:
-        last = phrase.first - 1
-        called = words[last].text in lexicon.happening | lexicon.taken and last not in covered
-        first = next(
-            (p for p in range(last, max(0, last - LONGEST_MEANWHILE), -1) if words[p].text == "with"), 0
-        )
-        joined = first > 1 and (first - 1 in covered or words[first - 1].text == ",")
-        if called and joined and first not in covered and isinstance(phrase.said.time, Wall):
-            yield first + 1
-
-
-def _heads(phrase: Phrase, words: Sequence[Word]) -> bool:
-    """Whether a day behind what it is the day of ends at a colon: "school trip on the 12th: …"."""
-    ends = phrase.end + 1 < len(words) and words[phrase.end].text == ":" and not words[phrase.end + 1].glued
-    return ends and phrase.said.is_day and phrase.first > 0
 
 
 def _is_clock(phrase: Phrase) -> bool:
@@ -201,18 +175,6 @@ def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
     if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
         return False
     return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
-
-
-def _counts_event(words: Sequence[Word], place: int, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
-    """Whether "first" is of what has a time, or of several: "first lesson at nine", "first … second coat"."""
-    if words[place].text != FIRST or place + 1 >= len(words):
-        return False
-    behind = words[place + 1].text
-    if any(one.text == SECOND and other.text == behind for one, other in pairwise(words)):
-        return True
-    time = next((phrase.first for phrase in phrases if phrase.first > place), place)
-    named = place + 1 < time <= place + LONGEST_NAME
-    return named and words[time - 1].text in lexicon.happening | lexicon.taken
 
 
 def _is_end(text: str, words: Sequence[Word], place: int) -> bool:

@@ -15,9 +15,9 @@ from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.at_once import at_once
 from fuzzytime.language.sentence.both_sides import on_both_sides
 from fuzzytime.language.sentence.clause_requirements import BECOMING
-from fuzzytime.language.sentence.days_apart import on_their_days
+from fuzzytime.language.sentence.days_apart import on_their_days, under_first_line
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.lending import led, repeated, shared, under_first_line, within
+from fuzzytime.language.sentence.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.said_again import (
     apart,
     done_again,
