@@ -8,6 +8,7 @@ import pytest
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_zone
 from fuzzytime_cli.inputs.calendar import busy_of_calendar
+from terminal.running import ran
 
 NOW = datetime(2026, 3, 28, 22, 50, tzinfo=parse_zone("Europe/Berlin"))
 """Three hours and ten minutes before the clocks go forward."""
@@ -38,6 +39,46 @@ def test_a_repeating_event_keeps_its_hour_when_the_clocks_change(tmp_path: Path)
     found = taken(tmp_path, daily)
     assert len(found) == 14
     assert found[:2] == ["29. 07:00-29. 07:30 Run", "30. 07:00-30. 07:30 Run"]
+
+
+def test_occurrences_that_were_deleted_or_moved_take_no_time_and_added_ones_do(tmp_path: Path) -> None:
+    zone = ";TZID=Europe/Berlin"
+    series = (
+        f"UID:run@here\nDTSTART{zone}:20260301T070000\nDURATION:PT30M\nRRULE:FREQ=DAILY;UNTIL=20260402T235900Z\n"
+        f"EXDATE{zone}:20260330T070000,20260331T070000\nRDATE{zone}:20260405T090000\nSUMMARY:Run"
+    )
+    moved = (
+        f"UID:run@here\nRECURRENCE-ID{zone}:20260401T070000\nDTSTART{zone}:20260401T180000\n"
+        "DURATION:PT30M\nSUMMARY:Run late"
+    )
+    cancelled = (
+        f"UID:run@here\nRECURRENCE-ID{zone}:20260402T070000\nDTSTART{zone}:20260402T070000\nDURATION:PT30M\n"
+        "STATUS:CANCELLED"
+    )
+    other = f"UID:swim@here\nDTSTART{zone}:20260401T070000\nDURATION:PT30M\nSUMMARY:Swim"
+    assert taken(tmp_path, series, moved, cancelled, other) == [
+        "29. 07:00-29. 07:30 Run",
+        "01. 07:00-01. 07:30 Swim",
+        "01. 18:00-01. 18:30 Run late",
+        "05. 09:00-05. 09:30 Run",
+    ]
+
+
+def test_a_calendar_is_read_as_far_as_is_planned(tmp_path: Path) -> None:
+    assert taken(tmp_path, "DTSTART:20260425T100000Z\nDURATION:PT1H\nSUMMARY:Fair") == []
+    (fair,) = busy_of_calendar(tmp_path / "busy.ics", NOW, 30 * 86400.0)
+    assert fair.what == "Fair"
+
+
+@pytest.mark.model
+def test_what_lies_beyond_two_weeks_is_taken_where_a_plan_reaches_there(tmp_path: Path) -> None:
+    taken(tmp_path, "DTSTART:20260422T080000Z\nDURATION:PT8H\nSUMMARY:Fair")
+    task = tmp_path / "task.yaml"
+    task.write_text(
+        "now: 2026-03-28T22:50\nzone: Europe/Berlin\nhorizon: 30 d\nbusy: busy.ics\n"
+        "instructions: [Call mum on April 22 at noon]\n"
+    )
+    assert "taken by Fair" in ran("plan", str(task), folder=tmp_path).out
 
 
 def test_a_day_is_taken_whole_and_a_time_without_a_zone_is_one_here(tmp_path: Path) -> None:

@@ -122,8 +122,8 @@ def use_task(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
             _must_be_satisfactions(wish.satisfaction)
 
 
-def _no_calendar(name: str, now: datetime) -> tuple[()]:
-    raise FuzzytimeError(f"a calendar file must be readable, got {name!r} for {now}")
+def _no_calendar(name: str, now: datetime, ahead: float) -> tuple[()]:
+    raise FuzzytimeError(f"a calendar file must be readable, got {name!r} for {now} and {ahead:g} s")
 
 
 def use_calendar(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:

@@ -115,7 +115,7 @@ def request_from(
                 assembly.given(asked=True),
                 assembly.given(asked=False),
                 now,
-                lambda name, moment: busy_of_calendar(folder / name, moment),
+                lambda name, moment, ahead: busy_of_calendar(folder / name, moment, ahead),
                 signals,
             )
             request = read_task_file(source, surroundings)

@@ -4,14 +4,22 @@ from collections.abc import Sequence
 
 from fuzzytime.interpreter import Moved, Plan
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling import Bond, Certificate, Limits, Neighbour, Status, Why, elsewhere, explain
+from fuzzytime.scheduling import (
+    Alternative,
+    Bond,
+    Limits,
+    Neighbour,
+    Schedule,
+    Status,
+    Why,
+    elsewhere,
+    explain,
+)
 from fuzzytime.skills import Busy
 from fuzzytime.times import format_duration
 from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.formats.whole import SHOWN, how_near, is_same, product_of
 from fuzzytime_cli.render import plain
-
-SHOWN = 0.005
-"""Satisfactions are shown with two digits: a smaller difference is none."""
 
 MINUTE = 60.0
 
@@ -211,17 +219,21 @@ def _instead(why: Why, plan: Plan) -> str:
         return ""
     when = Clock.for_times(plan.request.now, [round(alternative.start)]).of(alternative.start)
     own = f"Started at {when} it would have {alternative.satisfactions[why.position]:.2f}"
-    if alternative.cost < plan.schedule.weighted_cost - SHOWN:
-        return f"{own}, and the whole {alternative.product:.3g}: better than what this search found."
+    schedule = plan.schedule
+    if alternative.cost < schedule.weighted_cost - SHOWN:
+        return (
+            f"{own}, and the whole {product_of(alternative, schedule)}: better than what this search found."
+        )
     paying = [neighbour for neighbour in why.neighbours if neighbour.loss >= SHOWN][:MOST_NAMED]
     falls = [
         (name_of(plan, neighbour.position), f"{neighbour.satisfaction:.2f} to {neighbour.instead:.2f}")
         for neighbour in paying
     ]
-    before, after = plan.schedule.satisfaction, alternative.product
-    same = abs(after - before) < SHOWN * before
+    same = is_same(schedule, alternative)
     if not same:
-        falls.append(("the whole", f"{before:.3g} to {after:.3g}"))
+        falls.append(
+            ("the whole", f"{product_of(schedule, schedule)} to {product_of(alternative, schedule)}")
+        )
     if not falls:
         return f"{own}, and the whole would be no better."
     (name, change), *rest = falls
@@ -249,29 +261,27 @@ def _minutes(why: Why, plan: Plan) -> str:
             continue
         parts.append(
             f"a minute {word} it would have {found.satisfactions[why.position]:.2f}"
-            + _whole(schedule.satisfaction, found.product, alone=len(plan.skills) == 1)
+            + ("" if len(plan.skills) == 1 else _whole(schedule, found))
         )
     if not parts:
         return ""
     text = "; ".join(parts)
-    return f"{text[0].upper()}{text[1:]}.{_proof(schedule.certificate)}"
+    return f"{text[0].upper()}{text[1:]}.{_proof(schedule)}"
 
 
-def _proof(certificate: Certificate) -> str:
+def _proof(schedule: Schedule) -> str:
     """Say whether better schedules are ruled out: where not, a minute that gains is no surprise."""
-    match certificate.status:
+    match schedule.certificate.status:
         case Status.OPTIMAL:
             return " No schedule satisfies better: proved."
         case Status.BOUNDED:
-            within = f"{certificate.gap:.2%} of the best possible"
-            return f" The average is within {within}: more time (--time-limit) may find better."
+            near = how_near(schedule)
+            return f" {near[0].upper()}{near[1:]}: more time (--time-limit) may find better."
         case _:
             return ""
 
 
-def _whole(before: float, after: float, *, alone: bool) -> str:
-    if alone:
-        return ""
-    if abs(after - before) < SHOWN * before:
+def _whole(schedule: Schedule, other: Alternative) -> str:
+    if is_same(schedule, other):
         return ", at no cost to the whole"
-    return f", and the whole {after:.3g} instead of {before:.3g}"
+    return f", and the whole {product_of(other, schedule)} instead of {product_of(schedule, schedule)}"

@@ -13,6 +13,7 @@ from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
+from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
 
 _EIGHTHS = " ▏▎▍▌▋▊▉"
@@ -39,15 +40,6 @@ def style_of(satisfaction: float, *, rejected: bool = False) -> str:
     if rejected:
         return "red"
     return "green" if satisfaction >= 0.8 else "yellow" if satisfaction >= 0.4 else "red"
-
-
-def whole(satisfaction: float) -> str:
-    """Write the satisfaction of a whole plan, a product that may be tiny.
-
-    >>> whole(0.8333), whole(1.0), whole(1e-6), whole(0.0)
-    ('0.833', '1', 'below 0.0001', '0')
-    """
-    return f"{satisfaction:.3g}" if satisfaction >= 1e-4 or satisfaction == 0 else "below 0.0001"
 
 
 @dataclass(frozen=True, slots=True)
@@ -245,19 +237,19 @@ class PlanView:
     def _summary(self) -> Text:
         schedule, certificate = self.schedule, self.schedule.certificate
         line = Text("Satisfaction ", style="bold")
-        line.append(whole(schedule.satisfaction), style_of(schedule.geometric_mean))
+        shown = whole(schedule.satisfaction, fails=schedule.geometric_mean == 0)
+        line.append(shown, style_of(schedule.geometric_mean))
         if len(self.plan.skills) > 1:
             line.append(f" in all, {schedule.geometric_mean:.2f} on average", "not bold")
         line.append(f" ({self._proof()}; {certificate.method}, {certificate.seconds:.2f} s)", "dim")
         return line
 
     def _proof(self) -> str:
-        certificate = self.schedule.certificate
-        match certificate.status:
+        match self.schedule.certificate.status:
             case Status.OPTIMAL:
                 return "no schedule satisfies better: proved"
             case Status.BOUNDED:
-                return f"the average is within {certificate.gap:.2%} of the best possible: proved"
+                return f"{how_near(self.schedule)}: proved"
             case Status.HEURISTIC:
                 return "a good schedule, without proof"
             case Status.INFEASIBLE:

@@ -11,7 +11,7 @@ from fuzzytime.times import DAY, HOUR, MINUTE, seconds_between
 MAX_BYTES = 4 << 20
 MAX_OCCURRENCES = 500
 AHEAD = 14 * DAY
-"""How far ahead busy times are read, in seconds."""
+"""How far ahead busy times are read at least, in seconds."""
 
 STEPS = {"HOURLY": HOUR, "MINUTELY": MINUTE, "SECONDLY": 1.0}
 """Seconds between the occurrences of events that repeat more often than daily."""
@@ -28,11 +28,12 @@ _BROKEN = (
 """What the calendar's library raises where a file or an event is not as it should be."""
 
 
-def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
-    """Give the busy times of a calendar file within the next two weeks, in seconds from now.
+def busy_of_calendar(path: Path, now: datetime, ahead: float = AHEAD) -> tuple[Busy, ...]:
+    """Give the busy times of a calendar file within the next two weeks, or longer, in seconds from now.
 
     Events that are cancelled or transparent (they do not block time) are left out; repeating ones come with
-    each occurrence; an all-day event blocks its days. A now without a zone is this machine's.
+    each occurrence that was not deleted or moved; an all-day event blocks its days. A now without a zone is
+    this machine's.
 
     Raises
     ------
@@ -52,32 +53,50 @@ def busy_of_calendar(path: Path, now: datetime) -> tuple[Busy, ...]:
         reason = f": {error}" if isinstance(error, ValueError) else ""  # others are of the library's inside
         raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB{reason}") from error
     busy: list[Busy] = []
-    for event in calendar.walk("VEVENT"):
+    events = calendar.walk("VEVENT")
+    moved = {(event.get("UID"), one) for event in events for one in _moments(event, "RECURRENCE-ID", now)}
+    for event in events:
         if (
             str(event.get("STATUS", "")).upper() != "CANCELLED"
             and str(event.get("TRANSP", "")).upper() != "TRANSPARENT"
         ):
             try:
-                busy += _busy_of(event, now)
+                series = "RECURRENCE-ID" not in event
+                gone = {one for uid, one in moved if series and uid is not None and uid == event.get("UID")}
+                busy += _busy_of(event, now, max(ahead, AHEAD), gone)
             except FuzzytimeError as error:
                 raise FuzzytimeError(f"{path.name}: {error}") from error
     return tuple(sorted(busy, key=lambda taken: (taken.start, taken.end)))
 
 
-def _busy_of(event: "object", now: datetime) -> list[Busy]:
+def _busy_of(event: "object", now: datetime, ahead: float, moved: set[float]) -> list[Busy]:
     try:
         start = _instant(event.decoded("DTSTART"), now)  # type: ignore[attr-defined]
         length = _length(event, start, now)
-        starts = _occurrences(event, start, length, now)
+        starts = _occurrences(event, start, length, now, ahead)
     except _BROKEN:
         return []  # an event without a usable time blocks none
+    gone = moved | _moments(event, "EXDATE", now)
     what = str(event.get("SUMMARY", ""))  # type: ignore[attr-defined]
     found = []
-    for begin in starts:
-        first = seconds_between(now, begin)
-        if first + length > 0 and first < AHEAD:
+    for first in sorted({*(seconds_between(now, begin) for begin in starts), *_moments(event, "RDATE", now)}):
+        if first + length > 0 and first < ahead and first not in gone:
             found.append(Busy(first, first + length, what))
     return found
+
+
+def _moments(event: "object", name: str, now: datetime) -> set[float]:
+    """Give the moments that a property lists, in seconds from now; what is no date is passed over."""
+    found = event.get(name)  # type: ignore[attr-defined]
+    entries = [entry for part in (found if isinstance(found, list) else [found]) for entry in _dates(part)]
+    return {seconds_between(now, _instant(entry, now)) for entry in entries}
+
+
+def _dates(part: object) -> list[date | datetime]:
+    """Give the dates of a property's value: one, or a list of several; of periods their starts."""
+    values = [getattr(one, "dt", None) for one in getattr(part, "dts", [part])]
+    starts = [value[0] if isinstance(value, tuple) else value for value in values]
+    return [value for value in starts if isinstance(value, date)]
 
 
 def _instant(value: date | datetime, now: datetime) -> datetime:
@@ -94,7 +113,9 @@ def _length(event: "object", start: datetime, now: datetime) -> float:
     return DAY if not isinstance(event.decoded("DTSTART"), datetime) else 0.0  # type: ignore[attr-defined]
 
 
-def _occurrences(event: "object", start: datetime, length: float, now: datetime) -> list[datetime]:
+def _occurrences(
+    event: "object", start: datetime, length: float, now: datetime, ahead: float
+) -> list[datetime]:
     """Give the starts of an event that may still matter; dateutil comes with icalendar."""
     rule = event.get("RRULE")  # type: ignore[attr-defined]
     if rule is None:
@@ -104,7 +125,7 @@ def _occurrences(event: "object", start: datetime, length: float, now: datetime)
     after = max(start, _floor(now, start) - timedelta(seconds=length))
     first = start + timedelta(seconds=_skipped(rule, (after - start).total_seconds()))
     series = rrulestr(rule.to_ical().decode(), dtstart=first, ignoretz=start.tzinfo is None)
-    until = _floor(now, start) + timedelta(seconds=AHEAD)
+    until = _floor(now, start) + timedelta(seconds=ahead)
     found = []
     for occurrence in series.xafter(after, count=MAX_OCCURRENCES, inc=True):
         if occurrence > until:

@@ -10,8 +10,8 @@ from fuzzytime.skills import Busy
 from fuzzytime.times import parse_clock, parse_duration, parse_instant, seconds_between
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
-CalendarReader = Callable[[str, datetime], tuple[Busy, ...]]
-"""From a calendar file's name and now to its busy times."""
+CalendarReader = Callable[[str, datetime, float], tuple[Busy, ...]]
+"""From a calendar file's name, now, and how many seconds ahead is planned, to its busy times."""
 
 _CLOCK = re.compile(r"\s*\d{1,2}:\d{2}(:\d{2})?\s*")
 
@@ -46,11 +46,11 @@ def moment_of(text: str, now: datetime, since: float = -math.inf) -> float:
 
 
 def read_busy(
-    reader: Reader, node: Node, now: datetime, agents: int, calendar: CalendarReader
+    reader: Reader, node: Node, now: datetime, agents: int, ahead: float, calendar: CalendarReader
 ) -> tuple[Busy, ...]:
     """Read a list of ``{from, to, what, agent}``, or the name of a calendar file."""
     if isinstance(node, Scalar):
-        return reader.read(node, "busy", lambda name: calendar(name, now)) or ()
+        return reader.read(node, "busy", lambda name: calendar(name, now, ahead)) or ()
     found = []
     for index, item in enumerate(reader.sequence(node, "busy")):
         key = f"busy[{index}]"

@@ -115,7 +115,8 @@ class _TaskFile:
         asked, usual = self.surroundings.asked, self.surroundings.usual
         agents = reader.whole(top["agents"], "agents", 1, 100) if "agents" in top else None
         self.agents = max(1, _first(asked.agents, agents, usual.agents, 1))
-        horizon = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
+        own = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
+        horizon = asked.horizon or own or usual.horizon
         in_order = reader.boolean(top["in_order"], "in_order") if "in_order" in top else None
         context = (
             read_context_node(reader, top["context"], "context", self.surroundings.signals)
@@ -123,7 +124,7 @@ class _TaskFile:
             else Context()
         )
         busy = (
-            read_busy(reader, top["busy"], self.now, self.agents, self.surroundings.calendar)
+            read_busy(reader, top["busy"], self.now, self.agents, horizon or 0.0, self.surroundings.calendar)
             if "busy" in top
             else ()
         )
@@ -145,7 +146,7 @@ class _TaskFile:
             agents=self.agents,
             context=context,
             busy=busy,
-            horizon=asked.horizon or horizon or usual.horizon,
+            horizon=horizon,
             in_order=_first(asked.in_order, in_order, usual.in_order is True),
         )
 
