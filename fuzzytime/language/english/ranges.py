@@ -28,7 +28,7 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-NOON = 12
+NOON, HALF_PAST = 12, 30
 
 
 def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
@@ -49,8 +49,7 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
         if apart is None or not _comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
-    time = Range(first.time, last.time)
-    return Said(time, Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
+    return Said(Range(first.time, last.time), Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
 
 
 def _is_to_hour(first: Time, last: Time) -> bool:
@@ -65,7 +64,8 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
     mark, wall = last.time, first.time
     if not isinstance(mark, HourMark) or not mark.open or not isinstance(wall, Wall) or wall.clock is None:
         return last
-    if wall.clock.shift or wall.clock.minute >= mark.minute:
+    # "Between nine and five to drink" is no "five to".
+    if wall.clock.shift or not wall.clock.minute < mark.minute <= HALF_PAST:
         return last
     return replace(last, time=replace(wall, clock=replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE)))
 
