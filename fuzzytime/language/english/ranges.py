@@ -61,7 +61,7 @@ def _is_to_hour(first: Time, last: Time) -> bool:
 
 
 def _in_hour(first: Goal, last: Goal) -> Goal:
-    """Give the end of a range whose hour is that of its start: "after ten but before half past", never "five to"."""
+    """Give the end of a range in the hour of its start: "after ten but before half past", never "five to"."""
     mark, wall = last.time, first.time
     if not isinstance(mark, HourMark) or not mark.open or not isinstance(wall, Wall) or wall.clock is None:
         return last
