@@ -518,3 +518,21 @@ def test_what_is_played_may_be_called_like_a_time() -> None:
     ):
         (instruction,) = language().read(text, now=NOW).instructions
         assert [r.text for r in instruction.requirements] == times
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("remind me every hour between nine and five to drink water", ["every hour between nine and five"]),
+        ("turn the lamp on a little before sunset", ["a little before sunset"]),
+        ("block out the twenty fourth until the twenty sixth", ["until the twenty sixth"]),
+    ],
+)
+def test_a_time_ends_where_the_sentence_goes_on(text: str, times: list[str]) -> None:
+    (instruction,) = language().read(text, now=NOW).instructions
+    assert [r.text for r in instruction.requirements] == times
+
+
+def test_days_share_the_clock_time_of_the_first() -> None:
+    done = language().read("vacuum downstairs at eleven on tuesday and thursday", now=NOW).instructions
+    assert [[r.earliest for r in i.requirements] for i in done] == [[525600.0], [93600.0]]

@@ -186,13 +186,13 @@ def _six_days_before(anchor: Calendar) -> Calendar:
     return Away(-5, Unit.DAY, anchor)
 
 
-@grammar.rule("days", "the? day before <days>|<date>", "the eve of <date>|<feast>", weight=0.7)
+@grammar.rule("days", "the? day before <days>|<date>", "the eve of <date>|<feast>", weight=0.9)
 def day_before(days: Calendar) -> Calendar | None:
     """The day before friday, the day before the first of april."""
     return Away(-1, Unit.DAY, days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("days", "the? day after|following <days>|<date>", weight=0.7)
+@grammar.rule("days", "the? day after|following <days>|<date>", weight=0.9)
 def day_after(days: Calendar) -> Calendar | None:
     """The day after friday."""
     return Away(1, Unit.DAY, days) if days.grain is Unit.DAY else None

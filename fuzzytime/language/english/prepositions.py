@@ -130,7 +130,7 @@ def starting_at(goal: Goal) -> Said | None:
     return said_of(goal, "starting") if clock else None
 
 
-@grammar.rule("said", "<beside> the? <goal>", "at|on <beside> the? <goal>", weight=0.4)
+@grammar.rule("said", "<beside> the? <goal>", "at <beside> the? <goal>", weight=0.4)
 def just_off(hedge: str, goal: Goal) -> Said | None:
     """Shortly before noon, just after 5 pm: points, no deadlines."""
     if not isinstance(goal.time, (Wall, Ending)):

@@ -28,7 +28,7 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
-NOON = 12
+NOON, HALF_PAST = 12, 30
 
 
 def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
@@ -49,23 +49,23 @@ def _range(first: Goal, last: Goal, preposition: str | None) -> Said | None:
         if apart is None or not _comparable(*apart):
             return None
         first, last = replace(first, time=apart[0]), replace(last, time=apart[1])
-    time = Range(first.time, last.time)
-    return Said(time, Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
+    return Said(Range(first.time, last.time), Constraint.BETWEEN, preposition, (*first.hedges, *last.hedges))
 
 
 def _is_to_hour(first: Time, last: Time) -> bool:
     """Whether the first end of a range is minutes to the hour that is its last."""
     start = first.anchor if isinstance(first, Offset) else first
-    clocks = [wall.clock for wall in (start, last) if isinstance(wall, Wall) and wall.clock is not None]
-    return len(clocks) == 2 and clocks[0].minutes and clocks[1].hour <= NOON
+    if not isinstance(start, Wall) or not isinstance(last, Wall) or last.days is not None:
+        return False
+    return bool(start.clock and last.clock and start.clock.minutes and last.clock.hour <= NOON)
 
 
 def _in_hour(first: Goal, last: Goal) -> Goal:
-    """Give the end of a range whose hour is that of its start: "after ten but before half past"."""
+    """Give the end of a range in the hour of its start: "after ten but before half past", never "five to"."""
     mark, wall = last.time, first.time
     if not isinstance(mark, HourMark) or not mark.open or not isinstance(wall, Wall) or wall.clock is None:
         return last
-    if wall.clock.shift or wall.clock.minute >= mark.minute:
+    if wall.clock.shift or not wall.clock.minute < mark.minute <= HALF_PAST:
         return last
     return replace(last, time=replace(wall, clock=replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE)))
 

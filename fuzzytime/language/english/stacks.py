@@ -11,6 +11,9 @@ from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
 
+ROUND = 5
+"""Hours whose numbers may as well be minutes to the hour behind them are multiples of it."""
+
 
 @grammar.rule(
     "wall", "<wall> <wall>", "<wall> at|on|in|of|for|@|,|- <wall>", "<wall> , at|on|in <wall>", weight=0.1
@@ -25,7 +28,9 @@ def stacked_clock(first: Wall, second: Wall) -> Wall | None:
     """The 20th at 10: a number behind "at" is a clock time."""
     if second.clock is None:
         return None
-    return joined(first, replace(second, clock=replace(second.clock, bare=False)))
+    # "The 19th at ten to six" is no range.
+    minutes = second.clock.bare and second.clock.hour % ROUND == 0
+    return joined(first, replace(second, clock=replace(second.clock, bare=False, minutes=minutes)))
 
 
 @grammar.rule("wall", "<date> t <clock> z?", weight=0.5)

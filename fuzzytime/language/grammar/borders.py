@@ -31,6 +31,7 @@ PREPOSITIONS = frozenset(
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
+TENS = 10
 FEAST_WORDS = 3
 """Words of a feast's name before another that may be a time, at most."""
 
@@ -69,7 +70,16 @@ class Borders:
             or self._is_of_other_calendar(piece)
             or self._likens(piece)
             or self._is_played(piece)
+            or self._divides(piece)
         )
+
+    def _divides(self, piece: Piece) -> bool:
+        """Whether it begins or ends within a number, or "one on one": "the twenty fourth"."""
+        first, before = self.texts[piece.start], self.around.before(piece)
+        tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
+        ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
+        paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
+        return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
 
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""

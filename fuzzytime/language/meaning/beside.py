@@ -5,7 +5,7 @@ from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Range, Repeat, Said, Time, Wall
-from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
@@ -31,13 +31,12 @@ def _is_ordinal(wall: Wall) -> bool:
 
 def _one_day(first: Calendar, second: Calendar) -> Calendar | None:
     """Give what two days mean together: a day said again is taken at its word, the date."""
-    if (
-        isinstance(first, Away)
-        and isinstance(second, Fields)
-        and second.weekly
-        and first.unit is not Unit.DAY
-    ):
-        return weekday_at(first, second)
+    if isinstance(first, Away) and isinstance(second, Fields) and second.weekly:
+        if first.unit is not Unit.DAY:
+            return weekday_at(first, second)
+        if isinstance(first.anchor, Feast):
+            # "The day after easter monday"
+            return None
     if same_day(first, second):
         return second
     return first if same_day(second, first) else narrowed(first, second)

@@ -96,12 +96,14 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
 
 def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     """Give days of the week the clock time of the last of them: "monday, wednesday and friday at ten"."""
-    time = phrases[-1].said.time
-    if isinstance(time, Range):
-        return _with_shared_hours(phrases, time)
-    if not isinstance(time, Wall) or time.clock is None or not _is_weekday(time):
+    if isinstance(hours := phrases[-1].said.time, Range):
+        return _with_shared_hours(phrases, hours)
+    times = [phrase.said.time for phrase in (phrases[-1], phrases[0])]
+    # "At eleven on tuesday and thursday"
+    time = next((one for one in times if isinstance(one, Wall) and one.clock is not None), None)
+    if time is None or not _is_weekday(time):
         return list(phrases)
-    walls = [phrase.said.time for phrase in phrases[:-1]]
+    walls = [phrase.said.time for phrase in phrases]
     if not all(isinstance(wall, Wall) and _is_weekday(wall) for wall in walls):
         return list(phrases)
     found = []
