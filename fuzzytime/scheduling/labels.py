@@ -134,18 +134,18 @@ class Labels:
         self.history: list[tuple[Masks, Floats] | None] = []
         self.moves: list[list[_Move]] = [[] for _ in range(self.blocks)]
         order = np.lexsort((arcs.start, arcs.job, block))
-        key = (block * count + arcs.job)[order]
+        ordered, key = arcs.select(order), (block * count + arcs.job)[order]
         cuts = np.flatnonzero(np.concatenate([[True], key[1:] != key[:-1], [True]]))
         for low, high in pairwise(cuts.tolist() if key.size else ()):
             number, job = divmod(int(key[low]), count)
             if possible[job]:
-                self.moves[number].append(self._move(arcs.select(order[low:high]), job, number, beyond))
+                self.moves[number].append(self._move(ordered.select(slice(low, high)), job, number, beyond))
 
     def _move(self, arcs: Arcs, job: int, number: int, beyond: Ways) -> _Move:
         first, end = int(arcs.start[0]), int(arcs.end[0])
         cost = np.full(int(arcs.start[-1]) - first + 1, np.inf)
         cost[arcs.start - first] = arcs.gain + self.prices[job]
-        after = beyond.without(np.arange(end, end + cost.size), np.array(job))
+        after = beyond.without(slice(end, end + cost.size), np.array(job))
         return _Move(job, first - int(self.bounds[number]), cost, after)
 
     def run(self, threshold: float, watch: Stopwatch, cells: int, width: int | None = None) -> Found:
@@ -183,7 +183,7 @@ class Labels:
             masks, cost = masks[alive], cost.take(alive, axis=1)
             used += cost.size
             history[number] = masks, cost
-            waiting = np.flatnonzero(total[-1, alive] < limit)
+            waiting = (total[-1, alive] < limit).nonzero()[0]
             if number + 1 < self.blocks and waiting.size:
                 arriving[number + 1].append(Piece(masks[waiting], cost[-1:, waiting], 0, number))
             for move in self.moves[number]:
@@ -192,25 +192,27 @@ class Labels:
                 sets, rows, after = self.done(move, masks, cost, limit)
                 used += after.size
                 for block, row, here in self.landings(number, move, rows):
-                    piece = after[here]
-                    some = np.flatnonzero(np.isfinite(piece).any(axis=0))
-                    if some.size:
-                        arrived = masks[sets[some]] | self.memory.of_job[move.job]
-                        arriving[block].append(Piece(arrived, piece.take(some, axis=1), row, number))
+                    piece, arrived = after[here], sets
+                    if piece.shape[0] < after.shape[0]:
+                        some = np.flatnonzero(np.isfinite(piece).any(axis=0))
+                        piece, arrived = piece.take(some, axis=1), sets[some]
+                    if arrived.size:
+                        reached = masks[arrived] | self.memory.of_job[move.job]
+                        arriving[block].append(Piece(reached, piece, row, number))
         return self._best(limit, exact=exact)
 
     def done(self, move: _Move, masks: Masks, cost: Floats, limit: float) -> tuple[Ints, slice, Floats]:
         """Add a job to the labels of a block that may do it: sets, rows, costs, inf above the limit."""
         bit, needed = self.memory.of_job[move.job], self.needed[move.job]
-        sets = np.flatnonzero((masks & (bit | needed)) == needed)
+        sets = ((masks & (bit | needed)) == needed).nonzero()[0]
         after = cost[move.row : move.row + move.cost.size].take(sets, axis=1)
         after += move.cost[:, None]
         below = after < (limit - move.ahead)[:, None]
-        rows = np.flatnonzero(below.any(axis=1))
+        rows = below.any(axis=1).nonzero()[0]
         if not rows.size:
             return sets[:0], slice(0, 0), np.empty((0, 0))
         low, high = int(rows[0]), int(rows[-1]) + 1
-        some = np.flatnonzero(below.any(axis=0))
+        some = below.any(axis=0).nonzero()[0]
         after = np.where(below[low:high].take(some, axis=1), after[low:high].take(some, axis=1), np.inf)
         return sets[some], slice(move.row + low, move.row + high), after
 

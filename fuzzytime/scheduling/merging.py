@@ -48,7 +48,12 @@ def merged(pieces: Sequence[Piece], memory: Memory, block: int, height: int) -> 
     cost, position = np.full((height, masks.size), np.inf), 0
     for (mine, extra), piece in zip(closed, pieces, strict=True):
         part = cost[piece.row : piece.row + piece.cost.shape[0]]
-        lower(part, *_distinct(column[position : position + mine.size], piece.cost + extra))
+        columns = column[position : position + mine.size]
+        if mine is piece.masks:
+            # Where nothing closed on the way, no two sets became equal.
+            lower(part, columns, piece.cost)
+        else:
+            lower(part, *_distinct(columns, piece.cost + extra))
         position += mine.size
     for before, row in pairwise(cost):
         np.minimum(before, row, out=row)

@@ -37,9 +37,9 @@ class Arcs(NamedTuple):
     end: Ints
     gain: Floats
 
-    def select(self, keep: np.ndarray) -> "Arcs":
-        """Give some of the arcs, by a mask or by places."""
-        return Arcs(*(column[keep] for column in self))
+    def select(self, keep: np.ndarray | slice) -> "Arcs":
+        """Give some of the arcs, by a mask, by places, or a stretch of them."""
+        return Arcs(self.job[keep], self.start[keep], self.end[keep], self.gain[keep])
 
 
 def arcs_of(curves: Sequence[Curve], durations: Ints) -> Arcs:
@@ -87,7 +87,7 @@ class Ways(NamedTuple):
         nobody = np.full(slots, NOBODY)
         return cls(np.zeros(slots), nobody, np.full(slots, np.inf), nobody - 1)
 
-    def without(self, slots: Ints, jobs: Ints) -> Floats:
+    def without(self, slots: Ints | slice, jobs: Ints) -> Floats:
         """Give the cheapest ways to slots on which other jobs than these come last."""
         return np.where(self.last[slots] == jobs, self.second[slots], self.cost[slots])
 
