@@ -96,8 +96,8 @@ class Borders:
     def _is_of_other_calendar(self, piece: Piece) -> bool:
         """Whether it is a feast on a day that is not known here: "chinese new year"."""
         for place in range(piece.start, piece.end):
-            feasts = any(one.category == "feast" for one in self.lexicon.pieces(self.words, place))
-            if feasts and place and self.texts[place - 1] in self.lexicon.other_calendars:
+            other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
+            if other and any(one.category == "feast" for one in self.around.pieces(place)):
                 return True
         return False
 
@@ -106,7 +106,7 @@ class Borders:
         found = (
             one
             for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
-            for one in self.lexicon.pieces(self.words, begin)
+            for one in self.around.pieces(begin)
         )
         return any(one.category == "feast" and one.end > piece.start for one in found)
 

@@ -45,6 +45,14 @@ class Surroundings:
         self.words = words
         self.lexicon = lexicon
         self.texts = [word.text for word in words]
+        self._pieces: dict[int, list[Piece]] = {}
+
+    def pieces(self, place: int) -> list[Piece]:
+        """Give what the tables say of the words from a place on, none at the end: looked up once."""
+        if place not in self._pieces:
+            inside = place < len(self.words)
+            self._pieces[place] = list(self.lexicon.pieces(self.words, place)) if inside else []
+        return self._pieces[place]
 
     def before(self, piece: Piece) -> str:
         """Give the word before it."""
@@ -100,12 +108,11 @@ class Surroundings:
 
     def timely(self, place: int) -> bool:
         """Whether the word at a place begins a time."""
-        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
-        return any(piece.category in TIMELY for piece in found)
+        return any(piece.category in TIMELY for piece in self.pieces(place))
 
     def is_part(self, place: int) -> bool:
         """Whether the word at a place names a part of the day."""
-        return any(piece.category == "part" for piece in self.lexicon.pieces(self.words, place))
+        return any(piece.category == "part" for piece in self.pieces(place))
 
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
@@ -176,8 +183,7 @@ class Surroundings:
 
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""
-        found = self.lexicon.pieces(self.words, place) if place < len(self.texts) else ()
-        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in found)
+        return any(piece.category == "unit" and len(piece.value.form) > 1 for piece in self.pieces(place))
 
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
