@@ -14,6 +14,7 @@ from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
+    INTO,
     Coming,
     Duration,
     HourMark,
@@ -93,6 +94,9 @@ class Judge:
             return self.lengths.accept(piece, said, time)
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
+        if said.preposition == INTO:
+            # "Set the timer at 20 minutes"
+            return self.around.may_end(piece) and self.around.before(piece) not in self.lexicon.appointing
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:

@@ -217,7 +217,7 @@ class _Clauses:
         eventful = kind in EVENTFUL or (kind == "when" and occurs)
         # "During the interval, which starts at eight"
         eventful = eventful or (kind == "while" and found is not None and found.is_event)
-        if found is None or time is None or not eventful or not dates(time, duration):
+        if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
 

@@ -192,7 +192,7 @@ class _Composer:
         front = self.draft.text[first : part.offset].partition(" ")[0].lower()
         # "Should the bell ring, open the door" asks nothing.
         span = (part.offset if front in INVERTING else first, end)
-        return list(doubts_of(self.draft.text, span, words, part.tree, self.lexicon))
+        return list(doubts_of(self.draft.text, span, words, sketch, self.lexicon))
 
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
