@@ -38,6 +38,9 @@ OF_HOURS = frozenset(
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
 
+BEHIND_MARKS = frozenset({"", ",", ".", ";", "!", ")", "and", "then", "but", "so", "into"})
+"""What may stand behind how long something has gone on: "at 20 minutes, turn it"."""
+
 LOOKING = frozenset(
     {"look", "looks", "looking", "looked", "run", "take", "takes", "chase", "go", "named"}
     | {"as", "like", "from", "than"}
@@ -95,8 +98,9 @@ class Judge:
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
         if said.preposition == INTO:
-            # "Set the timer at 20 minutes"
-            return self.around.may_end(piece) and self.around.before(piece) not in self.lexicon.appointing
+            # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
+            set_to = self.around.before(piece) in self.lexicon.appointing
+            return not set_to and self.around.follower(piece) in BEHIND_MARKS
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
