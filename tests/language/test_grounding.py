@@ -49,7 +49,9 @@ def test_hours_from_now_are_elapsed_and_days_are_of_the_wall_clock() -> None:
 def test_a_time_that_is_skipped_is_as_long_after_the_change() -> None:
     night = datetime(2026, 3, 29, 1, tzinfo=BERLIN)
     assert only("at 2:30 am", night).t_spec == 5400
-    assert [remark.kind for remark in find_times("at 2:30 am", night).remarks] == [RemarkKind.POLICY]
+    remarks = find_times("at 2:30 am", night).remarks
+    assert [remark.kind for remark in remarks] == [RemarkKind.POLICY]
+    assert "does not exist on that day, as clocks change: 03:30 is taken" in remarks[0].message
     assert find_times("at 3:30 am", night).remarks == ()
 
 

@@ -149,7 +149,9 @@ class Said:
         bare = self.text[len(joint) :]
         # "Move it to the afternoon"
         inside = (f"in {bare}",) if bare.lower().startswith("the ") else ()
-        tried = (*inside, bare, f"at {bare}", f"for {bare}")
+        # "Make it 20 minutes" is how long, and not when.
+        lasts = any(part.constraint is Constraint.FOR for part in self._whole(bare))
+        tried = (*inside, bare, *(() if lasts else (f"at {bare}",)), f"for {bare}")
         found = [(text, part) for text in tried for part in self._whole(text)]
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]

@@ -102,10 +102,11 @@ def every_meal(meals: tuple[Part, ...]) -> Repeat:
     return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), part) for part in meals))
 
 
-@grammar.rule("repeat", "before every|each? <meals>", weight=0.3)
-def before_every_meal(meals: tuple[Part, ...]) -> Repeat:
-    """Before meals: when they begin."""
-    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), replace(part, end=part.start)) for part in meals))
+@grammar.rule("repeat", "before <meals>", "before every|each <meals>|<meal>", weight=0.7)
+def before_every_meal(meals: tuple[Part, ...] | Part) -> Repeat:
+    """Before meals, before every dinner: when they begin."""
+    parts = (meals,) if isinstance(meals, Part) else meals
+    return Repeat(walls=tuple(Wall(Cycle(Unit.DAY), replace(part, end=part.start)) for part in parts))
 
 
 @grammar.rule("repeat", "after every|each? <meals>", weight=0.3)

@@ -74,8 +74,11 @@ class Borders:
         )
 
     def _divides(self, piece: Piece) -> bool:
-        """Whether it begins or ends within a number, or "one on one": "the twenty fourth"."""
+        """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
         first, before = self.texts[piece.start], self.around.before(piece)
+        if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
+            # "Buy <wine> at six"
+            return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]

@@ -8,11 +8,13 @@ from fuzzytime.language.grammar.lengths import Lengths
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.ranges import BINDING, Ranges
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, SINGLE, Surroundings
 from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
+    INTO,
     Coming,
     Duration,
     HourMark,
@@ -31,15 +33,13 @@ HEDGING = frozenset(
 """Words between "for" and a length of time."""
 
 POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
-BINDING = frozenset(
-    {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
-)
-"""First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
-
 OF_HOURS = frozenset(
     {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
+
+BEHIND_MARKS = frozenset({"", ",", ".", ";", "!", ")", "and", "then", "but", "so", "into"})
+"""What may stand behind how long something has gone on: "at 20 minutes, turn it"."""
 
 LOOKING = frozenset(
     {"look", "looks", "looking", "looked", "run", "take", "takes", "chase", "go", "named"}
@@ -60,6 +60,7 @@ class Judge:
         self.borders = Borders(words, lexicon, self.around)
         self.walls = Walls(words, lexicon, self.measures, self.around)
         self.lent = Lent(words, lexicon, self.around)
+        self.ranges = Ranges(words, lexicon, self.measures, self.around)
         self.lengths = Lengths(words, lexicon, self.measures, self.around)
 
     def accepts(self, piece: Piece) -> bool:
@@ -96,6 +97,10 @@ class Judge:
             return self.lengths.accept(piece, said, time)
         if isinstance(time, Wall):
             return self.walls.accept(piece, said, time)
+        if said.preposition == INTO:
+            # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
+            set_to = self.around.before(piece) in self.lexicon.appointing
+            return not set_to and self.around.follower(piece) in BEHIND_MARKS
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
@@ -124,7 +129,7 @@ class Judge:
             ]
             return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
         if isinstance(time, Range):
-            return self._accepts_range(piece, said, time)
+            return self.ranges.accept(piece, said, time)
         if isinstance(time, HourMark) and time.open:
             # "Walk at ten to the gate", "half past the volume"
             follower = self.around.follower(piece)
@@ -251,43 +256,6 @@ class Judge:
                 # "Twenty to four"
                 return True
             return time.clock.hour >= self.lexicon.policy.bare_pair_from or time.clock.minute in {15, 30, 45}
-        return True
-
-    def _binds(self, piece: Piece) -> bool:
-        # "No earlier than eight and no later than nine"
-        first = self.texts[piece.start : piece.start + 3]
-        sometime = piece.value.preposition == "between" and "between" in first
-        return bool(BINDING & set(first[:2])) or "than" in first or sometime
-
-    def _accepts_range(self, piece: Piece, said: Said, time: Range) -> bool:
-        if self.around.is_put_off(piece):
-            # As in "Reschedule the 3 pm to 4:30".
-            return False
-        if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
-            # "The Monday to Friday timetable"
-            return False
-        if self.around.is_owned(piece):
-            # "Move my three o'clock to five"
-            return False
-        if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
-            # "Reserve the blue one until friday"
-            return False
-        if isinstance(time.first, Offset) or isinstance(time.last, Offset):
-            # "At most half an hour after 1730"
-            return self.around.may_end(piece)
-        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
-        clocked = isinstance(time.last, Wall) and time.last.clock is not None
-        if (
-            isinstance(time.first, Wall)
-            and time.first.bare
-            and not clocked
-            and self.texts[piece.start] not in BINDING
-        ):
-            # "Keep it above 15 until the end of april"
-            return False
-        if ends and all(end.bare or end.weak for end in ends):
-            between = said.preposition == "between" and self._binds(piece)
-            return between and not self.measures.measured(piece) and self.around.may_end(piece)
         return True
 
 

@@ -99,6 +99,24 @@ def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase
     return phrase if days is None else replace(phrase, said=Said(Wall(days), None, "for"))
 
 
+def one_by_one(phrase: Phrase, words: Sequence[Word]) -> list[Phrase]:
+    """Give each time of a list as a phrase of its own: "in 10, 20 and 30 minutes"."""
+    times = (replace(phrase.said, listed=()), *phrase.said.listed)
+    found = []
+    first = phrase.first
+    for place, said in enumerate(times):
+        while words[first].text in LISTING:
+            first += 1
+        rest = range(first, phrase.end)
+        last = place == len(times) - 1
+        end = phrase.end if last else next(at for at in rest if words[at].text in LISTING)
+        found.append(
+            replace(phrase, said=said, first=first, end=end, span=(words[first].start, words[end - 1].end))
+        )
+        first = end
+    return found
+
+
 def _counted(number: Duration, unit: Unit) -> Duration:
     """Give as many of a unit."""
     return Duration(((number.terms[0][0], unit),))

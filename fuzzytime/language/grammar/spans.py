@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
-from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to
+from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to, one_by_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
 from fuzzytime.language.grammar.words import Word, joins, words_of
@@ -100,7 +100,12 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
     chosen = _best(kept, len(scanned.words))
     chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
-    found = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
+    read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
+    found = [
+        one
+        for phrase in read
+        for one in (one_by_one(phrase, scanned.words) if phrase.said.listed else (phrase,))
+    ]
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]

@@ -1,13 +1,13 @@
 """What the policy decided where words leave it open: said in a sentence, and as a question."""
 
 from dataclasses import dataclass
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Time, Wall
 from fuzzytime.language.meaning.instants import Instants, is_eve
-from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.moment import Moment, zone_of
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
@@ -46,7 +46,9 @@ class Deciding:
             remarks.append(self._noted(": the zone is not used, as the time now has none"))
         if found.is_point and self.moment.skips(found.start, zone):
             remarks.append(
-                self._noted(" does not exist on that day, as clocks change: taken as long after the change")
+                self._noted(
+                    f" does not exist on that day, as clocks change: {self._becomes(found, zone)} is taken"
+                )
             )
         if found.choices:
             others = " or ".join(f"{choice:%H:%M}" for choice in found.choices if choice != found.start)
@@ -55,6 +57,12 @@ class Deciding:
                 chosen = found.choices.index(found.start)
                 questions.append(Question(self.span, self._with_zone(found.choices), chosen))
         return tuple(remarks), tuple(questions)
+
+    def _becomes(self, found: Instants, zone: str | None) -> str:
+        """Give the clock time that one becomes which a change of clocks skips."""
+        now = self.moment.now
+        there = zone_of(zone) if zone is not None else None if now is None else now.tzinfo
+        return f"{found.start.replace(tzinfo=there).astimezone(UTC).astimezone(there):%H:%M}"
 
     def of_weekday(self, time: Time, found: Instants) -> tuple[Remark, ...]:
         """Say which day was chosen, where a weekday does not fit the date beside it."""

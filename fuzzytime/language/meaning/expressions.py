@@ -139,6 +139,9 @@ class Range:
 HALFWAY = "halfway"
 """The time word that counts from the start of what was said to last."""
 
+INTO = "into"
+"""The preposition of times that count from the start of the instruction before."""
+
 LEFT = "left"
 """The preposition of times that count back from the end of what goes on: "with ten minutes left"."""
 
@@ -217,7 +220,7 @@ class Said:
 
     ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says
     that a hedge puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for
-    thirty minutes").
+    thirty minutes"). ``listed`` are the further times of a list ("in 10, 20 and 30 minutes").
     """
 
     time: Time | Duration | Repeat
@@ -227,6 +230,7 @@ class Said:
     edge: Edge = Edge.START
     beside: bool = False
     lasting: Duration | None = None
+    listed: tuple["Said", ...] = ()
 
     @property
     def is_day(self) -> bool:

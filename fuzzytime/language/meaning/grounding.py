@@ -7,6 +7,7 @@ from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, moved
 from fuzzytime.language.meaning.chosen_clocks import before_due, decided, same_day_after
+from fuzzytime.language.meaning.dated_weekdays import nearest
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Edge,
@@ -37,12 +38,6 @@ from fuzzytime.language.policy import Policy, SameWeekday
 from fuzzytime.requirement import Unit
 
 HOUR = timedelta(hours=1)
-
-FAR = 3
-"""Years within which a weekday with a date that does not match is looked for."""
-
-PASSED = timedelta(days=183)
-"""How long ago a date may be that a weekday beside it says has passed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -164,7 +159,7 @@ class Grounding:
         """
         today = self._day_said(calendar)
         if isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None:
-            yield from self._nearest(calendar)
+            yield from nearest(calendar, self.today)
             return
         upcoming = islice(calendar.upcoming(today, today.day), 3)
         first = next(upcoming, None)
@@ -185,24 +180,6 @@ class Grounding:
         if onward and said is not None and said.date() > self.now.date():
             return replace(self.today, day=said.date())
         return self.today
-
-    def _nearest(self, calendar: Fields) -> Iterator[Days]:
-        """Give the day on which a weekday fits its date: the next, or that of the date that passed last.
-
-        Where a month is said and neither fits, the date is believed; a day of the month alone is looked for.
-        """
-        today = self.today
-        if calendar.month is None or calendar.year is not None:
-            ahead = next(calendar.upcoming(today, today.day), None)
-            if ahead is not None and (ahead.first - today.day).days <= 366 * FAR:
-                yield ahead
-                return
-        dated = replace(calendar, weekday=None)
-        ahead, behind = next(dated.upcoming(today, today.day), None), next(dated.past(today, today.day), None)
-        if behind is not None and today.day - behind.first > PASSED:
-            behind = None
-        fitting = (days for days in (ahead, behind) if days and days.first.weekday() == calendar.weekday)
-        yield from islice((*fitting, *self.days(dated)), 1)
 
     # -- wall-clock expressions -------------------------------------------------------------------------
 

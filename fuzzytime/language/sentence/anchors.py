@@ -233,6 +233,16 @@ class Anchors:
         operation = self.operation_at(target)
         return operation is not None and operation.stated
 
+    def before_list(self) -> int:
+        """Give the instruction before all that the same words ask for, as a list of times does; or -1."""
+        own, before = self.operation_at(self.position), self.position - 1
+        while before >= self.first and own is not None:
+            other = self.operation_at(before)
+            if other is None or other.span != own.span:
+                break
+            before -= 1
+        return before
+
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""
         before = [place for place in self.mentions.lasting if place < self.first]

@@ -11,29 +11,23 @@ from fuzzytime.language.meaning.expressions import (
     Duration,
     Offset,
     Phrase,
-    Repeat,
-    TimeWord,
-    Wall,
 )
-from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
 from fuzzytime.language.sentence.clause_sides import sided
-from fuzzytime.language.sentence.conditions import BE, IF
+from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
+from fuzzytime.language.sentence.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import INVERTING, goes_on_behind
-from fuzzytime.requirement import Constraint, Edge, Unit
+from fuzzytime.requirement import Edge, Unit
 
 BEFORE = "before"
 OTHER = frozenset({"the", "another"})
 BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
-
-DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
-"""Subjects that come and go."""
 
 WAITING = frozenset({"wait", "waiting", "hold", "hang"})
 """Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
@@ -173,7 +167,7 @@ class _Clauses:
             edge = Edge.START
         end = self._end(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
-        time = next((phrase for phrase in last if _is_apart(phrase, kind)), None)
+        time = next((phrase for phrase in last if is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
         time = self.before.aside(end) if time is None else time
         if said_end <= first or self.covered.issuperset(range(first, said_end)):
@@ -219,11 +213,11 @@ class _Clauses:
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told
         found = self._denied(told, place)
-        happens = found is not None and (_happens(found) or self._is_over(found))
-        eventful = kind in EVENTFUL or (kind == "when" and happens)
+        occurs = found is not None and (happens(found) or self._is_over(found))
+        eventful = kind in EVENTFUL or (kind == "when" and occurs)
         # "During the interval, which starts at eight"
         eventful = eventful or (kind == "while" and found is not None and found.is_event)
-        if found is None or time is None or not eventful or not _dates(time, duration):
+        if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
 
@@ -280,28 +274,3 @@ class _Clauses:
         """Whether a mark joins digits: "below 1,200"."""
         around = self.words[place - 1 : place + 2]
         return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits
-
-
-def _happens(clause: Clause) -> bool:
-    """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
-    subject = None if clause.condition is None else clause.condition.subject
-    return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
-
-
-def _is_apart(phrase: Phrase, kind: str) -> bool:
-    """Whether a time at the end of a clause is no part of it, as in "when it has been hot for a minute"."""
-    within = kind == "if" and phrase.said.preposition == "within"
-    lasting = phrase.said.constraint is Constraint.FOR or within
-    return not lasting and not isinstance(phrase.said.time, (Offset, Repeat, TimeWord))
-
-
-def _dates(phrase: Phrase, distance: Duration | None) -> bool:
-    """Whether a time is when an event is: neither a bound nor a length; to count from it, it is a moment.
-
-    Where days are counted, a clock time alone is that of what is to be done on the day.
-    """
-    time = phrase.said.time
-    if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
-        return False
-    days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
-    return distance is None or (time.days if days else time.clock) is not None

@@ -16,8 +16,6 @@ from fuzzytime.language.instruction import (
     RemarkKind,
     Span,
 )
-from fuzzytime.language.meaning.calendar import Calendar
-from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.at_events import at_events
@@ -33,7 +31,7 @@ from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
 from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unasked, unused_orders, unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
-from fuzzytime.language.sentence.headings import read_heading
+from fuzzytime.language.sentence.headings import day_above, read_heading
 from fuzzytime.language.sentence.lengths import (
     due_when_needed,
     length_of,
@@ -194,14 +192,20 @@ class _Composer:
         front = self.draft.text[first : part.offset].partition(" ")[0].lower()
         # "Should the bell ring, open the door" asks nothing.
         span = (part.offset if front in INVERTING else first, end)
-        return list(doubts_of(self.draft.text, span, words, part.tree, self.lexicon))
+        return list(doubts_of(self.draft.text, span, words, sketch, self.lexicon))
 
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
     ) -> Instruction:
         sketch = awaiting(sketch)
         anchors = Anchors(
-            position, self.first, operations, self.mentions, self.lexicon, self.awaits, self._day()
+            position,
+            self.first,
+            operations,
+            self.mentions,
+            self.lexicon,
+            self.awaits,
+            day_above(self.draft.heading),
         )
         self.explained += sketch.heard
         sketch, event, remarks = on_days_of_events(
@@ -275,11 +279,6 @@ class _Composer:
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
         )
-
-    def _day(self) -> Calendar | None:
-        """Give the day that a line above names."""
-        day = None if self.draft.heading is None else self.draft.heading.day
-        return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None
 
     def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
         """Give what the clauses of a line above require of an instruction."""

@@ -7,7 +7,7 @@ from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import TimeWord
+from fuzzytime.language.meaning.expressions import Repeat, TimeWord
 from fuzzytime.language.sentence.actions import SUBJECTS
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.phrase_anchors import ORDERING
@@ -29,6 +29,15 @@ REMEMBERING = frozenset({"remember", "note", "mind"})
 
 AGAIN = frozenset({"back", "again", "then"})
 """Words beside the other particle of a verb that is left out."""
+
+THEREAFTER = (
+    ["thereafter"],
+    ["afterwards"],
+    ["after", "that"],
+    ["from", "then", "on"],
+    ["from", "there", "on"],
+)
+"""Ends of a repetition that goes on from where the one before it is over."""
 
 SHORTEST_GAP = 2
 """Words at least between two times of which the second is another thing's: "and lunch"."""
@@ -108,6 +117,11 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     if root is None:
         return
     first, last = one.segment.span
+    onward = _onward(one, part)
+    if onward is not None:
+        yield replace(one.segment, span=(first, onward[0]))
+        yield onward[1]
+        return
     times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
     starts = [
         part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
@@ -129,6 +143,22 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             yield replace(one.segment, span=(first, end))
             yield Segment((start, last), addressee=one.segment.addressee, verbless=start in gaps)
             return
+
+
+def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
+    """Give where the first of two repetitions ends, and the second: "… and every minute after that"."""
+    words, last = one.source.scanned.words, one.segment.span[1]
+    own = [p for p in one.source.phrases if part.offset <= p.span[0] and p.span[1] <= last]
+    for old, new in pairwise(own):
+        if not isinstance(old.said.time, Repeat) or not isinstance(new.said.time, Repeat):
+            continue
+        between = {word.text for word in words[old.end : new.first]}
+        said = [word.text for word in words[new.first : new.end]]
+        behind = next((form for form in THEREAFTER if said[-len(form) :] == form), None)
+        if behind is not None and between and between <= {"and", ",", "but", "&"}:
+            joint = (words[new.end - len(behind)].start, new.span[1])
+            return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)
+    return None
 
 
 def _turns(between: Sequence[Word], lexicon: Lexicon) -> bool:

@@ -6,6 +6,8 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clause import Clause
+from fuzzytime.language.sentence.lending import REPEATED, REPEATING
+from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.statements import DETERMINERS, NOBODY
 from fuzzytime.language.sentence.tree import Node, Tree
 from fuzzytime.language.sentence.waiting import Part
@@ -49,8 +51,11 @@ NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way",
 """Names of nothing that is used: "it's time to eat"."""
 
 
-def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon: Lexicon) -> Iterator[Remark]:
-    """Give what makes a stretch of a text no instruction; ``tree`` is that of its words."""
+def doubts_of(
+    text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
+) -> Iterator[Remark]:
+    """Give what makes a stretch of a text no instruction; ``sketch`` is that of its words."""
+    tree = sketch.part.tree
     said = [word for word in words if span[0] <= word.start < span[1]]
     behind = next((word.text for word in words if word.start >= span[1]), "")
     has_to = [word.text for word in said[:2]] in OBLIGING and behind != "?"
@@ -59,6 +64,10 @@ def doubts_of(text: str, span: Span, words: Sequence[Word], tree: Tree, lexicon:
         return
     if _takes_back(said, lexicon):
         message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+        return
+    if _repeats(sketch.operation):
+        message = f"{text[slice(*span)]!r} names nothing to repeat: say again what is to be done"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
     if _shifts(said, lexicon):
@@ -167,6 +176,13 @@ def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
     marks = {word for form in lexicon.corrections for word in form} | DENIED
     texts = [word.text for word in said if word.text.isalpha()]
     return DENYING in texts and all(text in marks for text in texts)
+
+
+def _repeats(operation: Operation | None) -> bool:
+    """Whether what was done is to be done again, which is not named: "repeat twice more"."""
+    if operation is None or operation.lemma not in REPEATING or operation.stated:
+        return False
+    return (operation.object or "it").lower() in REPEATED
 
 
 def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:

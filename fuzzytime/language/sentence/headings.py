@@ -6,6 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Reading, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.beside import told_apart
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.drafts import HEADED, Draft, Heading
 from fuzzytime.language.sentence.sketch import sketch_of
@@ -128,3 +129,9 @@ def read_heading(draft: Draft) -> Reading:
         message = f"{said!r} is taken as who is asked in the lines below it"
     remark = Remark(RemarkKind.POLICY, (0, len(draft.text)), message)
     return Reading(text=draft.text, now=draft.now, instructions=(), remarks=(remark,))
+
+
+def day_above(heading: Heading | None) -> Calendar | None:
+    """Give the day that a line above names."""
+    day = None if heading is None else heading.day
+    return day.said.time.days if day is not None and isinstance(day.said.time, Wall) else None

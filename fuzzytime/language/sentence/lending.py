@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
     HALFWAY,
+    INTO,
     Duration,
     Offset,
     Phrase,
@@ -15,7 +16,6 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.content_words import singular
 from fuzzytime.language.sentence.cuts import AGAIN
-from fuzzytime.language.sentence.phrase_anchors import INTO
 from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
 from fuzzytime.language.sentence.segments import ARTICLES, ENDS

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.content_words import content_words
@@ -28,9 +28,6 @@ HOUR = "time"
 """The end of the name of when a meal is: "lunchtime"."""
 
 WITHIN = "within"
-INTO = "into"
-"""The preposition of times that count from the start of the instruction before."""
-
 INSIDE = frozenset({LEFT, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
@@ -113,11 +110,14 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
         return _only(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
-    if side is None or anchors.position == 0:
+    before = anchors.position - 1
+    if phrase.said.preposition == INTO:
+        before = anchors.before_list()
+    if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
     lag = requirement.t_spec or 0.0
-    target = anchors.going_on() if phrase.said.preposition == LEFT else anchors.position - 1
+    target = anchors.going_on() if phrase.said.preposition == LEFT else before
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
     return _only(requirement, anchor, side)
 

@@ -113,7 +113,8 @@ def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
 def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
     """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
     first = next(iter(phrases), None)
-    if first is None or not first.first:
+    if first is None or not first.first or longest_match(words, 0, lexicon.clauses) is not None:
+        # "After the wedding on the 21st, call mum"
         return
     # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
     named = all(word.text in ARTICLES | lexicon.taken for word in words[: first.first]) and first.first > 1

@@ -27,6 +27,7 @@ from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.times_of_events import OVER
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
@@ -143,7 +144,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         part=part,
         phrases=tuple(kept),
         clauses=tuple(clauses),
-        references=tuple(_reference(part, phrase, action, lexicon) for phrase in kept),
+        references=tuple(_reference(part, phrase, action, lexicon, clauses) for phrase in kept),
         operation=replace(
             operation,
             span=(a + part.offset, b + part.offset),
@@ -244,10 +245,15 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
 
 
-def _reference(part: Part, phrase: Phrase, action: Action, lexicon: Lexicon) -> Reference | None:
+def _reference(
+    part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
+) -> Reference | None:
     """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
+    if any(clause.kind in OVER and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+        # "Lock up when everyone has left on friday"
         return action.reference
     return _reference_at(part, phrase.span, action, lexicon)
 

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.tree import Tree
 
+CLOSING = {">": "<", ")": "(", "]": "["}
+"""Marks, and those that they close."""
+
 LISTED = frozenset({",", "and", "&", "or"})
 """What joins the numbers of a list."""
 
@@ -104,6 +107,12 @@ class Wording:
         head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
         return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
 
+    def _closes(self, kept: Sequence[int]) -> bool:
+        """Whether the mark behind some words closes what is opened among them: "flowers & <wine>"."""
+        behind = self.tree.nodes[kept[-1] + 1 : kept[-1] + 2]
+        opened = CLOSING.get(behind[0].text) if behind else None
+        return opened is not None and any(self.tree.nodes[place].text == opened for place in kept[1:])
+
     def said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
         kept = list(words)
@@ -111,6 +120,8 @@ class Wording:
             kept.pop()
         while kept and not _names(self.tree.nodes[kept[0]].text[0]):
             kept.pop(0)
+        if kept and self._closes(kept):
+            kept.append(kept[-1] + 1)
         text = ""
         last = None
         for place in kept:

@@ -1,0 +1,54 @@
+"""Whether a stretch from one time to another is one where it stands: not "the Monday to Friday timetable"."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
+
+BINDING = frozenset(
+    {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
+)
+"""First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
+
+
+class Ranges(Standing):
+    """What stands around stretches from one time to another, and whether it makes one doubtful."""
+
+    def accept(self, piece: Piece, said: Said, time: Range) -> bool:
+        """Whether a stretch of time is one here."""
+        if self.around.is_put_off(piece):
+            # As in "Reschedule the 3 pm to 4:30".
+            return False
+        if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+            # "The Monday to Friday timetable"
+            return False
+        if self.around.is_owned(piece):
+            # "Move my three o'clock to five"
+            return False
+        if self.texts[piece.start] == "one" and self.around.before(piece).isalpha():
+            # "Reserve the blue one until friday"
+            return False
+        if isinstance(time.first, Offset) or isinstance(time.last, Offset):
+            # "At most half an hour after 1730"
+            return self.around.may_end(piece)
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocked = isinstance(time.last, Wall) and time.last.clock is not None
+        if (
+            isinstance(time.first, Wall)
+            and time.first.bare
+            and not clocked
+            and self.texts[piece.start] not in BINDING
+        ):
+            # "Keep it above 15 until the end of april"
+            return False
+        if ends and all(end.bare or end.weak for end in ends):
+            between = said.preposition == "between" and self._binds(piece)
+            return between and not self.measures.measured(piece) and self.around.may_end(piece)
+        return True
+
+    def _binds(self, piece: Piece) -> bool:
+        """Whether its first words make two numbers its ends."""
+        # "No earlier than eight and no later than nine"
+        first = self.texts[piece.start : piece.start + 3]
+        sometime = piece.value.preposition == "between" and "between" in first
+        return bool(BINDING & set(first[:2])) or "than" in first or sometime
