@@ -31,6 +31,9 @@ PREPOSITIONS = frozenset(
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
+JOINING = frozenset({"and", "or", "but", "then", "please"})
+"""Words behind which something else is said."""
+
 TENS = 10
 FEAST_WORDS = 3
 """Words of a feast's name before another that may be a time, at most."""
@@ -71,7 +74,17 @@ class Borders:
             or self._likens(piece)
             or self._is_played(piece)
             or self._divides(piece)
+            or self._turns(piece)
         )
+
+    def _turns(self, piece: Piece) -> bool:
+        """Whether its last words begin another bound: "around noon but not before eleven"."""
+        follower = self.around.follower(piece)
+        begun = self.texts[piece.end - 2 : piece.end - 1] in (["not"], ["or"], ["and"])
+        if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
+            return False
+        further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
+        return further or not (follower in JOINING or self.around.opens(piece.start))
 
     def _divides(self, piece: Piece) -> bool:
         """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
