@@ -1,11 +1,12 @@
 """Turns that count from what comes before them: "stain it for 20 minutes, then rinse it three times"."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.retold import turn
 from fuzzytime.language import Instruction
-from fuzzytime.requirement import Anchor, Constraint, Edge, Recurrence, TimeRequirement
+from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,20 +17,8 @@ class Behind:
 
     def times(self, repeated: TimeRequirement, recurrence: Recurrence, until: float) -> list[TimeRequirement]:
         """Give the turns' times, each at its distance from the end of what is before them."""
-        found = []
-        for start, _ in recurrence.windows(until):
-            anchor = Anchor(text=repeated.text, target=self.target, edge=Edge.END, lag=start, exact=True)
-            found.append(
-                replace(
-                    repeated,
-                    constraint=Constraint.AFTER,
-                    anchor=anchor,
-                    earliest=None,
-                    latest=None,
-                    number=None,
-                )
-            )
-        return found
+        starts = (start for start, _ in recurrence.windows(until))
+        return [turn(repeated, self.target, Edge.END, start) for start in starts]
 
 
 def behind_of(

@@ -1,11 +1,13 @@
 """What is done again and again while something goes on: "print the bracket", "check it every 30 minutes"."""
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.retold import turn
 from fuzzytime.language import Instruction, shares_thing
-from fuzzytime.requirement import Anchor, Constraint, Edge, Recurrence, TimeRequirement
+from fuzzytime.requirement import Constraint, Edge, Recurrence, TimeRequirement
 
 BACK = frozenset({"it", "them"})
 """Words for what was said before."""
@@ -24,24 +26,9 @@ class GoingOn:
 
     def times(self, repeated: TimeRequirement, recurrence: Recurrence, _: float) -> list[TimeRequirement]:
         """Give a repetition's times in it, each at its distance from the start."""
-        count, interval = 1, recurrence.interval or self.length
-        found = []
-        while count * interval < self.length:
-            anchor = Anchor(
-                text=repeated.text, target=self.target, edge=Edge.START, lag=count * interval, exact=True
-            )
-            found.append(
-                replace(
-                    repeated,
-                    constraint=Constraint.AFTER,
-                    anchor=anchor,
-                    earliest=None,
-                    latest=None,
-                    number=None,
-                )
-            )
-            count += 1
-        return found
+        interval = recurrence.interval or self.length
+        lags = (count * interval for count in range(1, math.ceil(self.length / interval)))
+        return [turn(repeated, self.target, Edge.START, lag) for lag in lags]
 
 
 def going_on(

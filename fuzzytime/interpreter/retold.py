@@ -65,6 +65,24 @@ def occurrence(repeated: TimeRequirement, start: float, end: float) -> TimeRequi
     )
 
 
+def turn(repeated: TimeRequirement, target: int, edge: Edge, lag: float) -> TimeRequirement:
+    """Give one turn of a repetition that is counted from an edge of what another instruction asks for.
+
+    Parameters
+    ----------
+    repeated
+        Says how often.
+    target, edge
+        The position of that instruction among all, and which of its ends is counted from.
+    lag
+        How long after it this turn is, in seconds.
+    """
+    anchor = Anchor(text=repeated.text, target=target, edge=edge, lag=lag, exact=True)
+    return replace(
+        repeated, constraint=Constraint.AFTER, anchor=anchor, earliest=None, latest=None, number=None
+    )
+
+
 def going_to(instruction: Instruction, name: str, target: int, *, attended: bool) -> Instruction:
     """Give the instruction to go where something is done or happens, in time for that.
 
