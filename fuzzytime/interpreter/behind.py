@@ -44,7 +44,7 @@ def behind_of(
     if target is None or not 0 <= target < len(before) or len(before[target]) != 1:
         return None
     one = skills[before[target][0]]
-    return None if one.operation is None or one.operation.stated else Behind(target)
+    return None if one.operation is None or one.stated else Behind(target)
 
 
 def _about(thing: str | None, before: Sequence[range], skills: Sequence[Interpreted]) -> int | None:

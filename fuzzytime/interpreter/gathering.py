@@ -98,36 +98,42 @@ class Gathering:
     def spoken(self, wish: SpokenWish, reading: Reading, told: Told) -> None:
         """Add the skills of a wish in words; what they told of what happens refers to that."""
         listed = self.rows.holds(reading)
-        places: list[tuple[Instruction, range]] = []
+        about: list[tuple[Instruction, range]] = []
         for instruction in reading.instructions:
-            if (
-                place := next((told[span] for span in told if overlap(span, instruction.span)), None)
-            ) is not None:
-                self.links.instructions.append(range(place, place + 1))
+            news = [place for span, place in told.items() if overlap(span, instruction.span)]
+            if news:
+                self.links.instructions.append(range(news[0], news[0] + 1))
                 continue
-            if instruction.length_of is not None:
-                places.append((instruction, self._lengthened(instruction)))
-                self._go_there(wish, reading, instruction, instruction.length_of.target)
-            elif instruction.time_of is not None and not any(map(_is_asked, self.skills)):
-                # "Everything must be done by six", said before anything is asked for.
-                self.ahead.append((wish, instruction))
-                places.append((instruction, range(0)))
-            elif (timed := self._timed_by(instruction)) is not None:
-                for place in timed:
-                    self._time(place, instruction, wish)
-                places.append((instruction, timed[-1:]))
-            else:
-                step = without_now(instruction) if listed and self.rows.begun else instruction
-                places.append((step, self._made(wish, reading, step)))
-                if listed:
-                    self.rows.add(self.skills, places[-1][1])
-                self._go_there(wish, reading, instruction, len(self.links.instructions))
-            self.links.instructions.append(places[-1][1])
+            places = self._take(wish, reading, instruction, listed=listed)
+            self.links.instructions.append(places)
+            about.append((instruction, places))
         if not listed:
-            self.rows.join(reading, places, self.skills)
-            for _, made in places:
-                self.rows.await_arrival(made, self.skills)
-                self.rows.resume(made, self.skills)
+            self.rows.join(reading, about, self.skills)
+            for _, places in about:
+                self.rows.await_arrival(places, self.skills)
+                self.rows.resume(places, self.skills)
+
+    def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:
+        """Take what an instruction tells or asks for, and give the places of the skills that it is about."""
+        if instruction.length_of is not None:
+            lengthened = self._lengthened(instruction)
+            self._go_there(wish, reading, instruction, instruction.length_of.target)
+            return lengthened
+        if instruction.time_of is not None and not any(map(_is_asked, self.skills)):
+            # "Everything must be done by six", said before anything is asked for.
+            self.ahead.append((wish, instruction))
+            return range(0)
+        timed = self._timed_by(instruction)
+        if timed is not None:
+            for place in timed:
+                self._time(place, instruction, wish)
+            return timed[-1:]
+        step = without_now(instruction) if listed and self.rows.begun else instruction
+        made = self._make(wish, reading, step)
+        if listed:
+            self.rows.add(self.skills, made)
+        self._go_there(wish, reading, instruction, len(self.links.instructions))
+        return made
 
     def finish(self) -> None:
         """Let all be done by when words said so before anything was asked for."""
@@ -138,19 +144,38 @@ class Gathering:
             for place in range(len(self.skills)):
                 self._time(place, instruction, wish)
 
-    def _made(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
+    def _make(self, wish: SpokenWish, reading: Reading, instruction: Instruction) -> range:
         """Make an instruction's skills, and give their places."""
         inside = going_on(instruction, self.links.instructions, self.skills)
         behind = behind_of(instruction, self.links.instructions, self.skills)
-        made = _made(self.maker, wish, reading, instruction, self.problems, inside or behind)
+        made = self._skills_of(wish, reading, instruction, inside or behind)
         if inside is not None and made:
             self.problems.append(_noted_inside(wish, instruction, inside))
         first = len(self.skills)
         self._add(made)
         return range(first, len(self.skills))
 
+    def _skills_of(
+        self, wish: SpokenWish, reading: Reading, instruction: Instruction, inside: GoingOn | Behind | None
+    ) -> list[Interpreted]:
+        """Make an instruction's skills; where there is none to make, say why."""
+        if is_spoiled(instruction, reading, remarks_of(reading, wish)):
+            return []
+        why_none = _why_nothing(instruction, reading)
+        if why_none is None:
+            try:
+                made = self.maker.spoken(wish, reading, instruction, inside)
+            except FuzzytimeError as error:
+                self.problems.append(problem_of(wish, ProblemKind.UNREADABLE, str(error), instruction.span))
+                return []
+            if made:
+                return made
+            why_none = "does not occur within the horizon"
+        self.problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, why_none, instruction.span))
+        return []
+
     def _add(self, made: Sequence[Interpreted]) -> None:
-        self._happening |= any(one.operation is not None and one.operation.stated for one in made)
+        self._happening |= any(one.stated for one in made)
         self.skills += [replace(one, identifier=self._name(one.wish)) for one in made]
 
     def _name(self, wish: Wish) -> str:
@@ -223,7 +248,7 @@ class Gathering:
 
 def _is_asked(made: Interpreted) -> bool:
     """Whether words ask for something to be done."""
-    return made.operation is not None and not made.operation.stated and isinstance(made.wish, SpokenWish)
+    return made.operation is not None and not made.stated and isinstance(made.wish, SpokenWish)
 
 
 def _beside_news(wish: SpokenWish, reading: Reading, told: Told) -> Iterator[Problem]:
@@ -250,33 +275,10 @@ def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
 
 
-def _made(
-    maker: Maker,
-    wish: SpokenWish,
-    reading: Reading,
-    instruction: Instruction,
-    problems: list[Problem],
-    inside: GoingOn | Behind | None,
-) -> list[Interpreted]:
-    """Make an instruction's skills; where there is none to make, say why."""
-    operation = instruction.operation
-    if is_spoiled(instruction, reading, remarks_of(reading, wish)):
-        return []
+def _why_nothing(instruction: Instruction, reading: Reading) -> str | None:
+    """Say why an instruction asks for nothing; None where it asks for something."""
     if reported(reading) is not None:
-        what = "tells what was done, and asks for nothing"
-        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
-        return []
-    if operation is None or operation.negated:
-        what = "says a time but nothing to do" if operation is None else "asks for something not to be done"
-        problems.append(problem_of(wish, ProblemKind.NOTHING_TO_DO, what, instruction.span))
-        return []
-    try:
-        made = maker.spoken(wish, reading, instruction, inside)
-    except FuzzytimeError as error:
-        problems.append(problem_of(wish, ProblemKind.UNREADABLE, str(error), instruction.span))
-        return []
-    if not made:
-        problems.append(
-            problem_of(wish, ProblemKind.NOTHING_TO_DO, "does not occur within the horizon", instruction.span)
-        )
-    return made
+        return "tells what was done, and asks for nothing"
+    if instruction.operation is None:
+        return "says a time but nothing to do"
+    return "asks for something not to be done" if instruction.operation.negated else None

@@ -106,7 +106,7 @@ def _inside(one: Interpreted, window: Rectangle, event: Interpreted) -> Interpre
 
 
 def _where_it_happens(one: Interpreted) -> Interpreted:
-    if one.skill.duration or not _is_stated(one):
+    if one.skill.duration or not one.stated:
         return one
     one = replace(one, skill=replace(one.skill, happens=True))
     time = one.skill.preferred
@@ -115,10 +115,6 @@ def _where_it_happens(one: Interpreted) -> Interpreted:
     if time < 0 or float(one.skill.satisfaction(time)) < SURE:
         return one
     return replace(one, skill=replace(one.skill, satisfaction=Rectangle(time, time)))
-
-
-def _is_stated(interpreted: Interpreted) -> bool:
-    return interpreted.operation is not None and interpreted.operation.stated
 
 
 def attended(interpretation: Interpretation, request: Request) -> tuple[tuple[Interpreted, Busy], ...]:

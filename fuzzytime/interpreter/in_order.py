@@ -215,7 +215,7 @@ def _times(step: Step) -> set[tuple[float | None, float | None]]:
 
 def _is_asked(made: Interpreted) -> bool:
     """Whether something is asked for, once."""
-    return made.operation is not None and not made.operation.stated and not _repeats(made)
+    return made.operation is not None and not made.stated and not _repeats(made)
 
 
 def without_now(instruction: Instruction) -> Instruction:

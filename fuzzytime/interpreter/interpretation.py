@@ -89,6 +89,11 @@ class Interpreted:
         """What is done, where words said it."""
         return None if self.instruction is None else self.instruction.operation
 
+    @property
+    def stated(self) -> bool:
+        """Whether words tell that it happens, and ask nobody to do it."""
+        return self.operation is not None and self.operation.stated
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Interpretation:

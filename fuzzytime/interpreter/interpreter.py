@@ -112,18 +112,15 @@ class Interpreter:
         names = frozenset(wish.identifier for wish in request.wishes)
         gathered = Gathering(Maker(self.rulebook, request), Links(names), Rows(request.in_order))
         problems = gathered.problems
-        readings = iter(self._readings(request, problems))
-        for wish in request.wishes:
+        for wish, reading in zip(request.wishes, self._readings(request, problems), strict=True):
             if isinstance(wish, DirectWish):
                 gathered.direct(wish)
-            elif isinstance(wish, SpokenWish):
-                reading = next(readings)
-                if reading is not None:
-                    told = gathered.news(wish, reading, self.language.lexicon)
-                    reading = _without_remarks(reading, told)
-                    if not (told and not reading.instructions):
-                        self._remark(reading, wish, admitted, problems)
-                    gathered.spoken(wish, reading, told)
+            elif isinstance(wish, SpokenWish) and reading is not None:
+                told = gathered.news(wish, reading, self.language.lexicon)
+                reading_left = _without_remarks(reading, told)
+                if reading_left.instructions or not told:
+                    self._remark(reading_left, wish, admitted, problems)
+                gathered.spoken(wish, reading_left, told)
         gathered.finish()
         happened = as_they_happened(gathered.skills, request.started)
         skills, called = by_agents(happened, request)
@@ -145,12 +142,14 @@ class Interpreter:
         )
 
     def _readings(self, request: Request, problems: list[Problem]) -> list[Reading | None]:
-        """Read all spoken wishes together, because they refer to each other; None where one is refused."""
-        spoken = [wish for wish in request.wishes if isinstance(wish, SpokenWish)]
-        good = [_is_read(wish, problems) for wish in spoken]
-        kept = [(wish.text, wish.given) for wish, fine in zip(spoken, good, strict=True) if fine]
-        readings = iter(self.language.read_all(kept))
-        return [next(readings) if fine else None for fine in good]
+        """Read all spoken wishes together, as they refer to each other; None where one is not read."""
+        read = {
+            place: (wish.text, wish.given)
+            for place, wish in enumerate(request.wishes)
+            if isinstance(wish, SpokenWish) and _is_read(wish, problems)
+        }
+        readings = dict(zip(read, self.language.read_all(list(read.values())), strict=True))
+        return [readings.get(place) for place in range(len(request.wishes))]
 
     def _remark(self, reading: Reading, wish: SpokenWish, context: Context, problems: list[Problem]) -> None:
         """Note a reading's remarks, and that it says nothing to do where it does not."""

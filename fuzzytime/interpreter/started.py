@@ -1,9 +1,10 @@
 """Planning on: what has started stays where it is, holds its agent, and releases what waits for it."""
 
 import math
+from collections.abc import Container, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
+from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.remarks import too_late
 from fuzzytime.interpreter.request import Started
@@ -17,10 +18,9 @@ def without_started(
     """Take started skills out of an interpretation, and give the time for which they hold their agents.
 
     A skill that must come after a started one starts between that one's being done plus the lags, and never
-    where it asked to come after one that failed; what must come before a started one is no longer bound.
+    where it asked to come after one that failed; what must come before a started one is free.
     """
     by_identifier = {one.identifier: one for one in started}
-    names = {interpreted.identifier: interpreted.skill.name for interpreted in interpretation.skills}
     failed = {one.identifier for one in started if one.done == math.inf}
     open_positions = [
         position
@@ -30,12 +30,6 @@ def without_started(
     moved = {position: place for place, position in enumerate(open_positions)}
     skills = {position: _possible(interpretation.skills[position], failed) for position in open_positions}
     binding: list[list[Precedence]] = [[], []]
-    missed = [
-        too_late(interpretation.skills[entry.first], interpretation.skills[entry.second])
-        for entry in interpretation.precedences
-        if entry.first in moved and entry.second not in moved
-        if not interpretation.skills[entry.first].skill.satisfaction.support.empty
-    ]
     for kept, precedences in zip(binding, (interpretation.precedences, interpretation.order), strict=True):
         for precedence in precedences:
             if precedence.first in moved and precedence.second in moved:
@@ -44,26 +38,40 @@ def without_started(
             elif precedence.second in moved:
                 first_started = by_identifier[interpretation.skills[precedence.first].identifier]
                 skills[precedence.second] = _released(skills[precedence.second], first_started, precedence)
-    busy = tuple(
-        Busy(max(0.0, one.start), one.end, names.get(one.identifier, one.identifier), one.agent)
-        for one in started
-        if one.end > 0
-    )
-    remaining = replace(
+    return replace(
         interpretation,
         skills=tuple(skills[position] for position in open_positions),
         precedences=tuple(binding[0]),
         order=tuple(binding[1]),
-        problems=(
-            *(
-                problem
-                for problem in interpretation.problems
-                if problem.kind is not ProblemKind.NOTE or problem.identifier not in by_identifier
-            ),
-            *missed,
-        ),
+        problems=_open_problems(interpretation, by_identifier),
+    ), _held(interpretation, started)
+
+
+def _open_problems(interpretation: Interpretation, started: Container[str]) -> tuple[Problem, ...]:
+    """Give what is still worth saying, and of each open skill whether it comes too late for a started one."""
+    skills = interpretation.skills
+    kept = (
+        problem
+        for problem in interpretation.problems
+        if problem.kind is not ProblemKind.NOTE or problem.identifier not in started
     )
-    return remaining, busy
+    missed = (
+        too_late(skills[entry.first], skills[entry.second])
+        for entry in interpretation.precedences
+        if skills[entry.first].identifier not in started and skills[entry.second].identifier in started
+        if not skills[entry.first].skill.satisfaction.support.empty
+    )
+    return (*kept, *missed)
+
+
+def _held(interpretation: Interpretation, started: Sequence[Started]) -> tuple[Busy, ...]:
+    """Give the time for which started skills still hold their agents."""
+    names = {interpreted.identifier: interpreted.skill.name for interpreted in interpretation.skills}
+    return tuple(
+        Busy(max(0.0, one.start), one.end, names.get(one.identifier, one.identifier), one.agent)
+        for one in started
+        if one.end > 0
+    )
 
 
 def _possible(interpreted: Interpreted, failed: set[str]) -> Interpreted:

@@ -141,8 +141,7 @@ def as_they_happened(skills: Sequence[Interpreted], started: Sequence[Started]) 
 
 
 def _as_it_happened(one: Interpreted, begun: Started | None) -> Interpreted:
-    stated = one.operation is not None and one.operation.stated and not one.skill.duration
-    if begun is None or not stated or one.cancelled:
+    if begun is None or not one.stated or one.skill.duration or one.cancelled:
         return one
     moment = Rectangle(begun.start, begun.start)
     return replace(one, skill=replace(one.skill, satisfaction=moment, preferred=begun.start))

@@ -104,7 +104,7 @@ def done(scene: Scene, text: str) -> Reply:
     skill = scene.plan.skills[position]
     number = number_of(skill.identifier)
     name = Text(f"done: {plain(skill.skill.name)}")
-    happens = skill.operation is not None and skill.operation.stated
+    happens = skill.stated
     others = any(number_of(other.identifier) == number for other in scene.plan.skills if other is not skill)
     if happens or others:
         # The others that the instruction asks for stay, and may refer to this one; what others are tied to

@@ -66,7 +66,7 @@ def _all_later(scene: Scene, by: float) -> Reply:
     entries, stays, left = [], [], waiting(scene)
     for entry in scene.conversation.state.entries:
         mine = [(place, one) for place, one in left if one.wish.identifier == f"s{entry.number}"]
-        if any(one.operation is not None and one.operation.stated for _, one in mine):
+        if any(one.stated for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
         elif mine and not _follows(scene, mine, left):
             entries.append(_moved(scene, entry, by, mine))

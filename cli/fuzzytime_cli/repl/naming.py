@@ -30,9 +30,7 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
         skills[name] = skills.get(name, frozenset()) | known
     # "The guests" are what comes, before they are what others wait for.
     happening = {
-        one.wish.identifier: content_words(one.skill.name)
-        for one in scene.plan.skills
-        if one.operation is not None and one.operation.stated
+        one.wish.identifier: content_words(one.skill.name) for one in scene.plan.skills if one.stated
     }
     comes = (e for e in entries if names <= happening.get(f"s{e.number}", frozenset()))
     own = (entry for entry in entries if names <= content_words(entry.text))
