@@ -1,8 +1,10 @@
 """From a request to a plan: interpret, schedule, and say what needs saying."""
 
 import math
+from collections import Counter
 from dataclasses import dataclass, replace
 from datetime import datetime
+from functools import cached_property
 
 from fuzzytime.interpreter.happening import attended, clashes, happening
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
@@ -19,7 +21,7 @@ FIRST = 0.6
 a bound, of its own."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Plan:
     """A request, understood and scheduled."""
 
@@ -32,6 +34,12 @@ class Plan:
     def skills(self) -> tuple[Interpreted, ...]:
         """The skills in the order of the request, as in the schedule's task."""
         return self.interpretation.skills
+
+    @cached_property
+    def shared_names(self) -> frozenset[str]:
+        """The names that more than one skill has: they need an identifier to be told apart."""
+        counted = Counter(interpreted.skill.name for interpreted in self.skills)
+        return frozenset(name for name, count in counted.items() if count > 1)
 
     def instant(self, time: float) -> datetime:
         """Give the wall-clock instant of a time of the plan."""

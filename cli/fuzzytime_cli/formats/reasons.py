@@ -141,10 +141,10 @@ def clash_sentence(plan: Plan) -> str:
 
 def name_of(plan: Plan, position: int) -> str:
     """Give a skill's name, with its identifier where another skill has the same name."""
-    name = plan.skills[position].skill.name
-    same = sum(interpreted.skill.name == name for interpreted in plan.skills)
-    shown = plain(name)
-    return f"{shown} ({plain(plan.skills[position].identifier)})" if same > 1 else shown
+    interpreted = plan.skills[position]
+    name = plain(interpreted.skill.name)
+    shared = interpreted.skill.name in plan.shared_names
+    return f"{name} ({plain(interpreted.identifier)})" if shared else name
 
 
 def moved_words(moved: Moved | None) -> str:

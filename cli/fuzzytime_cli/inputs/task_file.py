@@ -13,6 +13,7 @@ from typing import Required, TypedDict, TypeVar
 from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
+from fuzzytime.skills import Busy
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
@@ -118,27 +119,9 @@ class _TaskFile:
         own = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
         horizon = asked.horizon or own or usual.horizon
         in_order = reader.boolean(top["in_order"], "in_order") if "in_order" in top else None
-        context = (
-            read_context_node(reader, top["context"], "context", self.surroundings.signals)
-            if "context" in top
-            else Context()
-        )
-        busy = (
-            read_busy(reader, top["busy"], self.now, self.agents, horizon or 0.0, self.surroundings.calendar)
-            if "busy" in top
-            else ()
-        )
-        wishes = (
-            *(self._instructions(top["instructions"]) if "instructions" in top else ()),
-            *(self._skills(top["skills"]) if "skills" in top else ()),
-        )
-        if not reader.mistakes and not wishes:
-            reader.mistake(root, "", "a task file must hold instructions or skills")
-        self._check_afters(wishes)
-        if len(wishes) > MAX_INSTRUCTIONS:
-            reader.mistake(
-                root, "", f"a plan must hold at most {MAX_INSTRUCTIONS:,} skills, got {len(wishes):,}"
-            )
+        context = self._context(top["context"]) if "context" in top else Context()
+        busy = self._busy(top["busy"], horizon) if "busy" in top else ()
+        wishes = self._wishes(root, top)
         reader.finish()
         return Request(
             now=self.now,
@@ -149,6 +132,13 @@ class _TaskFile:
             horizon=horizon,
             in_order=_first(asked.in_order, in_order, usual.in_order is True),
         )
+
+    def _context(self, node: Node) -> Context:
+        return read_context_node(self.reader, node, "context", self.surroundings.signals)
+
+    def _busy(self, node: Node, horizon: float | None) -> tuple[Busy, ...]:
+        calendar = self.surroundings.calendar
+        return read_busy(self.reader, node, self.now, self.agents, horizon or 0.0, calendar)
 
     def _check_afters(self, wishes: Sequence[Wish]) -> None:
         """Note what is to come after what is not there; of a line's skills any may be meant (s1.2)."""
@@ -174,6 +164,19 @@ class _TaskFile:
         return in_zone(surroundings.now or own or surroundings.fallback_now, zone)
 
     # -- wishes ---------------------------------------------------------------------------------------------
+
+    def _wishes(self, root: Node, top: dict[str, Node]) -> tuple[Wish, ...]:
+        wishes = (
+            *(self._instructions(top["instructions"]) if "instructions" in top else ()),
+            *(self._skills(top["skills"]) if "skills" in top else ()),
+        )
+        if not self.reader.mistakes and not wishes:
+            self.reader.mistake(root, "", "a task file must hold instructions or skills")
+        if len(wishes) > MAX_INSTRUCTIONS:
+            message = f"a plan must hold at most {MAX_INSTRUCTIONS:,} skills, got {len(wishes):,}"
+            self.reader.mistake(root, "", message)
+        self._check_afters(wishes)
+        return wishes
 
     def _instructions(self, node: Node) -> list[Wish]:
         wishes: list[Wish] = []

@@ -169,22 +169,26 @@ def _stoppable(inbox: Inbox) -> Iterator[Callable[[], bool]]:
 def _listening(inbox: Inbox, listener: Listener, settings: Settings) -> Iterator[None]:
     """Let lines come in: all at once in a simulation, else by threads until the run is over."""
     over = threading.Event()
+    simulated = settings.speed is None
     if settings.follow is not None and settings.follow.is_dir():
         raise NoInputError(f"{settings.follow}: what is followed must be a file, and it is a folder")
     try:
-        if settings.follow is not None and settings.speed is not None:
-            follow_into(inbox, settings.follow, over)
+        if settings.follow is not None and simulated:
+            _play_file(inbox, settings.follow, listener)
         elif settings.follow is not None:
-            try:
-                with settings.follow.open("rb") as recording:
-                    play(inbox, str(settings.follow), lambda: recording.read(CHUNK), listener)
-            except FileNotFoundError as error:
-                raise NoInputError(f"{settings.follow}: there is no such file") from error
-        if settings.listen and settings.follow is None:
-            if settings.speed is None:
-                play(inbox, "<stdin>", reader_of(sys.stdin), listener)
-            else:
-                read_into(inbox, "<stdin>", reader_of(sys.stdin))
+            follow_into(inbox, settings.follow, over)
+        elif settings.listen and simulated:
+            play(inbox, "<stdin>", reader_of(sys.stdin), listener)
+        elif settings.listen:
+            read_into(inbox, "<stdin>", reader_of(sys.stdin))
         yield
     finally:
         over.set()
+
+
+def _play_file(inbox: Inbox, path: Path, listener: Listener) -> None:
+    try:
+        with path.open("rb") as recording:
+            play(inbox, str(path), lambda: recording.read(CHUNK), listener)
+    except FileNotFoundError as error:
+        raise NoInputError(f"{path}: there is no such file") from error

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from rich.text import Text
 
@@ -22,6 +22,9 @@ from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.turn import Line, Turns
 from fuzzytime_cli.session import NotKeptError, open_store
+
+if TYPE_CHECKING:
+    from prompt_toolkit import PromptSession
 
 PROMPT = "› "
 PLAIN_PROMPT = "> "
@@ -169,29 +172,9 @@ def _beating(talk: _Talk) -> Iterator[None]:
 
 def _prompted(talk: _Talk, folder: Path | None) -> None:
     """Read lines with editing, history and completion; Ctrl-C clears the line, Ctrl-D leaves."""
-    from prompt_toolkit import PromptSession
-    from prompt_toolkit.history import InMemoryHistory
-    from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
     from prompt_toolkit.patch_stdout import patch_stdout
 
-    from fuzzytime_cli.repl.completion import WordCompleter
-    from fuzzytime_cli.repl.history import kept_history
-
-    history = kept_history(folder / "history") if folder is not None else InMemoryHistory()
-    keys = KeyBindings()
-
-    @keys.add("escape", "enter")
-    def _(event: KeyPressEvent) -> None:
-        event.current_buffer.insert_text("\n")
-
-    completer = WordCompleter.of_rulebook(talk.turns.conversation.interpreter.rulebook)
-    prompt: PromptSession[str] = PromptSession(
-        history=history,
-        completer=completer,
-        complete_while_typing=False,
-        key_bindings=keys,
-        enable_suspend=True,
-    )
+    prompt = _prompt(talk, folder)
     with patch_stdout(raw=True):
         talk.screen = Screen(
             sys.stdout, talk.screen.width, talk.screen.colour, talk.screen.unicode, interactive=True
@@ -202,16 +185,45 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
         with _beating(talk):
             while going:
                 try:
-                    typed = prompt.prompt(PROMPT, default=words)
-                    words = ""
-                    for lines in talk.parted(typed):
-                        going, words = talk.take(*lines)
-                        if not going:
-                            break
+                    going, words = _typed(talk, prompt.prompt(PROMPT, default=words))
                 except KeyboardInterrupt:
                     words = ""
                 except EOFError:
                     return
+
+
+def _prompt(talk: _Talk, folder: Path | None) -> "PromptSession[str]":
+    """Give what a line is typed into; Alt-Enter begins another line."""
+    from prompt_toolkit import PromptSession
+    from prompt_toolkit.history import InMemoryHistory
+    from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+
+    from fuzzytime_cli.repl.completion import WordCompleter
+    from fuzzytime_cli.repl.history import kept_history
+
+    keys = KeyBindings()
+
+    @keys.add("escape", "enter")
+    def _(event: KeyPressEvent) -> None:
+        event.current_buffer.insert_text("\n")
+
+    return PromptSession(
+        history=kept_history(folder / "history") if folder is not None else InMemoryHistory(),
+        completer=WordCompleter.of_rulebook(talk.turns.conversation.interpreter.rulebook),
+        complete_while_typing=False,
+        key_bindings=keys,
+        enable_suspend=True,
+    )
+
+
+def _typed(talk: _Talk, typed: str) -> tuple[bool, str]:
+    """Answer what was typed at once; say whether to go on, and what the prompt holds."""
+    going, words = True, ""
+    for lines in talk.parted(typed):
+        going, words = talk.take(*lines)
+        if not going:
+            break
+    return going, words
 
 
 def _piped(talk: _Talk, stream: TextIO | None) -> None:

@@ -4,9 +4,8 @@ These are the pieces that the rules of a grammar start from, beside those of the
 """
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -237,7 +236,6 @@ class _Scan:
                 yield end, value
 
 
-PieceSource = Callable[[Sequence[Word], int, Lexicon], Iterator[Any]]
 SMALLER = {
     Unit.HOUR: Unit.MINUTE,
     Unit.MINUTE: Unit.SECOND,
