@@ -11,7 +11,6 @@ from fuzzytime.language.meaning.beside import refined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
-    Edge,
     Ending,
     Goal,
     HourMark,
@@ -262,39 +261,3 @@ def last_before(duration: Duration, wall: Wall) -> Said | None:
         return None
     begins = Offset(replace(duration, hedges=()), -1, wall)
     return Said(Range(begins, wall), Constraint.BETWEEN, "during", duration.hedges)
-
-
-@grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
-def range_on_day(said: Said, wall: Wall) -> Said | None:
-    """Between 3 and 5 on friday."""
-    return refined(said, wall)
-
-
-@grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
-def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | None = None) -> Said | None:
-    """Tomorrow before 5pm, tomorrow evening by seven, friday between 1PM and 4 PM."""
-    wall, said = (first, second) if third is None else (second, third)
-    if not isinstance(wall, Wall) or not isinstance(said, Said):
-        return None
-    # "Eat lunch by one": a meal beside a bound is what is to be done.
-    return None if wall.weak and wall.part is not None else refined(said, wall)
-
-
-@grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)
-def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
-    """Tomorrow, but not before ten: from then to the end of that day."""
-    bound = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall)
-    days = wall.days
-    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
-        return None
-    return replace(bound, time=Range(bound.time, Ending(Edge.END, days)), constraint=Constraint.BETWEEN)
-
-
-@grammar.rule("said", "<wall> ,? but|and <preposition_before> <goal>", weight=0.6)
-def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
-    """Tomorrow, but before ten: from when that day begins to then."""
-    bound = refined(Said(goal.time, Constraint.BEFORE, before.name, goal.hedges), wall)
-    days = wall.days
-    if bound is None or days is None or days.grain is not Unit.DAY or not isinstance(bound.time, Wall):
-        return None
-    return replace(bound, time=Range(Ending(Edge.START, days), bound.time), constraint=Constraint.BETWEEN)
