@@ -1,4 +1,4 @@
-"""A bound or a stretch beside the day that it is on: "tomorrow before 5 pm", "tomorrow, but not before ten"."""
+"""Bounds and stretches beside the day that they are on: "tomorrow before 5 pm", "but not before ten"."""
 
 from dataclasses import replace
 

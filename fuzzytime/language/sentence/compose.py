@@ -18,6 +18,7 @@ from fuzzytime.language.instruction import (
 )
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.at_events import at_events
 from fuzzytime.language.sentence.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.clock_times import NOTHING, LastSaid, last_said
@@ -29,7 +30,7 @@ from fuzzytime.language.sentence.connectives import (
 )
 from fuzzytime.language.sentence.contradictions import contradictions
 from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
-from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unasked, unused_orders, unused_words
+from fuzzytime.language.sentence.doubts import unused_words
 from fuzzytime.language.sentence.drafts import HEADED, Draft
 from fuzzytime.language.sentence.headings import day_above, read_heading
 from fuzzytime.language.sentence.lengths import (
@@ -40,20 +41,17 @@ from fuzzytime.language.sentence.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.named import PRONOUNS, is_several
-from fuzzytime.language.sentence.negations import LONGER, awaiting, denied_times, turned
+from fuzzytime.language.sentence.negations import awaiting, without_denial
 from fuzzytime.language.sentence.pairs import leads_to
 from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
-from fuzzytime.language.sentence.pronouns import SEVERAL, resolved_object
 from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.sketches import sketches_of
 from fuzzytime.language.sentence.tokens import tokens_of
 from fuzzytime.language.sentence.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.waited import waited
-from fuzzytime.language.sentence.waiting import INVERTING
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import TimeRequirement
 
 
 def composed(
@@ -72,11 +70,7 @@ def composed(
     """
     if draft.leads:
         return read_heading(draft)
-    composer = _Composer(draft, lexicon, mentions, first, awaits=awaits)
-    composer.moment = replace(
-        composer.moment, since=since.clock, carried=since.clock is not None, day=since.day
-    )
-    return composer.reading()
+    return _Composer(draft, lexicon, mentions, first, awaits=awaits, since=since).reading()
 
 
 class _Composer:
@@ -88,10 +82,13 @@ class _Composer:
         first: int,
         *,
         awaits: bool,
+        since: LastSaid,
     ) -> None:
         self.draft = draft
         self.lexicon = lexicon
-        self.moment = Moment(draft.now, lexicon.policy)
+        self.moment = Moment(
+            draft.now, lexicon.policy, since=since.clock, carried=since.clock is not None, day=since.day
+        )
         self.mentions = mentions
         self.first = first
         self.awaits = awaits
@@ -106,34 +103,12 @@ class _Composer:
         sketches, remarks = sketches_of(self.draft, self.lexicon)
         sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
         self.remarks += remarks
-        operations: list[Operation | None] = []
-        for place, sketch in enumerate(sketches):
-            doubts = self._doubts(sketch)
-            self.remarks += doubts
-            if doubts:
-                clauses = unasked(sketch.clauses, self.draft.text)
-                sketches[place] = replace(sketch, operation=None, clauses=clauses)
-            elif sketch.operation is not None:
-                self.remarks += unused_orders(self.draft.text, sketch.part, sketch.operation, sketch.heard)
-                thing = resolved_object(sketch.operation, operations, self.mentions, self.first)
-                thing = self._of_front(sketch, operations, place) or thing
-                again = thing != sketch.operation.object
-                sketches[place] = replace(
-                    sketch, operation=replace(sketch.operation, object=thing, again=again)
-                )
-            else:
-                words = self.draft.scanned.words
-                self.remarks += nothing_to_do(self.draft.text, sketch.part, words, sketch.heard)
-            operations.append(sketches[place].operation)
+        sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
+        self.remarks += remarks
+        operations = [sketch.operation for sketch in sketches]
         instructions: list[Instruction] = []
         for place, sketch in enumerate(sketches):
-            listed = place > 0 and sketch.part is sketches[place - 1].part
-            follows = sketch.part.segment.connective == "then"
-            due = due_of(self.draft.text, sketches[:place], sketch, instructions)
-            leads, onto = leads_to(sketches, place, self.draft.text), self.moment.leads is not None
-            self.moment = replace(
-                self.moment, listed=listed, follows=follows, due=due, leads=leads, onto=onto
-            )
+            self.moment = self._moment_of(sketches, place, instructions)
             instructions.append(self._instruction(sketch, self.first + place, operations))
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
@@ -159,20 +134,19 @@ class _Composer:
             step=self.draft.step,
         )
 
-    def _of_front(self, sketch: Sketch, operations: Sequence[Operation | None], place: int) -> str | None:
-        """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
-        operation = sketch.operation
-        if operation is None or (operation.object or "").lower() not in PRONOUNS:
-            return None
-        anchors = Anchors(self.first + place, self.first, operations, self.mentions, self.lexicon)
-        for clause in sketch.clauses:
-            if clause.span[0] < operation.span[0]:
-                condition = clause.condition
-                said = condition is not None and condition.subject not in PRONOUNS
-                thing = anchors.about(clause)
-                if thing is not None and (said or is_several(thing) == (operation.object in SEVERAL)):
-                    return thing
-        return None
+    def _moment_of(
+        self, sketches: Sequence[Sketch], place: int, instructions: Sequence[Instruction]
+    ) -> Moment:
+        """Give what the times of a sketch count from, as what stands beside it says."""
+        sketch = sketches[place]
+        return replace(
+            self.moment,
+            listed=place > 0 and sketch.part is sketches[place - 1].part,
+            follows=sketch.part.segment.connective == "then",
+            due=due_of(self.draft.text, sketches[:place], sketch, instructions),
+            leads=leads_to(sketches, place, self.draft.text),
+            onto=self.moment.leads is not None,
+        )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
         """Point at what no operation and no time holds, where nothing else is said of it."""
@@ -185,14 +159,6 @@ class _Composer:
                     text, part, sketch.operation, [*told, *sketch.heard, *sketch.joints], self.lexicon
                 )
         return found
-
-    def _doubts(self, sketch: Sketch) -> list[Remark]:
-        part, words = sketch.part, self.draft.scanned.words
-        first, end = part.segment.span
-        front = self.draft.text[first : part.offset].partition(" ")[0].lower()
-        # "Should the bell ring, open the door" asks nothing.
-        span = (part.offset if front in INVERTING else first, end)
-        return list(doubts_of(self.draft.text, span, words, sketch, self.lexicon))
 
     def _instruction(
         self, sketch: Sketch, position: int, operations: Sequence[Operation | None]
@@ -220,23 +186,7 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        requirements: list[TimeRequirement] = []
-        for grounded in times.found:
-            phrase, reference = next(
-                (phrase, reference)
-                for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
-                if phrase.span == grounded.requirement.span
-            )
-            requirement = grounded.requirement
-            if phrase.rule == HEADED and self.draft.heading is not None:
-                requirement = replace(requirement, text=self.draft.heading.name)
-            requirement = of_phrase(anchors, phrase, requirement)
-            requirements.append(referred(requirement, reference))
-            if requirement.preposition in INSIDE and requirement.anchor is None:
-                alone = follows_nothing(requirement.text, requirement.span)
-                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
-            if requirement.word in ORDERING:
-                self.remarks.append(follows_nothing(requirement.text, requirement.span))
+        requirements = self._of_phrases(sketch, times, anchors)
         for clause in sketch.clauses:
             required, remarks = of_clause(clause, anchors, sketch, self.draft)
             self.remarks += remarks
@@ -244,8 +194,8 @@ class _Composer:
         events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
         self.remarks += remarks
         requirements += [*events, *self._headed(sketch, anchors)]
-        connected = anchored_by_connective(sketch.part.segment, self.draft.text, position)
         segment = sketch.part.segment
+        connected = anchored_by_connective(segment, self.draft.text, position)
         if connected is None and position == 0:
             self.remarks += led_by_nothing(segment, self.draft.text)
         if connected is not None:
@@ -254,14 +204,11 @@ class _Composer:
         requirements = within_after(requirements)
         requirements.sort(key=lambda requirement: requirement.span)
         self.remarks += contradictions(requirements)
-        operation = sketch.operation
-        duration = next((g.duration for g in times.found if g.duration is not None), None)
         said = self.draft.text[slice(*segment.span)].strip()
-        denied = denied_times(requirements, connected, said)
-        if operation is not None and operation.negated and denied:
-            lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
-            requirements = [turned(r, duration) if r.span in denied else r for r in requirements]
-            operation, duration = replace(operation, negated=False), duration if lasting else None
+        duration = next((g.duration for g in times.found if g.duration is not None), None)
+        operation, requirements, duration = without_denial(
+            sketch.operation, requirements, duration, connected, said
+        )
         requirements = due_when_needed(requirements, operation, said)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
@@ -279,6 +226,27 @@ class _Composer:
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
         )
+
+    def _of_phrases(self, sketch: Sketch, times: Times, anchors: Anchors) -> list[TimeRequirement]:
+        """Give what a sketch's times require, each about the end of it that its verb or its words name."""
+        said = {
+            phrase.span: (phrase, reference)
+            for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
+        }
+        requirements = []
+        for grounded in times.found:
+            requirement = grounded.requirement
+            phrase, reference = said[requirement.span]
+            if phrase.rule == HEADED and self.draft.heading is not None:
+                requirement = replace(requirement, text=self.draft.heading.name)
+            requirement = of_phrase(anchors, phrase, requirement)
+            requirements.append(referred(requirement, reference))
+            if requirement.preposition in INSIDE and requirement.anchor is None:
+                alone = follows_nothing(requirement.text, requirement.span)
+                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
+            if requirement.word in ORDERING:
+                self.remarks.append(follows_nothing(requirement.text, requirement.span))
+        return requirements
 
     def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
         """Give what the clauses of a line above require of an instruction."""

@@ -4,9 +4,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.named import PRONOUNS, SOMEBODY, is_several
 from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.segments import ARTICLES
+from fuzzytime.language.sentence.sketch import Sketch
 
 PEOPLE = frozenset({"them"})
 SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
@@ -46,6 +48,20 @@ def resolved_object(
     here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
     fitting = (thing for thing in (here, there) if thing is not None and is_several(thing) is several)
     return next(fitting, here or there or operation.object)
+
+
+def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anchors) -> str | None:
+    """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
+    if (operation.object or "").lower() not in PRONOUNS:
+        return None
+    for clause in sketch.clauses:
+        if clause.span[0] < operation.span[0]:
+            condition = clause.condition
+            named = condition is not None and condition.subject not in PRONOUNS
+            thing = anchors.about(clause)
+            if thing is not None and (named or is_several(thing) == (operation.object in SEVERAL)):
+                return thing
+    return None
 
 
 def _resolved_person(

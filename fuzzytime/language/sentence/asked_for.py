@@ -1,0 +1,53 @@
+"""What each part of a text asks for: its pronouns resolved, and nothing where it is no instruction."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Remark
+from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unasked, unused_orders
+from fuzzytime.language.sentence.drafts import Draft
+from fuzzytime.language.sentence.pronouns import resolved_object, thing_of_clause_in_front
+from fuzzytime.language.sentence.references import Mentions
+from fuzzytime.language.sentence.sketch import Sketch
+from fuzzytime.language.sentence.waiting import INVERTING
+
+
+def asked_of(
+    sketches: Sequence[Sketch], draft: Draft, mentions: Mentions, first: int, lexicon: Lexicon
+) -> tuple[list[Sketch], list[Remark]]:
+    """Give the sketches of a text with what is really asked for, and what is said of those that ask nothing.
+
+    ``first`` of the operations that are mentioned were given before the text.
+    """
+    found: list[Sketch] = []
+    remarks: list[Remark] = []
+    operations: list[Operation | None] = []
+    for sketch in sketches:
+        operation = sketch.operation
+        doubts = _doubts(sketch, draft, lexicon)
+        remarks += doubts
+        if doubts:
+            found.append(replace(sketch, operation=None, clauses=unasked(sketch.clauses, draft.text)))
+        elif operation is None:
+            remarks += nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard)
+            found.append(sketch)
+        else:
+            remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
+            anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
+            thing = thing_of_clause_in_front(sketch, operation, anchors)
+            thing = thing or resolved_object(operation, operations, mentions, first)
+            again = thing != operation.object
+            found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
+        operations.append(found[-1].operation)
+    return found, remarks
+
+
+def _doubts(sketch: Sketch, draft: Draft, lexicon: Lexicon) -> list[Remark]:
+    part = sketch.part
+    first, end = part.segment.span
+    front = draft.text[first : part.offset].partition(" ")[0].lower()
+    # "Should the bell ring, open the door" asks nothing.
+    span = (part.offset if front in INVERTING else first, end)
+    return list(doubts_of(draft.text, span, draft.scanned.words, sketch, lexicon))
