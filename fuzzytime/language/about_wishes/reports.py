@@ -4,9 +4,8 @@ from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.sentence.content_words import EMPTY
-from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS
 
-SPEAKERS = frozenset({"i", "we"})
 PAST = frozenset({"VBN", "VBD"})
 BEING = frozenset({"is", "are", "'s", "'re"})
 WITH = "with"

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.small_clauses import small_clause
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
-SUBJECTS = ("nsubj", "nsubjpass")
 COPULAS = frozenset({"be", "'s", "'m", "'re", "’s", "’m", "’re"})
 PRESENT = frozenset({"VBZ", "VBP"})
 FINITE = PRESENT | {"VBD"}

@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.expressions import HALFWAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.content_words import content_words
-from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.references import (
     ARRIVING,
     BE,
@@ -34,7 +34,6 @@ END = frozenset({"the end", "the very end"})
 """Words for the end of what goes on."""
 
 COMING_BACK = frozenset({"they", "he", "she", "it"})
-SPEAKERS = frozenset({"we", "i", "you"})
 LEAVING = frozenset(
     ["leave", "go", "drive", "depart", "travel", "walk", "cycle", "ride", "fly", "head", "sail"]
 )
@@ -92,7 +91,7 @@ class Anchors:
             # "Add the hops 15 minutes before the end"
             return self.going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
-        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS:
+        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS_AND_ASKED:
             target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
@@ -117,7 +116,7 @@ class Anchors:
         """
         if clause.verb not in ARRIVING and not clause.is_there:
             return None
-        if clause.condition is not None and clause.condition.subject in SPEAKERS:
+        if clause.condition is not None and clause.condition.subject in SPEAKERS_AND_ASKED:
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
             back = (place for place, one in (*here, *self.just_before()) if _comes_back(one))
             known = next(back, None)

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.conditions import being, condition_of, happening, state
+from fuzzytime.language.sentence.tags import DETERMINERS
 from fuzzytime.language.sentence.tree import Tree
 
 STATED = frozenset({"when", "if", "until"})
@@ -24,7 +25,6 @@ FINISHING = frozenset({"finish", "stop", "complete"})
 CONJUNCTIONS = frozenset({"while", "whilst", "as"})
 """Markers behind which something goes on: "during the film" names it."""
 
-DETERMINERS = frozenset({"DT", "PRP$"})
 """Tags of words behind which a noun stands: "the ward round", whatever a tree makes of it."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")

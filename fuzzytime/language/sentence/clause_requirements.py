@@ -9,13 +9,12 @@ from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.pronouns import resolved_object
 from fuzzytime.language.sentence.references import ARRIVING
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
-DOERS = frozenset({"you", "i", "we"})
 """Subjects of clauses that refer to what is done, and not to what readings could tell."""
 
 RESULTING = frozenset({"when", "if", "after"})
@@ -51,7 +50,7 @@ def of_clause(
     if target is None:
         subject = None if said is None else said.subject
         message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
-        if clause.is_event or (subject is not None and subject not in DOERS):
+        if clause.is_event or (subject is not None and subject not in SPEAKERS_AND_ASKED):
             message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
         remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
     requirement = anchors.of_clause(clause, text, what, target)

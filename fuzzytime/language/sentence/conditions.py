@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.sentence.tags import DETERMINERS, GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Condition
 
@@ -33,14 +34,13 @@ ITS = "its"
 SHORTEST_BEING = 2
 """Words of "its dark"."""
 
-SUBJECTS = ("nsubj", "nsubjpass", "expl")
-DETERMINERS = frozenset({"DT", "PRP$", "PDT", "WDT"})
+ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
 
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
     """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
     inside = set(nodes)
-    subjects = [p for p in tree.children(verb, *SUBJECTS) if p in inside]
+    subjects = [p for p in tree.children(verb, *GRAMMATICAL_SUBJECTS) if p in inside]
     if not subjects:
         # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
         subjects = [p for p in nodes if p == verb - 1 and tree.nodes[p].tag in {"PRP", "PRP$"}]
@@ -51,7 +51,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
     subject = " ".join(
         tree.nodes[p].lower
         for p in sorted(tree.below(subjects[0]))
-        if p in inside and tree.nodes[p].tag not in DETERMINERS
+        if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
     )
     if subjects and tree.nodes[subjects[0]].lower == ITS:
         subject = "it"
@@ -87,7 +87,7 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     # "Every time the doorbell rings after dark"
     end = next((position for position, p in enumerate(nodes) if position and tree.nodes[p].tag == "IN"), None)
     *before, last = (tree.nodes[p] for p in nodes[:end])
-    named = [node.lower for node in before if node.tag not in DETERMINERS]
+    named = [node.lower for node in before if node.tag not in ANY_DETERMINERS]
     bare = named and last.tag in {"NN", "JJ"} and last.may_act
     if bare and (before[-1].tag == "NNS" or text.lower().startswith(IF)):
         # "When the edges brown", "should the bell ring"
@@ -108,7 +108,7 @@ def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     if len(said) == SHORTEST_BEING and said[0].lower == ITS:
         # "When its dark"
         return Condition(text=text, subject="it", word=said[-1].lower)
-    subject = [node.lower for node in said[:-2] if node.tag not in DETERMINERS]
+    subject = [node.lower for node in said[:-2] if node.tag not in ANY_DETERMINERS]
     if not subject or said[-2].tag != POSSESSIVE:
         return None
     return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
@@ -119,7 +119,9 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     said = [tree.nodes[place] for place in nodes]
     words = [node.lower for node in said if node.tag not in {"CC", ","}]
     again = words[:1] in (["more"], ["again"])
-    named = again or any(node.tag in DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said)
+    named = again or any(
+        node.tag in ANY_DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said
+    )
     if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
         return None
     return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))

@@ -6,14 +6,15 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Repeat, TimeWord
-from fuzzytime.language.sentence.actions import SUBJECTS
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.places import says_where
-from fuzzytime.language.sentence.segments import ARTICLES, Segment
+from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.statements import second_statement
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.tree import Node
 from fuzzytime.language.sentence.waiting import JOINT, Part, Waiting
 from fuzzytime.requirement import Constraint
@@ -213,7 +214,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             _is_of_thing(part, p, things) or part.tree.nodes[p].tag == "RP" for p in nodes
         )
         led = between[1].text in prepositions
-        named = led or between[1].text in ARTICLES or (has_object and between[0].text in {"and", ","})
+        named = led or between[1].text in OWNING or (has_object and between[0].text in {"and", ","})
         if (((nouns and named) or where) and alike) or listed:
             found.append(between[1].start)
     return found

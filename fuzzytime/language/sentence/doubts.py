@@ -7,14 +7,14 @@ from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.lending import REPEATED, REPEATING
+from fuzzytime.language.sentence.named import SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.language.sentence.statements import DETERMINERS, NOBODY
+from fuzzytime.language.sentence.statements import NOBODY
+from fuzzytime.language.sentence.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.tree import Node, Tree
 from fuzzytime.language.sentence.waiting import Part
 
-SUBJECTS = ("nsubj", "nsubjpass")
 OBJECTS = ("dobj", "attr", "oprd")
-ORDERS = frozenset({"VB", "VBP"})
 BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
 """Relations of a verb that may be a further order, and was not cut off."""
 NAMES = ("NN", "CD")
@@ -34,9 +34,6 @@ ASKING = frozenset(
 """Verbs behind "when" that ask."""
 
 WERE = frozenset({"was", "were"})
-SPEAKING = frozenset({"i", "we", "you"})
-"""Subjects of past forms that ask: "I wondered whether you could", "you had better go"."""
-
 BY = frozenset({"by", "back", "forward"})
 COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
 """Words before a unit in a length of time."""
@@ -102,7 +99,7 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
     for place, node in enumerate(tree.nodes):
         start = node.start + part.offset
         inside = any(first <= start < end for first, end in heard) or operation.span[0] == start
-        if inside or node.lower in held or node.tag not in ORDERS or node.relation not in BESIDE:
+        if inside or node.lower in held or node.tag not in IMPERATIVE or node.relation not in BESIDE:
             continue
         if tree.children(place, *SUBJECTS, "aux", "mark") or not tree.children(place, *OBJECTS, "prt"):
             continue
@@ -162,7 +159,7 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & WERE)
     # "In no time the tent was up"
     led = node.lower in WERE and root > 0
-    named = tree.nodes[subjects[0]].lower not in SPEAKING if subjects else led
+    named = tree.nodes[subjects[0]].lower not in SPEAKERS_AND_ASKED if subjects else led
     return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
 
 

@@ -9,8 +9,9 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.actions import FINITE, SUBJECTS, Action
+from fuzzytime.language.sentence.actions import FINITE, Action
 from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.waiting import Part
 
 RELATIVE = frozenset({"which", "that", "who", "whose", "where"})

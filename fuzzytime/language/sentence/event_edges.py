@@ -6,7 +6,6 @@ from collections.abc import Set as AbstractSet
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.requirement import Edge
 
 EDGES = {
@@ -57,7 +56,7 @@ def is_event(
     named = eventful - lexicon.travelling
     for place in range(first, min(end, first + LONGEST_EVENT)):
         text = words[place].text
-        if place in covered or (text in lexicon.function_words and text not in ARTICLES):
+        if place in covered or (text in lexicon.function_words and text not in OWNING):
             return False
         # "By the party" is no way to travel.
         owned = place > first and words[place - 1].text in OWNING and text in eventful & lexicon.events

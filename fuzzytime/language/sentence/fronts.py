@@ -8,9 +8,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
+from fuzzytime.language.sentence.actions import is_doubtful
 from fuzzytime.language.sentence.conditions import BE, being, happening
 from fuzzytime.language.sentence.statement_trees import as_statement
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.tree import Tree, Trees
 from fuzzytime.language.sentence.waiting import Waiting
 

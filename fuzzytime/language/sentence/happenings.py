@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.places import Places
+from fuzzytime.language.sentence.tags import SINGULAR
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.requirement import Constraint
 
@@ -13,7 +14,6 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 """What hangs on a verb, and on no noun."""
 
 NAMES = ("NN", "VBG", "CD")
-ONE = frozenset({"NN", "NNP"})
 
 
 def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
@@ -36,7 +36,7 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     # "Incision at eight"
     listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
-    return listed or (tree.nodes[root].tag in ONE and any(map(_is_range, phrases)))
+    return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:

@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
     HALFWAY,
@@ -18,7 +19,7 @@ from fuzzytime.language.sentence.content_words import singular
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.places import says_where
 from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
-from fuzzytime.language.sentence.segments import ARTICLES, ENDS
+from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
 
@@ -134,7 +135,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
-    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in ARTICLES or numbered)
+    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in OWNING or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
     if part.segment.verbless and says_where(rest.lower(), lexicon):
         # "Hoover downstairs in the morning and upstairs after lunch"

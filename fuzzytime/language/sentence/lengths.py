@@ -9,14 +9,13 @@ from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
-from fuzzytime.language.sentence.named import PRONOUNS
+from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS
 from fuzzytime.language.sentence.references import ALL
 from fuzzytime.language.sentence.stated import GOING
 from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 WHOLE = frozenset({"everything", "all"})
-US = frozenset({"we", "i"})
 """Who says of all that there is to do when it must be over."""
 
 OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
@@ -51,7 +50,7 @@ def length_of(
     return anchor
 
 
-SPEAKERS = frozenset({"i", "we", "i'll", "we'll"})
+SAYING_WE = SPEAKERS | {"i'll", "we'll"}
 NEEDING = frozenset({"need", "want"})
 """Who says what is needed, and the verbs for it."""
 
@@ -84,7 +83,7 @@ def time_of(
     words = text.lower().split()
     if anchors.lexicon.results.isdisjoint(said):
         return None
-    if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in US and OVER.issuperset(said)):
+    if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in SPEAKERS and OVER.issuperset(said)):
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
     if words[0] in PRONOUNS | ALL or words[:2] in OBLIGED:
@@ -100,7 +99,7 @@ def time_of(
 def _is_needed(operation: Operation | None, text: str) -> bool:
     """Whether who speaks needs then what was named before: "charge the bike, I need it at seven"."""
     first = text.split(maxsplit=1)[:1]
-    said = bool(first) and first[0].lower() in SPEAKERS and operation is not None
+    said = bool(first) and first[0].lower() in SAYING_WE and operation is not None
     return said and operation is not None and operation.lemma in NEEDING and operation.again
 
 

@@ -9,6 +9,12 @@ PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "on
 SOMEBODY = frozenset({"him", "her", "them"})
 """Words for who was named before: "collect Leo at three and take him to the park"."""
 
+SPEAKERS = frozenset({"i", "we"})
+"""Who speaks."""
+
+SPEAKERS_AND_ASKED = SPEAKERS | {"you"}
+"""Who speaks, and who is asked."""
+
 PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 
 

@@ -5,11 +5,12 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.actions import SUBJECTS, Action
+from fuzzytime.language.sentence.actions import Action
 from fuzzytime.language.sentence.called import worker_doing
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.stated import Stated
 from fuzzytime.language.sentence.statements import TAKING, others_do
+from fuzzytime.language.sentence.tags import SUBJECTS
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
 NAMING = ("NN", "DT", "PRP$")

@@ -4,12 +4,13 @@ from collections.abc import Iterator, Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Span
-from fuzzytime.language.sentence.segments import ARTICLES, BOUND, ENDS
+from fuzzytime.language.sentence.segments import BOUND, ENDS
 
 NAMING = (
-    ARTICLES
+    OWNING
     | BOUND
     | ENDS
     | {"it", "them", "second", "next", "long", "far", "at", "to", "and", ","}

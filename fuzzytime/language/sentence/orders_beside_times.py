@@ -1,13 +1,12 @@
 """Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.segments import ARTICLES, ENDS
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.sentence.segments import ENDS
+from fuzzytime.language.sentence.tags import DETERMINERS, IMPERATIVE
 from fuzzytime.language.sentence.tree import Tree
 
 JOINTS = frozenset({"and", "but", ",", ";", "&", "then", "please", "also", "so"})
-IMPERATIVE = frozenset({"VB", "VBP"})
-OWNING_TAGS = frozenset({"DT", "PRP$"})
-"""Tags of words that begin what is done something with."""
 
 OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 
@@ -36,7 +35,7 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
     bare = node.may_act and node.lower == node.lemma
     called = node.lower in lexicon.addressing and behind in lexicon.persons
-    return led and bare and (called or behind in ARTICLES | OBJECTS)
+    return led and bare and (called or behind in OWNING | OBJECTS)
 
 
 def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -65,7 +64,7 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     if first is None or first + 1 >= len(tree.nodes):
         return False
     node, behind = tree.nodes[first], tree.nodes[first + 1]
-    owning = behind.tag in OWNING_TAGS and node.may_act
+    owning = behind.tag in DETERMINERS and node.may_act
     called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
     return node.tag.startswith("NN") and node.lower == node.lemma and (owning or called)
 

@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.named import PRONOUNS, SOMEBODY, is_several
 from fuzzytime.language.sentence.references import Mentions
-from fuzzytime.language.sentence.segments import ARTICLES
 from fuzzytime.language.sentence.sketch import Sketch
 
 PEOPLE = frozenset({"them"})
@@ -87,5 +87,5 @@ def _resolved_person(
         return None
     article, _, name = person.partition(" ")
     # "The kids finish school at three. Give them a snack"
-    person = f"{article.lower()} {name}" if name and article.lower() in ARTICLES else person
+    person = f"{article.lower()} {name}" if name and article.lower() in OWNING else person
     return f"{person} {rest}" if rest else person

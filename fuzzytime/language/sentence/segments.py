@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.surroundings import ASKING
+from fuzzytime.language.grammar.surroundings import ASKING, OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
@@ -26,8 +26,6 @@ SERIES = frozenset({"every", "each"})
 OPENED = frozenset({"and", "but", "please", "then"})
 BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
 """Words behind which "then" is a time: "by then"."""
-
-ARTICLES = frozenset({"the", "a", "an", "my", "your", "our", "his", "her", "their"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -117,7 +115,7 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         # "After the wedding on the 21st, call mum"
         return
     # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
-    named = all(word.text in ARTICLES | lexicon.taken for word in words[: first.first]) and first.first > 1
+    named = all(word.text in OWNING | lexicon.taken for word in words[: first.first]) and first.first > 1
     if not named and words[first.first - 1].text not in lexicon.happening:
         return
     behind = first.end + 1
@@ -146,7 +144,7 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     word, object_ = words[phrase.end], words[phrase.end + 1].text
     inside = word.text in lexicon.function_words | lexicon.places
-    acts = not inside and object_ in ARTICLES | {"it", "them"}
+    acts = not inside and object_ in OWNING | {"it", "them"}
     return word.capital or (acts and not _leads(phrase, words, lexicon))
 
 

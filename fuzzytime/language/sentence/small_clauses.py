@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.tree import Tree
 
 COMPLEMENTS = ("ccomp", "xcomp", "oprd", "acomp")
-SUBJECTS = ("nsubj", "nsubjpass")
 MODIFIERS = ("amod", "acl")
 GOVERNED = ("aux", "csubj")
 """How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""

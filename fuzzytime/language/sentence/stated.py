@@ -2,9 +2,11 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.actions import ARE, FINITE, SUBJECTS
+from fuzzytime.language.sentence.actions import ARE, FINITE
+from fuzzytime.language.sentence.named import SPEAKERS
 from fuzzytime.language.sentence.places import Places
 from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, TAKING, others_do
+from fuzzytime.language.sentence.tags import SUBJECTS
 
 PEOPLE = frozenset(
     {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
@@ -18,7 +20,6 @@ DUE = frozenset({"due", "over", "back"})
 IT = "it"
 ON = "on"
 
-FIRST_PERSON = frozenset({"i", "we"})
 
 POINTS = frozenset({"at", "by", "before", "within"})
 """Prepositions of a time at which, or up to which, something must have become so."""
@@ -79,7 +80,7 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         if self._is_own(verb):
             return True
-        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & FIRST_PERSON:
+        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & SPEAKERS:
             return False
         behind = [p for p in self.tree.below(verb) if p > verb]
         if self._performing(verb):
@@ -115,7 +116,7 @@ class Stated(Places):
         """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & SPEAKERS)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
     def _is_standing(self, verb: int) -> bool:
@@ -138,7 +139,7 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
         named |= {name.removesuffix("s") for name in named}
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & FIRST_PERSON)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & SPEAKERS)
         return has and not self.lexicon.persons.isdisjoint(named)
 
     def _helping(self, verb: int) -> set[str]:

@@ -5,13 +5,11 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.actions import ARE
 from fuzzytime.language.sentence.statements import (
-    COUNTABLE,
-    DETERMINERS,
     PHASES,
-    SUBJECTS,
     behind_particles,
     plural_subject,
 )
+from fuzzytime.language.sentence.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.tree import Tree
 
 SURE_PHASES = PHASES - {"leaves"}
@@ -56,7 +54,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
     # "Print the boarding passes today"
     ordered = root > 1 and first.may_act and first.lower == first.lemma.lower() and second in DETERMINERS
-    if subject is None or ordered or tree.children(root, *SUBJECTS):
+    if subject is None or ordered or tree.children(root, *GRAMMATICAL_SUBJECTS):
         return tree
     described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
     nodes = list(tree.nodes)
@@ -79,7 +77,7 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
     sure = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
     found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
     verb = next(found, next(sure, None))
-    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in COUNTABLE:
+    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in SINGULAR:
         return tree
     if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
         # "Check what starts at ten", "take the bus that leaves at ten"
@@ -104,7 +102,7 @@ def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
     root = tree.root
     for verb in tree.children(root, "nsubj") if root is not None and tree.nodes[root].tag == "VBZ" else ():
         named = plural_subject(tree, verb)
-        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in COUNTABLE]
+        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in SINGULAR]
         told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
         if not told or named is None or not second or root is None:
             continue

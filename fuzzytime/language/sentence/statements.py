@@ -4,9 +4,9 @@ from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.actions import ARE
+from fuzzytime.language.sentence.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.tree import Tree
 
-SUBJECTS = ("nsubj", "nsubjpass", "expl")
 BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
 """How trees join a statement to an order behind it."""
 
@@ -42,12 +42,10 @@ BECOMING = frozenset({"be", "get", "become", "stay"})
 NOBODY = frozenset({"nobody", "none", "nothing"})
 """Subjects of what is denied, beside those with "no" before them."""
 
-DETERMINERS = frozenset({"DT", "PRP$"})
 
 ASKED = frozenset({"you", "that", "which", "who", "what"})
 """Subjects of no statement of its own."""
 
-COUNTABLE = frozenset({"NN", "NNP"})
 NOUNS = frozenset({"NN", "NNP", "NNS"})
 
 
@@ -76,7 +74,7 @@ def goes_on(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
 def plural_subject(tree: Tree, verb: int) -> int | None:
     """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes"."""
     for place in tree.children(verb, "compound", "amod"):
-        if place == verb - 1 and (tree.nodes[place].tag in COUNTABLE or tree.nodes[verb].lower in PHASES):
+        if place == verb - 1 and (tree.nodes[place].tag in SINGULAR or tree.nodes[verb].lower in PHASES):
             return place
     return None
 
@@ -120,7 +118,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
 def _is_apart(tree: Tree, place: int) -> bool:
     """Whether a verb with an article or owner's word before who does it is joined to the first of all."""
     node = tree.nodes[place]
-    first = min((min(tree.below(p)) for p in tree.children(place, *SUBJECTS)), default=place)
+    first = min((min(tree.below(p)) for p in tree.children(place, *GRAMMATICAL_SUBJECTS)), default=place)
     joined = node.relation == "conj" and node.head == tree.root and not tree.children(place, "mark")
     return joined and tree.nodes[first].tag in DETERMINERS
 
@@ -134,13 +132,13 @@ def _is_purpose(tree: Tree, place: int, start: int) -> bool:
     orders = (p for p in tree.children(root, "advcl", "ccomp") if root == place and p < start)
     order = next(orders, root) if root >= start - 1 else root
     bare = order < start - 1 and tree.nodes[order].tag in {"VB", "VBP"}
-    return bare and not tree.children(order, *SUBJECTS, "mark")
+    return bare and not tree.children(order, *GRAMMATICAL_SUBJECTS, "mark")
 
 
 def _is_told_so(tree: Tree, joint: int) -> bool:
     """Whether what stands before a joint says how something is: "the train is cancelled and …"."""
     root = tree.root
-    if root is None or root >= joint or not tree.children(root, *SUBJECTS):
+    if root is None or root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
         return False
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     return helping <= ARE and (
@@ -151,7 +149,7 @@ def _is_told_so(tree: Tree, joint: int) -> bool:
 def _start_of_statement(tree: Tree, place: int) -> int | None:
     """Give where a statement begins, by the place of its verb, which a tree may take for a plural."""
     node = tree.nodes[place]
-    subjects = [p for p in tree.children(place, *SUBJECTS) if p < place]
+    subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if p < place]
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
     coming = node.tag == "VB" and bool(helping) and helping <= FUTURE
     if (node.tag in FINITE - {"VBG"} or coming) and subjects:
@@ -159,12 +157,12 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     if node.lower in PHASES | {phase[:-1] for phase in PHASES} and place > 0:
         # "The last bus leaves", "doors open"
         # "The next leaves at eleven"
-        known = tree.nodes[place - 1].tag in COUNTABLE or tree.nodes[place - 1].lower in WHICH
+        known = tree.nodes[place - 1].tag in SINGULAR or tree.nodes[place - 1].lower in WHICH
         singular = node.tag == "NNS" and known
         plural = not node.lower.endswith("s") and tree.nodes[place - 1].tag == "NNS"
         if singular or plural:
             first = place - 1
-            while first > 0 and tree.nodes[first - 1].tag in {*DETERMINERS, *COUNTABLE, "JJ", "NNS"}:
+            while first > 0 and tree.nodes[first - 1].tag in {*DETERMINERS, *SINGULAR, "JJ", "NNS"}:
                 first -= 1
             return first
     return None
@@ -175,7 +173,7 @@ def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int |
     if tree.nodes[place].tag != "POS" or place + 1 not in timed:
         return None
     start = place - 1
-    while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *COUNTABLE, "JJ", "NNS"}:
+    while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *SINGULAR, "JJ", "NNS"}:
         start -= 1
     return start if start > 1 and start < place and tree.nodes[start - 1].lower in JOINTS else None
 
@@ -206,13 +204,13 @@ def _is_brought_about(tree: Tree, place: int) -> bool:
 def _is_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> bool:
     """Whether a verb before an order says what happens; a tree may take it for who does what is ordered."""
     node = tree.nodes[place]
-    if node.relation in SUBJECTS:
+    if node.relation in GRAMMATICAL_SUBJECTS:
         if tree.nodes[place + 1].tag == "POS" and place + 2 in timed:
             # "The drill's at nine, clear the hall"
             return True
         return node.tag in {"VBZ", "NNS"} and plural_subject(tree, place) is not None
     taken = node.tag == "VBZ" and plural_subject(tree, place) is not None
-    return node.tag in FINITE and (taken or bool(tree.children(place, *SUBJECTS)))
+    return node.tag in FINITE and (taken or bool(tree.children(place, *GRAMMATICAL_SUBJECTS)))
 
 
 def _has_thing(tree: Tree, verb: int) -> bool:

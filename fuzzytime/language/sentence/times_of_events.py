@@ -4,9 +4,10 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Rep
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.conditions import BE
+from fuzzytime.language.sentence.named import SPEAKERS_AND_ASKED
 from fuzzytime.requirement import Constraint
 
-DOERS = frozenset({"i", "we", "you", "they", "he", "she"})
+DOERS = SPEAKERS_AND_ASKED | {"they", "he", "she"}
 """Subjects that come and go."""
 
 

@@ -10,12 +10,13 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
-from fuzzytime.language.sentence.actions import SUBJECTS, is_doubtful
+from fuzzytime.language.sentence.actions import is_doubtful
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.orders_beside_times import begins_order, leads_to_order
 from fuzzytime.language.sentence.segments import Segment
 from fuzzytime.language.sentence.statement_trees import leaves
+from fuzzytime.language.sentence.tags import SUBJECTS
 from fuzzytime.language.sentence.tree import Tree
 
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)

@@ -1,0 +1,16 @@
+"""Penn tags and relations that several readers of trees ask for."""
+
+SUBJECTS = ("nsubj", "nsubjpass")
+"""Relations of who or what does something."""
+
+GRAMMATICAL_SUBJECTS = (*SUBJECTS, "expl")
+"""And of "there" and "it" that stand for nothing."""
+
+DETERMINERS = frozenset({"DT", "PRP$"})
+"""Tags of words that begin a noun's: "the", "my"."""
+
+IMPERATIVE = frozenset({"VB", "VBP"})
+"""Tags of bare verbs."""
+
+SINGULAR = frozenset({"NN", "NNP"})
+"""Tags of nouns that name one."""
