@@ -15,9 +15,7 @@ from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import meant, on_its_day, told_anew
 from fuzzytime.language import (
-    LEAVING,
     Instruction,
-    Lexicon,
     News,
     NewsKind,
     Reading,
@@ -54,16 +52,16 @@ class Gathering:
         """Add the skill of a wish without words."""
         self._add([self.maker.direct(wish)])
 
-    def news(self, wish: SpokenWish, reading: Reading, lexicon: Lexicon) -> Told:
+    def news(self, wish: SpokenWish, reading: Reading) -> Told:
         """Take what a wish tells anew of what happens; give of which skills which words told."""
         told: Told = {}
         if not self._happening:
             return told
         at = seconds_between(self.maker.request.now, wish.given)
-        heard = news_in(wish.text, wish.given, lexicon)
+        heard = news_in(wish.text, wish.given, self.maker.lexicon)
         known = any(news.kind is not NewsKind.LATE for news in heard)
         for news in heard:
-            place = meant(news, self.skills, wish, at)
+            place = meant(news, self.skills, wish, at, self.maker.lexicon)
             if place is None:
                 continue
             told[news.span] = place
@@ -110,7 +108,7 @@ class Gathering:
         if not listed:
             self.rows.join(reading, about, self.skills)
             for _, places in about:
-                self.rows.await_arrival(places, self.skills)
+                self.rows.await_arrival(places, self.skills, self.maker.lexicon)
                 self.rows.resume(places, self.skills)
 
     def _take(self, wish: SpokenWish, reading: Reading, instruction: Instruction, *, listed: bool) -> range:
@@ -221,7 +219,7 @@ class Gathering:
         if instruction.way is None or target is None or not meant:
             return
         operation = self.skills[meant[0]].operation
-        if operation is not None and operation.lemma in LEAVING:
+        if operation is not None and operation.lemma in self.maker.lexicon.doing["leaving"]:
             # "We leave at six, the drive takes an hour"
             self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
             return

@@ -12,7 +12,7 @@ from itertools import pairwise
 
 from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Order, Reading, comes, content_words, shares_thing
+from fuzzytime.language import Instruction, Lexicon, Order, Reading, comes, content_words, shares_thing
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -150,7 +150,7 @@ class Rows:
         known = (" ".join(words[:end]) for end in range(len(words), 0, -1))
         return next((self.latest[name] for name in known if name in self.latest), None)
 
-    def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
+    def await_arrival(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let what can be done only with what comes wait for that, unless it has a time of its own."""
         if len(made) != 1:
             return
@@ -158,7 +158,7 @@ class Rows:
         operation = step.interpreted.operation
         if operation is None:
             return
-        if comes(operation):
+        if comes(operation, lexicon):
             self.arrived.update(dict.fromkeys(content_words(operation.object), made[0]))
             return
         if step.timed or any(part.anchor is not None for part in step.interpreted.requirements):

@@ -91,7 +91,8 @@ class Interpreter:
             raise InstructionError(
                 f"a skill must be one operation, got {len(operations)}", text, (0, len(text))
             )
-        maker = Maker(self.rulebook, Request(now=given, wishes=(wish,), context=context))
+        request = Request(now=given, wishes=(wish,), context=context)
+        maker = Maker(self.rulebook, self.language.lexicon, request)
         made = maker.spoken(wish, reading, reading.instructions[0])
         if len(made) != 1:
             raise InstructionError(f"a skill must happen once, got {len(made)} times", text, (0, len(text)))
@@ -110,13 +111,14 @@ class Interpreter:
         admitted = request.context.admitted(self.rulebook.signals)
         request = request.named()
         names = frozenset(wish.identifier for wish in request.wishes)
-        gathered = Gathering(Maker(self.rulebook, request), Links(names), Rows(request.in_order))
+        maker = Maker(self.rulebook, self.language.lexicon, request)
+        gathered = Gathering(maker, Links(names), Rows(request.in_order))
         problems = gathered.problems
         for wish, reading in zip(request.wishes, self._readings(request, problems), strict=True):
             if isinstance(wish, DirectWish):
                 gathered.direct(wish)
             elif isinstance(wish, SpokenWish) and reading is not None:
-                told = gathered.news(wish, reading, self.language.lexicon)
+                told = gathered.news(wish, reading)
                 reading_left = _without_remarks(reading, told)
                 if reading_left.instructions or not told:
                     self._remark(reading_left, wish, admitted, problems)

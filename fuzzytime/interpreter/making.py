@@ -12,7 +12,7 @@ from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence
 from fuzzytime.interpreter.waits import with_waits
-from fuzzytime.language import ENDING, Instruction, Operation, Reading
+from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
@@ -28,9 +28,10 @@ MAX_OCCURRENCES = 100
 
 @dataclass(frozen=True, slots=True)
 class Maker:
-    """Makes skills of instructions by a rulebook, on the timeline of a request."""
+    """Makes skills of instructions by a rulebook and the words it reads, on the timeline of a request."""
 
     rulebook: Rulebook
+    lexicon: Lexicon
     request: Request
 
     def direct(self, wish: DirectWish) -> Interpreted:
@@ -207,7 +208,7 @@ class Maker:
             # What happens by itself needs nobody's hands: "the guests arrive at six".
             if length is not None:
                 return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
-            if operation.lemma in ENDING:
+            if operation.lemma in self.lexicon.doing["ending"]:
                 # "The shift ends at two": that is a moment.
                 return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
             known = self._happening(operation) or (table if table.known else None)

@@ -8,7 +8,7 @@ from fuzzytime.interpreter.happening import without_time
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.request import SpokenWish, Started
-from fuzzytime.language import News, NewsKind, Reading, is_several
+from fuzzytime.language import Lexicon, News, NewsKind, Reading, is_several
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.satisfaction import NEVER, Rectangle
 from fuzzytime.times import instant_after, seconds_between
@@ -17,21 +17,23 @@ REVIVING = frozenset({NewsKind.TIME, NewsKind.THERE})
 """News of what happens after all, though it was cancelled."""
 
 
-def meant(news: News, skills: Sequence[Interpreted], wish: SpokenWish, told: float) -> int | None:
+def meant(
+    news: News, skills: Sequence[Interpreted], wish: SpokenWish, told: float, lexicon: Lexicon
+) -> int | None:
     """Give the position of what news is about; None where nothing was said to happen that it names.
 
     ``told`` is when it was told, in seconds from now. Of what has the same name that is meant which comes
     next; "it" and "they" are what was spoken of last.
     """
-    found = [place for place, one in enumerate(skills) if _may_be(news, one, wish)]
+    found = [place for place, one in enumerate(skills) if _may_be(news, one, wish, lexicon)]
     if news.several is None:
         return min(found, key=lambda place: _distance(skills[place], told), default=None)
     fitting = [place for place in found if _is_several(skills[place]) is news.several]
     return next(reversed(fitting or found), None)
 
 
-def _may_be(news: News, one: Interpreted, wish: SpokenWish) -> bool:
-    if one.operation is None or one.skill.duration or not news.is_of(one.operation):
+def _may_be(news: News, one: Interpreted, wish: SpokenWish, lexicon: Lexicon) -> bool:
+    if one.operation is None or one.skill.duration or not news.is_of(one.operation, lexicon):
         return False
     if one.cancelled and news.kind not in REVIVING:
         return False

@@ -27,16 +27,13 @@ from fuzzytime.language.instruction import (
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.anchors import LEAVING
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.named import is_several
 from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import ENDING, comes, shares_thing
+from fuzzytime.language.sentence.references import comes, shares_thing
 
 __all__ = [
-    "ENDING",
-    "LEAVING",
     "About",
     "AboutKind",
     "Instruction",

@@ -4,7 +4,7 @@ from datetime import datetime
 
 from rich.text import Text
 
-from fuzzytime.language import LEAVING, About, content_words
+from fuzzytime.language import About, content_words
 from fuzzytime.times import format_duration, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain, wrapped
@@ -22,7 +22,7 @@ from fuzzytime_cli.repl.scene import (
 LONG = 300.0
 """Seconds from which on it is said when something is done."""
 
-OF_LEAVING = LEAVING | {"set", "off", "out"}
+SETTING_OFF = frozenset({"set", "off", "out"})
 """Words that ask for going somewhere, whatever that is called."""
 
 SOON = 90.0
@@ -117,10 +117,11 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    if names and names <= OF_LEAVING:
+    leaving = scene.conversation.interpreter.language.lexicon.doing["leaving"]
+    if names and names <= leaving | SETTING_OFF:
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))
-        return [place for place, operation in going if operation is not None and operation.lemma in LEAVING]
+        return [place for place, operation in going if operation is not None and operation.lemma in leaving]
     if names:
         return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
     entry = entry_of(scene, names)

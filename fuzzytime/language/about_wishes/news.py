@@ -11,7 +11,7 @@ from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.content_words import EMPTY, content_words, singular
-from fuzzytime.language.sentence.references import ARRIVING, BEGINNING, verb_forms
+from fuzzytime.language.sentence.references import verb_forms
 from fuzzytime.requirement import Constraint, TimeRequirement
 
 CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
@@ -94,12 +94,12 @@ class News:
     by: float = 0.0
     marked: bool = True
 
-    def is_of(self, happening: Operation) -> bool:
+    def is_of(self, happening: Operation, lexicon: Lexicon) -> bool:
         """Whether it may be about something that was said to happen."""
         if not happening.stated or happening.negated:
             return False
         things = content_words(happening.object) | content_words(happening.place)
-        subject = self.names - _verbs(happening)
+        subject = self.names - _verbs(happening, lexicon)
         return subject <= things and (self.several is not None or bool(subject))
 
 
@@ -214,10 +214,12 @@ def _joint(words: str) -> int:
     return max((words.lower().rfind(f" {joint}") + 1 for joint in TO), default=0)
 
 
-def _verbs(happening: Operation) -> frozenset[str]:
+def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:
     """Give the words for what something that happens does."""
-    alike = ARRIVING if happening.lemma in ARRIVING else frozenset[str]()
-    if happening.lemma == BE or happening.lemma in BEGINNING - ARRIVING:
+    arriving = lexicon.doing["arriving"]
+    beginning = lexicon.doing["beginning"] - arriving | {BE}
+    alike = arriving if happening.lemma in arriving else frozenset[str]()
+    if happening.lemma in beginning:
         # "The meeting starts at four", which was at three
-        alike |= BEGINNING - ARRIVING | {BE}
-    return frozenset(form for verb in alike | {happening.lemma} for form in verb_forms(verb))
+        alike |= beginning
+    return frozenset(form for verb in alike | {happening.lemma} for form in verb_forms(verb, lexicon))

@@ -16,12 +16,6 @@ UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus"
 HELPING = frozenset({"should", "will", "would", "may", "might", "must", "can", "to", "it'll", "that'll"})
 """Verbs that help the one behind them."""
 
-SPENT = frozenset({"spend", "take"})
-"""Verbs that a length of time is the object of, with what is done in it: "spend an hour cleaning"."""
-
-SPENDING = frozenset({"do", "have", "get", "take", "spend", "practise", "practice", "enjoy", "try"})
-"""Verbs that a length of time is the object of: "do ten minutes of yoga"."""
-
 
 class Lengths(Standing):
     """What stands around lengths of time, and whether it makes one doubtful."""
@@ -86,8 +80,8 @@ class Lengths(Standing):
         follower = self.around.follower(piece)
         if follower == "of":
             # "Do ten minutes of yoga"
-            return self.around.before(piece) in SPENDING
-        if self.around.before(piece) in SPENT:
+            return self.around.before(piece) in self.lexicon.doing["spending"]
+        if self.around.before(piece) in self.lexicon.doing["spent"]:
             # "Spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
         return follower in self.lexicon.lasting or self.around.may_end(piece)

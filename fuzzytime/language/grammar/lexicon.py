@@ -60,6 +60,10 @@ class Lexicon:
         Words that begin what says where.
     vague_adverbs
         Adverbs that say nothing of how something is done: "just", "also".
+    doing
+        Verbs, and what is said like one, by what they say of what happens or ask for.
+    past
+        Irregular forms of verbs of what is over.
     told
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
@@ -152,6 +156,8 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]
+    doing: Mapping[str, frozenset[str]]
+    past: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]
     spacing: Mapping[str, frozenset[str]]
     moments: frozenset[tuple[str, ...]]

@@ -16,8 +16,6 @@ FINITE = PRESENT | {"VBD"}
 ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
-GOING_AND = frozenset({"go", "come", "try", "hurry"})
-SURE = frozenset({"sure", "certain", "careful", "time"})
 
 
 DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
@@ -59,11 +57,11 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     needless = _needless(tree, root)
     negated = needless is not None or _is_negated(tree, root)
     root = root if needless is None else needless
-    root = gone_to_do(tree, root) or root
+    root = gone_to_do(tree, root, lexicon) or root
     reference: Reference | None = None
     for _ in range(4):
         lemma = tree.nodes[root].lemma
-        assured = _assured(tree, root)
+        assured = _assured(tree, root, lexicon)
         if assured is not None:
             # "Make sure to feed the fish"
             root = assured
@@ -107,10 +105,10 @@ def _needless(tree: Tree, root: int) -> int | None:
     return None
 
 
-def gone_to_do(tree: Tree, place: int) -> int | None:
+def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
     """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
     verb = place + 2
-    if tree.nodes[place].lemma not in GOING_AND or verb >= len(tree.nodes):
+    if tree.nodes[place].lemma not in lexicon.doing["trying"] or verb >= len(tree.nodes):
         return None
     joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
     return verb if joined and tree.nodes[verb].tag == "VB" else None
@@ -197,10 +195,10 @@ def _is_order(tree: Tree, place: int) -> bool:
     )
 
 
-def _assured(tree: Tree, place: int) -> int | None:
+def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
     """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
     for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
-        if tree.nodes[below].lower in SURE:
+        if tree.nodes[below].lower in lexicon.doing["sure"]:
             verbs = tree.children(below, "xcomp", "relcl", "acl")
             return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
     return None

@@ -13,10 +13,7 @@ from fuzzytime.language.sentence.clause_sides import FIRST, side_of
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.references import (
-    ARRIVING,
     BE,
-    BEGINNING,
-    ENDING,
     Mentions,
     best_of,
     comes,
@@ -34,10 +31,6 @@ END = frozenset({"the end", "the very end"})
 """Words for the end of what goes on."""
 
 COMING_BACK = frozenset({"they", "he", "she", "it"})
-LEAVING = frozenset(
-    ["leave", "go", "drive", "depart", "travel", "walk", "cycle", "ride", "fly", "head", "sail"]
-)
-"""What leads somewhere: who leaves gets there."""
 
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
@@ -83,7 +76,8 @@ class Anchors:
             return self.going_on()
         over = condition is not None and condition.word in self.lexicon.results
         over = over and condition is not None and condition.subject in BACK
-        happens = (over or clause.verb in BEGINNING | ENDING) and last >= 0 and self._is_stated(last)
+        phases = self.lexicon.doing["beginning"] | self.lexicon.doing["ending"]
+        happens = (over or clause.verb in phases) and last >= 0 and self._is_stated(last)
         if (clause.is_event or happens) and (over or (clause.object or "").lower() in BACK) and last >= 0:
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
@@ -114,7 +108,7 @@ class Anchors:
 
         Who speaks comes where the latest journey leads: "when we get there".
         """
-        if clause.verb not in ARRIVING and not clause.is_there:
+        if clause.verb not in self.lexicon.doing["arriving"] and not clause.is_there:
             return None
         if clause.condition is not None and clause.condition.subject in SPEAKERS_AND_ASKED:
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
@@ -122,9 +116,11 @@ class Anchors:
             known = next(back, None)
             if known is not None:
                 return known
+            leaving = self.lexicon.doing["leaving"]
             goes = ((place, one.lemma) for place, one in self.just_before())
-            return next((place for place, lemma in goes if lemma in LEAVING), None)
-        return next((place for place, happening in self.just_before() if comes(happening)), None)
+            return next((place for place, lemma in goes if lemma in leaving), None)
+        coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
+        return next(coming, None)
 
     def just_before(self) -> Iterator[tuple[int, Operation]]:
         """Give the instructions before it, the latest first, that are not long ago."""
@@ -182,7 +178,7 @@ class Anchors:
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
-            edge = Edge.START if clause.verb in BEGINNING else Edge.END if clause.verb in ENDING else edge
+            edge = self._edge_of_phase(clause.verb) or edge
         anchor = Anchor(
             text=what,
             verb=clause.verb,
@@ -206,6 +202,12 @@ class Anchors:
             anchor=anchor,
         )
 
+    def _edge_of_phase(self, verb: str | None) -> Edge | None:
+        """Give the edge of what happens that a verb is about; None where it is about neither."""
+        if verb in self.lexicon.doing["beginning"]:
+            return Edge.START
+        return Edge.END if verb in self.lexicon.doing["ending"] else None
+
     def is_asked(self, target: int) -> bool:
         """Whether an instruction asks for something to be done."""
         operation = self.operation_at(target)
@@ -220,7 +222,8 @@ class Anchors:
     def goes_on(self, operation: Operation) -> bool:
         """Whether what is told is what something with a time does then, told right before in its text."""
         before = self.operation_at(self.position - 1) if self.position > self.first else None
-        begins = before is not None and before.stated and before.lemma in BEGINNING | {BE}
+        beginning = self.lexicon.doing["beginning"] | {BE}
+        begins = before is not None and before.stated and before.lemma in beginning
         return begins and before is not None and before.object == operation.object
 
     def operation_at(self, target: int) -> Operation | None:

@@ -11,7 +11,6 @@ from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.pronouns import resolved_object
-from fuzzytime.language.sentence.references import ARRIVING
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
@@ -85,7 +84,7 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         # "Warm up the printer. Once it is warm, print"
         made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
         condition = replace(condition, target=anchors.target_of(made))
-        if clause.kind in BECOMING and clause.verb not in ARRIVING:
+        if clause.kind in BECOMING and clause.verb not in anchors.lexicon.doing["arriving"]:
             # "Paint the door. Once the paint is dry, which takes two hours, sand it"
             takes = None if clause.takes is None else clause.takes.seconds
             about = anchors.done_with(condition.subject)

@@ -29,9 +29,6 @@ BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
-WAITING = frozenset({"wait", "waiting", "hold", "hang"})
-"""Verbs behind which "for" begins what must be so: "wait for the kettle to boil"."""
-
 AFTER = ("after",)
 DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
@@ -111,7 +108,11 @@ class _Clauses:
     def awaited(self, place: int) -> tuple[str, ...] | None:
         """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
         before = self.words[place - 1].text if place else ""
-        if self.words[place].text != "for" or before not in WAITING or place in self.covered:
+        if (
+            self.words[place].text != "for"
+            or before not in self.lexicon.doing["waiting"]
+            or place in self.covered
+        ):
             return None
         tree = self.tree
         marks = (p for p in tree.at(self.words[place].start, self.words[place].end))

@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.lending import REPEATED, REPEATING
+from fuzzytime.language.sentence.lending import REPEATED
 from fuzzytime.language.sentence.named import SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.language.sentence.statements import NOBODY
@@ -23,9 +23,6 @@ NAMES = ("NN", "CD")
 DENYING = "not"
 DENIED = frozenset({"not", "now", "yet", "today", "and", "but", "please"})
 """Words that say nothing to do behind what takes back what was said."""
-
-SHIFTING = frozenset({"bring", "put", "extend"})
-"""Further verbs that give another time to what has one: "bring the meeting forward by an hour"."""
 
 ASKING = frozenset(
     {"is", "are", "was", "were", "do", "does", "did", "will", "would", "can", "could", "should", "shall"}
@@ -63,7 +60,7 @@ def doubts_of(
         message = f"{text[slice(*span)]!r} takes back what was said before, and says nothing to do"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
-    if _repeats(sketch.operation):
+    if _repeats(sketch.operation, lexicon):
         message = f"{text[slice(*span)]!r} names nothing to repeat: say again what is to be done"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
         return
@@ -175,16 +172,16 @@ def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
     return DENYING in texts and all(text in marks for text in texts)
 
 
-def _repeats(operation: Operation | None) -> bool:
+def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
     """Whether what was done is to be done again, which is not named: "repeat twice more"."""
-    if operation is None or operation.lemma not in REPEATING or operation.stated:
+    if operation is None or operation.lemma not in lexicon.doing["repeating"] or operation.stated:
         return False
     return (operation.object or "it").lower() in REPEATED
 
 
 def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether what has a time is moved by a length: "delay the call by an hour"."""
-    if not said or said[0].text not in lexicon.moving | SHIFTING:
+    if not said or said[0].text not in lexicon.moving | lexicon.doing["shifting"]:
         return False
     counting = lexicon.numbers.keys() | COUNTING
     for first in (place + 1 for place, word in enumerate(said) if word.text in BY):

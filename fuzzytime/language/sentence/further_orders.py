@@ -75,7 +75,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
             return _behind_joint(tree, place, timed)
     if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
         return place
-    return _start_of_coordinate(tree, place, root, timed)
+    return _start_of_coordinate(tree, place, root, timed, lexicon)
 
 
 def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
@@ -87,7 +87,7 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
     return bare and tree.nodes[place - 1].lower == "so" and before in timed
 
 
-def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> int | None:
+def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
     node = tree.nodes[place]
     if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
@@ -101,7 +101,7 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int]) -> 
     start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
     if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
         return None
-    if gone_to_do(tree, root) == place:
+    if gone_to_do(tree, root, lexicon) == place:
         return None
     return start if place > root or _leads(tree, place, root) else None
 

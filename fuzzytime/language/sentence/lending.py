@@ -18,7 +18,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.content_words import singular
 from fuzzytime.language.sentence.cuts import AGAIN
 from fuzzytime.language.sentence.places import says_where
-from fuzzytime.language.sentence.references import BE, BEGINNING, ENDING
+from fuzzytime.language.sentence.references import BE
 from fuzzytime.language.sentence.segments import ENDS
 from fuzzytime.language.sentence.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
@@ -26,9 +26,8 @@ from fuzzytime.requirement import Constraint, Reference, Unit
 GIVEN = frozenset({"me", "us", "him", "her", "them"})
 """Who is given what is named behind."""
 
-REPEATING = frozenset({"repeat", "redo"})
 REPEATED = frozenset({"it", "this", "that"})
-"""Verbs that ask for what was done before, and how that is named."""
+"""Words for what is to be repeated."""
 
 LATER = "later"
 """The preposition of times that count from what was said before."""
@@ -122,7 +121,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
             # "Ring the bell at six, then again at seven"
             return before
     said_again = sketch.operation
-    if said_again is not None and said_again.lemma in REPEATING and sketch.phrases:
+    if said_again is not None and said_again.lemma in lexicon.doing["repeating"] and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
         return before if (said_again.object or "it").lower() in REPEATED else None
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
@@ -182,7 +181,7 @@ def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
     return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 
-def within(sketches: list[Sketch], text: str) -> list[Sketch]:
+def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
     """Let times count from the start of what lasts: "roast it for an hour and turn it after ten minutes".
 
     What goes on beside it has its object ("bake the bread for an hour, turning it"), and what happens to the
@@ -194,7 +193,7 @@ def within(sketches: list[Sketch], text: str) -> list[Sketch]:
         if before.operation is not None and sketch.operation is not None:
             between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
             joined = between.strip(" ,").lower() == "and"
-            operation = _beside(before.operation, sketch, sketch.operation, joined=joined)
+            operation = _beside(before.operation, sketch, sketch.operation, lexicon, joined=joined)
             told = replace(sketch, operation=operation)
         if sketch.part.segment.connective != "then":
             length = _length(before)
@@ -239,17 +238,24 @@ def _length(sketch: Sketch) -> float:
     return next((time.seconds for time in lengths if isinstance(time, Duration)), 0.0)
 
 
-def _beside(before: Operation, sketch: Sketch, operation: Operation, *, joined: bool) -> Operation:
+def _beside(
+    before: Operation, sketch: Sketch, operation: Operation, lexicon: Lexicon, *, joined: bool
+) -> Operation:
     """Give an operation with the object of the one before, which it is about too."""
     tree = sketch.part.tree
     if operation.object is not None or tree.root is None:
         return operation
     node = tree.nodes[tree.root]
     alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-    begins = before.stated and before.lemma in BEGINNING | {BE} and bool(sketch.phrases)
+    begins = before.stated and before.lemma in lexicon.doing["beginning"] | {BE} and bool(sketch.phrases)
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
-        goes_on = begins and (alone or operation.lemma in ENDING) and joined and not operation.stated
+        goes_on = (
+            begins
+            and (alone or operation.lemma in lexicon.doing["ending"])
+            and joined
+            and not operation.stated
+        )
         # "We leave at eight and get back at six"
         comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
         goes_on = goes_on or (comes and joined and not operation.stated)

@@ -11,8 +11,6 @@ from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asides import Aside
 from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS
 from fuzzytime.language.sentence.references import ALL
-from fuzzytime.language.sentence.stated import GOING
-from fuzzytime.language.sentence.statements import TAKING
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 WHOLE = frozenset({"everything", "all"})
@@ -44,8 +42,10 @@ def length_of(
     if anchors.goes_on(operation):
         # "We're on at nine and play for an hour"
         return Anchor(text=text, target=anchors.position - 1)
-    anchor = anchors.lasting(operation.object, text) if operation.lemma in TAKING | GOING else None
-    if anchor is None or (operation.lemma in GOING and anchor.target is None):
+    taking, running = anchors.lexicon.doing["taking"], anchors.lexicon.doing["running"]
+    anchor = anchors.lasting(operation.object, text) if operation.lemma in taking | running else None
+    # What only runs was set going, or just happens.
+    if anchor is None or (operation.lemma in running and anchor.target is None):
         return None
     return anchor
 

@@ -9,7 +9,7 @@ from fuzzytime.language.sentence.actions import Action
 from fuzzytime.language.sentence.called import worker_doing
 from fuzzytime.language.sentence.small_clauses import SmallClause, small_clause
 from fuzzytime.language.sentence.stated import Stated
-from fuzzytime.language.sentence.statements import TAKING, others_do
+from fuzzytime.language.sentence.statements import others_do
 from fuzzytime.language.sentence.tags import SUBJECTS
 
 OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
@@ -39,7 +39,12 @@ class Reader(Stated):
             subject = None
         if direct is None and not stated:
             direct = self._due(verb)
-        elif stated and subject is None and node.lemma in TAKING and not self.tree.children(verb, "xcomp"):
+        elif (
+            stated
+            and subject is None
+            and node.lemma in self.lexicon.doing["taking"]
+            and not self.tree.children(verb, "xcomp")
+        ):
             # "It needs an hour in the oven"
             direct = None
         if subject is not None and (stated or direct is None):

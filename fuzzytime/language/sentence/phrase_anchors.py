@@ -52,7 +52,7 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
         return None
     for place, happening in anchors.just_before():
-        if waits_for(operation, happening):
+        if waits_for(operation, happening, anchors.lexicon):
             anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
             return _only(requirement, anchor, Constraint.BETWEEN)
     return None

@@ -16,36 +16,9 @@ from fuzzytime.language.sentence.named import PRONOUNS, is_several, may_be_it, n
 ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
 """Words for all that is meant, whatever that is."""
 
-
-ARRIVING = frozenset({"arrive", "come", "land", "dock"})
-"""What is said of who or what is not there before."""
-
-BEGINNING = frozenset({"start", "begin", "open", "arrive", "come", "land"})
-ENDING = frozenset({"end", "finish", "close"})
-"""What things with a time of their own do: of these verbs a clause is about their start, or their end."""
-
-PAST = {
-    "begin": frozenset({"began", "begun"}),
-    "come": frozenset({"came"}),
-    "go": frozenset({"went", "gone"}),
-    "leave": frozenset({"left"}),
-    "fly": frozenset({"flew", "flown"}),
-    "ring": frozenset({"rang", "rung"}),
-    "set": frozenset({"set"}),
-    "rise": frozenset({"rose", "risen"}),
-}
-"""How verbs of what happens by itself are said of what is over, where that is not regular."""
-
 BE = "be"
-GOING_ON = frozenset({"on", "going", "running", "open"})
-"""What is said of what goes on."""
-
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
-
-
-PUTTING = frozenset({"put", "place", "load", "set", "bake", "roast", "insert", "hang", "slide"})
-"""What is asked for of what "goes in"."""
 
 ALIKE = 0.5
 """The worth of a word that is only alike."""
@@ -57,14 +30,14 @@ def shares_thing(one: Operation, other: Operation) -> bool:
     return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
 
 
-def comes(happening: Operation) -> bool:
+def comes(happening: Operation, lexicon: Lexicon) -> bool:
     """Whether somebody or something is said to come, and is not there before."""
-    return happening.stated and happening.lemma in ARRIVING
+    return happening.stated and happening.lemma in lexicon.doing["arriving"]
 
 
-def waits_for(operation: Operation, happening: Operation) -> bool:
+def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:
     """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
-    return comes(happening) and not operation.stated and shares_thing(happening, operation)
+    return comes(happening, lexicon) and not operation.stated and shares_thing(happening, operation)
 
 
 @dataclass(slots=True)
@@ -162,11 +135,11 @@ def _nouns(verb: str) -> tuple[str, ...]:
     return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
 
 
-def verb_forms(verb: str) -> frozenset[str]:
+def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:
     """Give a verb as it is said of now and of before: come, coming, came; of one or several."""
     bare, last = verb.removesuffix("e"), verb[-1:]
     regular = {verb, f"{bare}ing", f"{verb}{last}ing", f"{bare}ed", f"{verb}{last}ed"}
-    return frozenset(regular | PAST.get(verb, frozenset()))
+    return frozenset(regular | lexicon.past.get(verb, frozenset()))
 
 
 def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
@@ -208,7 +181,7 @@ def best_of(
 
 def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     """How well an operation fits a clause: 0 where it does not."""
-    named = content_words(clause.object)
+    named, doing = content_words(clause.object), lexicon.doing
     known = content_words(operation.object) | content_words(operation.place)
     shared = len(named & content_words(operation.object))
     if clause.is_event:
@@ -226,18 +199,18 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
     if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
         return SAME_VERB + shared
-    goes_on = clause.verb == BE and word in GOING_ON and clause.kind == "while"
-    if operation.stated and shared and (goes_on or clause.verb in BEGINNING | ENDING):
+    goes_on = clause.verb == BE and word in doing["going on"] and clause.kind == "while"
+    if operation.stated and shared and (goes_on or clause.verb in doing["beginning"] | doing["ending"]):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared
-    if shared and clause.verb == "go" and operation.lemma in PUTTING:
+    if shared and clause.verb == "go" and operation.lemma in doing["putting"]:
         # "20 minutes before the cake goes in", where it is baked.
         return SAME_VERB + shared
     condition = clause.condition
     if condition is not None and condition.word is not None:
         # "When the rice is done", "once the table is set": its result.
         subject = content_words(condition.subject)
-        finished = condition.word in lexicon.results or clause.verb in {"finish", "do", "cook", "boil"}
+        finished = condition.word in lexicon.results or clause.verb in doing["finished"]
         if finished and not subject.isdisjoint(_nouns(operation.lemma)):
             # "Once the print is done", where the bracket is printed.
             return SAME_VERB

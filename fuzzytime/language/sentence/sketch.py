@@ -5,7 +5,6 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.leftovers import not_understood
-from fuzzytime.language.grammar.lengths import SPENT
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
@@ -119,7 +118,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     )
     if named.operation is not None or part.segment.verbless:
         return named
-    action = _untimed(part, action_of(part.tree, lexicon), kept)
+    action = _untimed(part, action_of(part.tree, lexicon), kept, lexicon)
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
@@ -197,7 +196,7 @@ def _happening(
     return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
 
 
-def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Action | None:
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:
     """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
     if action is None:
         return None
@@ -211,7 +210,7 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase]) -> Ac
         return action
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
-    spends = part.tree.nodes[action.place].lemma in SPENT and not timed.isdisjoint(
+    spends = part.tree.nodes[action.place].lemma in lexicon.doing["spent"] and not timed.isdisjoint(
         part.tree.children(action.place, "dobj", "npadvmod")
     )
     if spends:

@@ -44,7 +44,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     found: list[Sketch] = []
     remarks: list[Remark] = []
     sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
-    told = shared(at_once(within(sketches, draft.text), draft.text), draft.text, lexicon)
+    told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     told = under_first_line(told, draft.text)
     words = draft.scanned.words
     split = (

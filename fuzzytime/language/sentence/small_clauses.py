@@ -16,10 +16,6 @@ MODIFIERS = ("amod", "acl")
 GOVERNED = ("aux", "csubj")
 """How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""
 
-SETTING = frozenset({"set", "send"})
-GOING = frozenset({"go", "run", "roll", "move", "spin", "work"})
-"""What is set, and what it does then."""
-
 PREDICATES = frozenset({"VB", "VBP", "VBN", "VBD", "VBG", "JJ", "RB"})
 
 
@@ -43,17 +39,18 @@ class SmallClause:
 
 def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
     """Give the clause that a verb brings about, None where it has none."""
-    if tree.nodes[verb].lemma not in lexicon.causing | lexicon.letting | SETTING:
-        return None
-    if tree.nodes[verb].lemma in SETTING:
-        return _set_going(tree, verb)
-    return next(_clauses(tree, verb), None)
+    if tree.nodes[verb].lemma in lexicon.doing["setting"]:
+        return _set_going(tree, verb, lexicon)
+    if tree.nodes[verb].lemma in lexicon.causing | lexicon.letting:
+        return next(_clauses(tree, verb), None)
+    return None
 
 
-def _set_going(tree: Tree, verb: int) -> SmallClause | None:
+def _set_going(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
     """Give what is set going: "set the centrifuge going"."""
     objects = [place for place in tree.children(verb, "dobj") if place > verb]
-    going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in GOING)
+    verbs = lexicon.doing["set going"]
+    going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in verbs)
     found = next((p for p in going if tree.nodes[p].tag == "VBG" and p - 1 in objects), None)
     return None if found is None else SmallClause(objects[0], found)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from fuzzytime.language.sentence.actions import ARE, FINITE
 from fuzzytime.language.sentence.named import SPEAKERS
 from fuzzytime.language.sentence.places import Places
-from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, TAKING, others_do
+from fuzzytime.language.sentence.statements import FUTURE, OTHERS, PHASES, others_do
 from fuzzytime.language.sentence.tags import SUBJECTS
 
 PEOPLE = frozenset(
@@ -31,9 +31,6 @@ HAPPENING = frozenset({"be", "start", "begin"})
 """Verbs that say when it is."""
 
 PERSONS = frozenset({"i", "you", "we", "he", "she"})
-
-GOING = frozenset({"run", "go"})
-"""Verbs that say how long something goes on: the latter of what was set going, or it just happens."""
 
 DUTIES = frozenset({"must", "should", "has", "have", "needs", "need", "ought"})
 """Verbs of what is asked for."""
@@ -164,11 +161,13 @@ class Stated(Places):
         finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
         told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
-        goes = self.tree.nodes[verb].lower in PHASES or (lasts and self.tree.nodes[verb].lemma in GOING)
+        goes = self.tree.nodes[verb].lower in PHASES or (
+            lasts and self.tree.nodes[verb].lemma in self.lexicon.doing["running"]
+        )
         told = told or (subjects[:1] == ["it"] and goes)
         if finite and self._is_attended(verb):
             return True
-        if self.tree.nodes[verb].lemma in TAKING and helping <= FUTURE | MODALS:
+        if self.tree.nodes[verb].lemma in self.lexicon.doing["taking"] and helping <= FUTURE | MODALS:
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
             return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))

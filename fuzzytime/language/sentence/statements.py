@@ -27,7 +27,6 @@ WHICH = frozenset({"next", "last", "first", "other"})
 """Words that name one of what was said before."""
 
 FUTURE = frozenset({"will", "'ll", "’ll"})
-TAKING = frozenset({"take", "last", "need", "require"})
 ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
 """Persons who may be asked: "everyone clean your desks"."""
 

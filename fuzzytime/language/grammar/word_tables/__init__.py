@@ -86,6 +86,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         places=frozenset(form[0] for form in speech.words("places")),
         vague_adverbs=frozenset(form[0] for form in speech.words("vague_adverbs")),
+        doing=_by_use(speech, "doing"),
+        past=_by_use(speech, "past"),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
         spacing=_by_use(speech, "spacing"),
@@ -155,7 +157,7 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing",
+    "passing", "doing", "past",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
