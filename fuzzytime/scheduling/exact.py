@@ -102,6 +102,7 @@ class _Search(GridSearch):
         self._dominance: Dominance | None = None
         self._followed: Floats | None = None
         self._kicked = np.inf
+        self._known_on_grid = np.inf
         self._is_solved = False
 
     @property
@@ -129,11 +130,12 @@ class _Search(GridSearch):
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
         pays = True
+        self._known_on_grid = np.inf
         if searching and self._is_early_search_worth():
             pays = self._search_near(relaxation, width)
         delta = 0.1 * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
-            threshold = min(self.best.cost, self.lower + delta)
+            threshold = self._threshold(delta)
             program, found = self.labels(relaxation, threshold, budget, None)
             if self.is_closed():
                 return True
@@ -142,7 +144,7 @@ class _Search(GridSearch):
                 self._is_solved = True
                 return True
             if found.exact:
-                delta = 2 * delta if found.starts is None else np.inf
+                delta *= 2
             elif budget < cells:
                 self._raise(relaxation)
                 budget, width, delta = 4 * budget, 6 * width, delta / 2
@@ -150,8 +152,8 @@ class _Search(GridSearch):
                     pays = self._search_near(relaxation, width)
                 if self.is_closed():
                     return True
-            elif delta > LEAST * (self.best.cost - self.lower):
-                delta /= 2
+            elif self._reach(delta) > LEAST * (self.best.cost - self.lower):
+                delta = self._reach(delta) / 2
             else:
                 known = self.best.cost
                 if searching:
@@ -159,6 +161,19 @@ class _Search(GridSearch):
                 if self.best.cost >= known:
                     return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
+
+    def _threshold(self, delta: float) -> float:
+        """Give what labels must stay below: a little above the bound, or what the best schedule costs.
+
+        That is where a schedule of the grid is known below that little: it would only be found again, and one
+        run below the best tells all.
+        """
+        threshold = min(self.best.cost, self.lower + delta)
+        return self.best.cost if self._known_on_grid < threshold else threshold
+
+    def _reach(self, delta: float) -> float:
+        """Give how far above the bound a threshold may be at which labels have something new to tell."""
+        return min(delta, self._known_on_grid - self.lower)
 
     def _raise(self, relaxation: Relaxation) -> None:
         """Make the bound as high as it goes, which takes less long than many more labels.
@@ -240,6 +255,7 @@ class _Search(GridSearch):
         program = LabelProgram(arcs, grid.durations, grid.slots, prices, base, before)
         found = program.run(threshold, self.watch, cells, width)
         if found.starts is not None:
+            self._known_on_grid = min(self._known_on_grid, found.cost)
             self.take(self._timed(grid, found.starts))
         if found.exact:
             self.lower = max(self.lower, min(found.cost, threshold))
