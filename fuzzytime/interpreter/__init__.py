@@ -1,4 +1,22 @@
-"""Language and rulebook joined: from what a person asks for to fuzzy skills, and on to a plan."""
+"""Language and rulebook joined: from what a person asks for to fuzzy skills, and on to a plan.
+
+A request goes through three steps; each module is one of them, or one thing that words may ask for on the
+way.
+
+Understanding (``interpreter``)
+    Values: ``request``, ``interpretation``.
+    Wishes in turn, each made into skills: ``gathering``, ``making``, ``remarks``, ``joining``.
+    In other words: ``retold``, ``told_anew``, ``lasting``, ``waits``.
+    Repeated beside something else: ``inside``, ``behind``.
+    Who, and how far ahead: ``asked``, ``horizon``.
+
+What binds skills
+    References: ``references``, ``circles``.
+    Order: ``in_order``, ``loosening``.
+
+Planning (``planner``)
+    What happens by itself, and what has begun: ``happening``, ``started``.
+"""
 
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter

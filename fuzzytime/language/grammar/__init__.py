@@ -1,1 +1,15 @@
-"""Finding times in a text: words and their tables, rules and the chart that applies them."""
+"""Finding times in a text: words and their tables, rules and the chart that applies them.
+
+Nothing here knows a construction: rules are in ``fuzzytime.language.english``. What is found is judged by
+what stands around it, so that numbers and names are no times.
+
+From a text to readings
+    Words: ``words``, ``word_tables``, ``lexicon``, ``spelling``, ``numerals``.
+    Rules applied, and the best readings chosen: ``chart``, ``spans``.
+    What times lend each other: ``lending``, ``lent``.
+    What looks like a time and is none: ``leftovers``.
+
+Whether a reading is a time where it stands (``judging``)
+    For any kind of time: ``borders``, ``standing``, ``surroundings``.
+    For each kind: ``walls``, ``ranges``, ``lengths``, ``measuring``.
+"""

@@ -1,1 +1,16 @@
-"""What time words mean: expressions that know no language, and how they become instants and requirements."""
+"""What time words mean: expressions that know no language, and how they become instants and requirements.
+
+Rules of a grammar build expressions; once it is known when they were said, the policy decides what they
+leave open.
+
+Values
+    What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
+    ``feasts``, ``workdays``, ``recurrence``.
+    What is reckoned with: ``instants``, ``moment``.
+
+From values to requirements
+    Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
+    ``range_instants``.
+    Two times as one: ``beside``.
+    What is handed on: ``requirements``, ``decisions``.
+"""
