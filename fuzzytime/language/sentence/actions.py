@@ -17,6 +17,8 @@ ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
 ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
 
+DEEPEST = 4
+"""How many verbs stand at most above the one that is meant: "I'd like to try to remember to call"."""
 
 DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
 """Words that deny a verb."""
@@ -59,40 +61,52 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
     root = root if needless is None else needless
     root = gone_to_do(tree, root, lexicon) or root
     reference: Reference | None = None
-    for _ in range(4):
-        lemma = tree.nodes[root].lemma
+    for _ in range(DEEPEST):
         assured = _assured(tree, root, lexicon)
-        if assured is not None:
-            # "Make sure to feed the fish"
-            root = assured
-            continue
-        below = _complement(tree, root, lemma)
-        if below is not None and is_numbered_place(tree, below, lexicon):
-            # "Get to gate 22"
+        below = _meant_below(tree, root, lexicon) if assured is None else assured
+        if below is None:
             break
-        if below is None or (lemma not in lexicon.wanting and _brings_about(tree, root, lexicon)):
-            break
-        if lemma in lexicon.forgetting:
-            negated = False
-        elif lemma in lexicon.wanting and tree.nodes[below].tag == "VBN":
-            # "I want the floor cleaned by noon": the result is what is wanted then.
-            reference = Reference.FINISH
-        elif (
-            lemma in lexicon.wanting
-            or _is_going_to(tree, root)
-            or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
-            or (lemma == "have" and _has_to(tree, below))
-        ):
-            pass
-        elif (named := lexicon.indicators.get(lemma)) is not None:
-            reference = Reference(named)
-        else:
-            break
+        if assured is None:
+            reference = _reference_of_verb(tree, root, below, lexicon) or reference
+            negated = _is_negated(tree, below) or (
+                negated and tree.nodes[root].lemma not in lexicon.forgetting
+            )
         root = below
-        negated = negated or _is_negated(tree, root)
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)
+
+
+def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
+    """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
+    lemma = tree.nodes[root].lemma
+    below = _complement(tree, root, lemma)
+    if below is None or is_numbered_place(tree, below, lexicon):
+        # "Get to gate 22"
+        return None
+    if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
+        return None
+    leads = (
+        lemma in lexicon.forgetting
+        or lemma in lexicon.wanting
+        or lemma in lexicon.indicators
+        or _is_going_to(tree, root)
+        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
+        or (lemma == "have" and _has_to(tree, below))
+    )
+    return below if leads else None
+
+
+def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of what is below a verb is meant, where that verb says it."""
+    lemma = tree.nodes[root].lemma
+    if lemma in lexicon.forgetting:
+        return None
+    if lemma in lexicon.wanting:
+        # "I want the floor cleaned by noon": the result is what is wanted then.
+        return Reference.FINISH if tree.nodes[below].tag == "VBN" else None
+    named = lexicon.indicators.get(lemma)
+    return None if named is None else Reference(named)
 
 
 def _needless(tree: Tree, root: int) -> int | None:

@@ -1,6 +1,6 @@
 """What is to be done, by the words below a verb: its object, its place, its particle."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.surroundings import OF_CLOCKS
@@ -33,29 +33,9 @@ class Reader(Stated):
         split = self.place_within(whole)
         places = [*result, *moved, *([] if particle is None else [particle])]
         doer = worker_doing(self.tree, verb, self.lexicon)
-        stated, subject = doer is None and self._is_stated(verb), self._subject(verb)
-        direct, complement = self.said(whole[:split]), self.said(result)
-        if doer is not None:
-            subject = None
-        if direct is None and not stated:
-            direct = self._due(verb)
-        elif (
-            stated
-            and subject is None
-            and node.lemma in self.lexicon.doing["taking"]
-            and not self.tree.children(verb, "xcomp")
-        ):
-            # "It needs an hour in the oven"
-            direct = None
-        if subject is not None and (stated or direct is None):
-            direct, complement = (
-                subject,
-                complement
-                or (direct if others_do(self.tree, verb, self._helping(verb), self.lexicon) else None),
-            )
-        elif subject is not None and node.lemma == "be":
-            # "The coffee should be ready by then"
-            direct, complement = subject, direct
+        stated = doer is None and self._is_stated(verb)
+        subject = self._subject(verb) if doer is None else None
+        direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
         attended = stated and self._is_attended(verb)
         where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
         if attended and not where and direct is None and complement is None:
@@ -78,6 +58,29 @@ class Reader(Stated):
             stated=stated,
             attended=attended,
         )
+
+    def _named(
+        self, verb: int, subject: str | None, words: list[int], result: list[int], *, stated: bool
+    ) -> tuple[str | None, str | None]:
+        """Give what is done something with, or happens, and what it becomes."""
+        direct, complement = self.said(words), self.said(result)
+        if direct is None and not stated:
+            direct = self._due(verb)
+        elif stated and subject is None and self._takes(verb):
+            # "It needs an hour in the oven"
+            direct = None
+        if subject is not None and (stated or direct is None):
+            acted = others_do(self.tree, verb, self._helping(verb), self.lexicon)
+            return subject, complement or (direct if acted else None)
+        if subject is not None and self.tree.nodes[verb].lemma == "be":
+            # "The coffee should be ready by then"
+            return subject, direct
+        return direct, complement
+
+    def _takes(self, verb: int) -> bool:
+        """Whether a verb says how long something takes, and of nothing that is done."""
+        taking = self.tree.nodes[verb].lemma in self.lexicon.doing["taking"]
+        return taking and not self.tree.children(verb, "xcomp")
 
     # -- particles --------------------------------------------------------------------------------------
 
@@ -163,45 +166,47 @@ class Reader(Stated):
         if clause is not None:
             about = clause.about(self.tree)
             return [place for place in self.words([clause.noun], verb) if place in about]
+        words = next((found for found in self._objects(verb, particle) if found), [])
+        kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+        return self._called_by_time(self.with_numbers(kept))
+
+    def _objects(self, verb: int, particle: int | None) -> Iterator[list[int]]:
+        """Give what may be a verb's object, the likeliest first; some are empty."""
         level = self.level(verb)
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
         direct = [p for p in found if p > verb and p not in level and not self._is_aim(p)]
-        words = self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
-        if not words:
-            # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
-            named = self.words(direct, verb)
-            words = named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
-        if not words:
-            # "Do ten minutes of yoga"
-            of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
-            words = self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)
-        if not words:
-            # "Wake Tim up", "move my three o'clock": what is named was taken for a measure.
-            names = self.tree.children(verb, "npadvmod")
-            behind = verb + 2 if particle == verb + 1 else verb + 1
-            near = [p for p in names if self.tree.reach(p)[0] == behind]
-            owned = [p for p in names if self.tree.children(p, "poss")]
-            owned += [p for p in near if self.tree.children(p, "det")]
-            named = owned or [p for p in names if p == behind and self._is_named(p)]
-            # "Walk the dog morning and night"
-            led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
-            words = self.words([p for p in named if not self.timed(p)] or led, verb)
-        if not words:
-            # "Say hello"
-            words = [p for p in self.tree.children(verb, "intj") if p == verb + 1]
-        if not words and particle == verb + 1:
+        yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
+        # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
+        named = self.words(direct, verb)
+        yield named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        # "Do ten minutes of yoga"
+        of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
+        yield self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)
+        yield self._taken_for_measure(verb, particle)
+        # "Say hello"
+        yield [p for p in self.tree.children(verb, "intj") if p == verb + 1]
+        if particle == verb + 1:
             # "Turn off oven": without an article, the tree has the thing for an adverb.
             near = [p for p in self.tree.children(verb, "advmod") if p == verb + 2 and not self.timed(p)]
-            words = [p for p in near if self.tree.nodes[p].lower not in self.lexicon.places]
-        if not words:
-            # "Clear it away": a pronoun behind the verb was taken for who does it.
-            words = [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
-        words = words or self.numbers_from(verb + 1)
-        if not words and particle is not None:
+            yield [p for p in near if self.tree.nodes[p].lower not in self.lexicon.places]
+        # "Clear it away": a pronoun behind the verb was taken for who does it.
+        yield [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
+        yield self.numbers_from(verb + 1)
+        if particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
-            words = self.words(self.tree.children(particle, *SUBJECTS), verb)
-        kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
-        return self._called_by_time(self.with_numbers(kept))
+            yield self.words(self.tree.children(particle, *SUBJECTS), verb)
+
+    def _taken_for_measure(self, verb: int, particle: int | None) -> list[int]:
+        """Give what is named where a tree has it for a measure: "wake Tim up", "move my three o'clock"."""
+        names = self.tree.children(verb, "npadvmod")
+        behind = verb + 2 if particle == verb + 1 else verb + 1
+        near = [p for p in names if self.tree.reach(p)[0] == behind]
+        owned = [p for p in names if self.tree.children(p, "poss")]
+        owned += [p for p in near if self.tree.children(p, "det")]
+        named = owned or [p for p in names if p == behind and self._is_named(p)]
+        # "Walk the dog morning and night"
+        led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
+        return self.words([p for p in named if not self.timed(p)] or led, verb)
 
     def _is_aim(self, place: int) -> bool:
         """Whether a sentence says what for: "so it's done by seven"."""

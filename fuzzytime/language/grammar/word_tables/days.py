@@ -1,12 +1,13 @@
 """Reading ``calendar.yaml``: units, days, parts of the day, clock words, zones."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from datetime import time
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language.grammar.lexicon import form_of
 from fuzzytime.language.grammar.word_tables.tables import FULL_STOP_BELOW, Form, Tables
+from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Edge, Ending, UnitWord
 from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.language.meaning.times_of_day import Half, Part
@@ -69,7 +70,7 @@ def _stopped(form: Form) -> list[Form]:
 
 
 def read_parts(tables: Tables) -> None:
-    """Add parts of the day, shares and edges of periods."""
+    """Add parts of the day, and shares and edges of longer periods."""
     reader = tables.reader
     parts: dict[str, Part] = {}
     main: list[Part] = []
@@ -104,6 +105,14 @@ def read_parts(tables: Tables) -> None:
         node = tables.sections["all_meals"]
         tables.add(node, "all_meals", "meals", tuple(main), tables.words("all_meals"))
 
+    _read_named_parts(tables, parts)
+    _read_shares(tables)
+
+
+def _read_named_parts(tables: Tables, parts: Mapping[str, Part]) -> None:
+    """Add what names a part of the day by another word: halves of days, and parts of certain days."""
+    reader = tables.reader
+
     for name, node in tables.rows("day_halves"):
         chosen = reader.choice(name, f"day_halves.{name.text}", tuple(parts))
         if chosen:
@@ -118,6 +127,11 @@ def read_parts(tables: Tables) -> None:
 
     tables.table("day_parts", {"day": True, "part": True}, day_part)
 
+
+def _read_shares(tables: Tables) -> None:
+    """Add shares and edges of periods."""
+    reader = tables.reader
+
     def share(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         low = reader.number(fields["from"], f"shares.{name}.from", 0, 1)
         return [("share", (low, reader.number(fields["to"], f"shares.{name}.to", 0, 1)))]
@@ -128,8 +142,6 @@ def read_parts(tables: Tables) -> None:
     )
 
     def edge(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
-        from fuzzytime.language.meaning.calendar import Cycle
-
         chosen = reader.choice(fields["edge"], f"abbreviated_edges.{name}.edge", ("start", "end")) or "end"
         unit = reader.choice(fields["unit"], f"abbreviated_edges.{name}.unit", tuple(Unit)) or Unit.DAY
         return [("ending", Ending(Edge(chosen), Cycle(Unit(unit))))]

@@ -108,6 +108,10 @@ class Tables:
         fields = self.reader.mapping(node, section)
         return self.forms(fields[key], f"{section}.{key}") if key in fields else []
 
+    def single_words(self, section: str, key: str | None = None) -> frozenset[str]:
+        """Give a section, or a list within it, of forms that are one word each."""
+        return frozenset(form[0] for form in self.words(section, key))
+
 
 def numbers(tables: Tables, section: str) -> dict[str, int]:
     """Give a section's numbers by their words."""
