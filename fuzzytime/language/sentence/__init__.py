@@ -13,6 +13,7 @@ The first pass (``drafts``)
     ``named_events``, ``fronts``.
 
 Sketches (``sketches``; that of one part is a ``sketch``)
+    Times and clauses of a part: ``said_of_time``.
     What is to be done: ``actions``, ``operations``, ``places``, ``small_clauses``, ``amounts``,
     ``order_words``, ``wording``.
     What is only told: ``stated``, ``happenings``, ``elsewhere``.

@@ -4,49 +4,28 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from fuzzytime.language.grammar.leftovers import not_understood
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import (
     Duration,
-    Edge,
-    Offset,
     Phrase,
-    Said,
-    Wall,
 )
-from fuzzytime.language.meaning.relations import days_away
 from fuzzytime.language.sentence.actions import DENYING, Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
-from fuzzytime.language.sentence.clauses import clauses_of
-from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE, with_deadlines
+from fuzzytime.language.sentence.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.drafts import Draft
 from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
+from fuzzytime.language.sentence.said_of_time import DATED, said_of_time
 from fuzzytime.language.sentence.times_of_events import OVER
-from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
-from fuzzytime.requirement import Constraint, Reference
-from fuzzytime.requirement import Edge as EventEdge
+from fuzzytime.requirement import Reference
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
-
-BOUNDS = {
-    "when": (None, "at"),
-    "while": (None, "at"),
-    "before": (Constraint.BEFORE, "before"),
-    "by the time": (Constraint.BEFORE, "by"),
-    "until": (Constraint.BEFORE, "until"),
-    "after": (Constraint.AFTER, "after"),
-}
-"""How the time of an event binds what is said to be at, before or after it."""
-
-DATED = "clause"
-"""The rule of a phrase that is a clause with a time of its own."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,29 +64,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     """Sketch one part of a draft."""
     first, end = part.segment.span
     phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
-    clauses: list[Clause] = []
-    if part.front is not None:
-        clauses += _clauses(draft, part.front, (first, part.offset), phrases, lexicon)
-    if part.tree.nodes:
-        clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
-    follows = bool(draft.text[:first].strip())
-    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset, follows=follows)
-    clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
-    coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
-    left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
-    excepted = [Remark(RemarkKind.NOT_UNDERSTOOD, span, _not_planned(draft, span)) for span in left_out]
-    # "The night before we fly"
-    excepted += [Remark(RemarkKind.NOT_UNDERSTOOD, span, not_understood(draft.text, span)) for span in coarse]
-    kept = [
-        phrase
-        for phrase in phrases
-        if not any(overlap(phrase.span, span) for span in (*(c.span for c in clauses), *left_out))
-    ]
-    clauses = [clause for clause in clauses if not clause.excepted]
-    kept += [_dated(draft, clause, clause.time) for clause in clauses if clause.time is not None]
-    kept += passed
-    clauses = [clause for clause in clauses if clause.time is None]
-    kept.sort(key=lambda phrase: phrase.span)
+    said = said_of_time(draft, part, phrases, lexicon)
+    kept, clauses, left_out, excepted = said.phrases, said.clauses, said.left_out, said.remarks
     named = Sketch(
         part=part,
         phrases=tuple(kept),
@@ -162,21 +120,6 @@ def order_of(draft: Draft, part: Part) -> Order | None:
     return next((order for span, order in draft.orders if first <= span[0] < end), None)
 
 
-def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:
-    """Give the stretch that says when not to do something, with the time behind it."""
-    first, end = clause.span
-    for phrase in phrases:
-        if phrase.span[0] >= end and not draft.text[end : phrase.span[0]].strip():
-            end = phrase.span[1]
-    return first, end
-
-
-def _not_planned(draft: Draft, span: Span) -> str:
-    if draft.text[: span[0]].rstrip().lower().endswith("even"):
-        return f"{draft.text[slice(*span)]!r} is not used: it is done all the same"
-    return f"{draft.text[slice(*span)]!r} is not used: when not to do something is not planned"
-
-
 def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
     return Remark(RemarkKind.POLICY, phrase.span, message)
@@ -219,31 +162,6 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
     return action if found is None else replace(action, place=found)
 
 
-def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
-    """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
-    constraint, preposition = BOUNDS[clause.kind]
-    # "By close of school on Tuesday"
-    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker == "by" else Edge.START
-    said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
-    if clause.distance is not None and isinstance(time.said.time, Wall):
-        direction = 1 if constraint is Constraint.AFTER else -1
-        distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)
-        # "No later than two hours before the fight, which is at eight"
-        said = Said(distance, clause.side, None, clause.distance.hedges)
-        days = time.said.time.days if time.said.time.clock is None and time.said.time.part is None else None
-        away = None if days is None else days_away(distance.duration, days, direction)
-        if away is not None:
-            # "The day before the wedding on saturday"
-            part = None if clause.day_part is None else clause.day_part.said.time
-            said = replace(said, time=Wall(away, part=part.part if isinstance(part, Wall) else None))
-    places = [
-        place
-        for place, word in enumerate(draft.scanned.words)
-        if clause.span[0] <= word.start < clause.span[1]
-    ]
-    return Phrase(said, places[0], places[-1] + 1, clause.span, DATED)
-
-
 def _reference(
     part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
 ) -> Reference | None:
@@ -268,25 +186,3 @@ def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> R
             if part.tree.nodes[above].is_verb and not inside:
                 return reference_of(part.tree, above, lexicon) or action.reference
     return action.reference
-
-
-def _clauses(
-    draft: Draft, tree: Tree, span: Span, phrases: Sequence[Phrase], lexicon: Lexicon
-) -> list[Clause]:
-    """Give the clauses in a tree's stretch of text, with places in the whole text."""
-    offset, end = span
-    places = [place for place, word in enumerate(draft.scanned.words) if offset <= word.start < end]
-    start = places[0] if places else 0
-    words = [draft.scanned.words[place] for place in places]
-    local_words = [replace(word, start=word.start - offset, end=word.end - offset) for word in words]
-    local, named = (
-        [
-            replace(
-                p, first=p.first - start, end=p.end - start, span=(p.span[0] - offset, p.span[1] - offset)
-            )
-            for p in found
-            if offset <= p.span[0] < end
-        ]
-        for found in (phrases, draft.naming)
-    )
-    return [clause.moved(offset) for clause in clauses_of(tree, local_words, local, lexicon, named)]

@@ -5,7 +5,8 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.sketch import DATED, Sketch
+from fuzzytime.language.sentence.said_of_time import DATED
+from fuzzytime.language.sentence.sketch import Sketch
 
 
 def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) -> Moment:
