@@ -6,7 +6,7 @@ leave open.
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
     ``feasts``, ``workdays``, ``recurrence``.
-    What is reckoned with: ``instants``, ``moment``.
+    What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
