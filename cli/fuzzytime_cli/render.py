@@ -76,14 +76,14 @@ def wrapped(line: str, width: int, indent: int | None = None) -> list[str]:
     ['  moved: stir', '    the soup']
     """
     begin = _beginning(line, indent)
-    first, *others = _pieces(line, width, len(begin))
+    first, *others = _lines_of(line, width, len(begin))
     return [line[first], *(begin + line[piece] for piece in others)]
 
 
 def wrapped_text(line: "Text", width: int, indent: int | None = None) -> "list[Text]":
     """Break a styled line as `wrapped` does a plain one."""
     begin = line.blank_copy(_beginning(line.plain, indent))
-    first, *others = _pieces(line.plain, width, len(begin))
+    first, *others = _lines_of(line.plain, width, len(begin))
     return [line[first], *(begin + line[piece] for piece in others)]
 
 
@@ -92,7 +92,7 @@ def _beginning(text: str, indent: int | None) -> str:
     return " " * (len(text) - len(text.lstrip(" ")) + 2 if indent is None else indent)
 
 
-def _pieces(text: str, width: int, indent: int) -> list[slice]:
+def _lines_of(text: str, width: int, indent: int) -> list[slice]:
     """Give which part of a text each line has: ``width`` columns the first, less the indent the others."""
     own = len(text) - len(text.lstrip(" "))
     pieces, start, room = [], 0, width

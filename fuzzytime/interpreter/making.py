@@ -68,13 +68,13 @@ class Maker:
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
-            return [self._one(wish, reading, instruction, once)]
+            return [self._interpreted(wish, reading, instruction, once)]
         until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         recurrence = repeated.recurrence.spaced(self._duration(wish, instruction).hands_on)
         if inside is not None and recurrence.interval is not None:
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
             times = inside.times(repeated, recurrence, until)[:MAX_OCCURRENCES]
-            return [self._one(wish, reading, instruction, (time, *rest)) for time in times]
+            return [self._interpreted(wish, reading, instruction, (time, *rest)) for time in times]
         windows = recurrence.windows(until)[:MAX_OCCURRENCES]
         operation = instruction.operation
         # "I have a class every day from nine to ten"
@@ -83,11 +83,11 @@ class Maker:
         for start, end in windows:
             occurring = replace(instruction, duration=end - start) if whole else instruction
             time = occurrence(repeated, start, start if whole else end)
-            made.append(self._one(wish, reading, occurring, (time, *once)))
+            made.append(self._interpreted(wish, reading, occurring, (time, *once)))
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
 
-    def _one(
+    def _interpreted(
         self,
         wish: SpokenWish,
         reading: Reading,
@@ -254,7 +254,7 @@ class Maker:
     ) -> Interpreted:
         """Make the skill of going where something is done or happens, in time for that."""
         going = going_to(instruction, to.skill.name, target, attended=_is_attended(to))
-        return self._one(wish, reading, going, going.requirements)
+        return self._interpreted(wish, reading, going, going.requirements)
 
     def timed(self, made: Interpreted, told: Instruction, given: datetime) -> Interpreted:
         """Give a skill with what was told afterwards of when it must be done, at another moment perhaps."""
@@ -264,7 +264,7 @@ class Maker:
         since = seconds_between(wish.given, given)
         finish = Reference.FINISH
         more = (replace(p.shifted(since), reference=finish, reference_said=True) for p in told.requirements)
-        again = self._one(wish, reading, instruction, (*made.requirements, *more))
+        again = self._interpreted(wish, reading, instruction, (*made.requirements, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
 

@@ -74,7 +74,7 @@ def link(
         for requirement in interpreted.requirements:
             if requirement.anchor is None or requirement.anchor.target is None:
                 continue
-            meant = _whole(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
+            meant = _over_with(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
             targets = [target for target in meant if target != position]
             if not targets:
                 message = f"refers to {requirement.anchor.text!r}, which is not planned"
@@ -108,7 +108,7 @@ def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interprete
     return problem_of(this.wish, ProblemKind.NOTE, message, requirement.span, this.identifier)
 
 
-def _whole(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
+def _over_with(anchor: Anchor, meant: range, skills: Sequence[Interpreted], links: Links) -> range:
     """Give what is over where what is repeated is, if that counts: its last turn, or what it is inside of."""
     if len(meant) < 2 or anchor.edge is Edge.START or anchor.exact:
         return meant
@@ -177,10 +177,10 @@ class _Tie:
         if self.requirement.fuzziness:
             # A hedge on a distance is as wide as that is long, one beside a moment as wide as ever.
             far = FAR if self.requirement.reference is Reference.START else self.this.skill.time_until_done
-            return self._as(at=far, preposition=None).shifted(-far)
+            return self._reworded(at=far, preposition=None).shifted(-far)
         if self.requirement.reference is not Reference.FINISH:
             return None
-        early = self._as(at=FAR, preposition=None, hedge=JUST_BEFORE)
+        early = self._reworded(at=FAR, preposition=None, hedge=JUST_BEFORE)
         return early.shifted(-early.best.high)
 
     @property
@@ -209,10 +209,10 @@ class _Tie:
         if (beside := self.beside) is not None:
             return beside.support
         distance = abs(self.anchor.lag)
-        inside = self._as(at=distance, preposition="in").acceptable()
+        inside = self._reworded(at=distance, preposition="in").acceptable()
         return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
 
-    def _as(self, *, at: float, preposition: str | None, hedge: str = "") -> SatisfactionFunction:
+    def _reworded(self, *, at: float, preposition: str | None, hedge: str = "") -> SatisfactionFunction:
         """Give ψ of the same words, or of a hedge instead, for a time so many seconds from now."""
         said = replace(
             self.requirement,

@@ -78,7 +78,7 @@ def told_anew(
     sooner = replace(news, by=told - moment_of(made)) if news.kind is NewsKind.THERE else news
     times = _later(sooner, made, wish) if news.time is None else (_chosen(news.time, news, made, maker),)
     instruction = replace(made.instruction, span=news.span, requirements=times)
-    anew = _made_again(made, maker.spoken(_of(wish, made), reading, instruction)[0])
+    anew = _made_again(made, maker.spoken(_wish_anew(wish, made), reading, instruction)[0])
     skill = anew.skill
     if news.kind is NewsKind.THERE:
         skill = replace(skill, satisfaction=Rectangle(told, told), preferred=told)
@@ -112,7 +112,7 @@ def _day(one: Interpreted, maker: Maker) -> date:
     return instant_after(maker.request.now, moment_of(one)).date()
 
 
-def _of(wish: SpokenWish, made: Interpreted) -> SpokenWish:
+def _wish_anew(wish: SpokenWish, made: Interpreted) -> SpokenWish:
     """Give the wish that tells anew of something, which counts as much as it did."""
     old = made.wish
     return replace(wish, priority=old.priority, agent=old.agent, hands_on=old.hands_on, elapsed=old.elapsed)

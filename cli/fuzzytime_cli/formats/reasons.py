@@ -261,7 +261,7 @@ def _minutes(why: Why, plan: Plan) -> str:
             continue
         parts.append(
             f"a minute {word} it would have {found.satisfactions[why.position]:.2f}"
-            + ("" if len(plan.skills) == 1 else _whole(schedule, found))
+            + ("" if len(plan.skills) == 1 else _cost_to_whole(schedule, found))
         )
     if not parts:
         return ""
@@ -281,7 +281,7 @@ def _proof(schedule: Schedule) -> str:
             return ""
 
 
-def _whole(schedule: Schedule, other: Alternative) -> str:
+def _cost_to_whole(schedule: Schedule, other: Alternative) -> str:
     if is_same(schedule, other):
         return ", at no cost to the whole"
     return f", and the whole {product_of(other, schedule)} instead of {product_of(schedule, schedule)}"

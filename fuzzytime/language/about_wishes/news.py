@@ -145,16 +145,16 @@ class _Clause:
         found = left.length()
         if found is not None and tables & (SOONER | LATER):
             by = -found.seconds if tables & SOONER else found.seconds
-            return None if ABSENT in tables else self._of(NewsKind.LATER, found.rest, tables, by=by)
+            return None if ABSENT in tables else self._news_of(NewsKind.LATER, found.rest, tables, by=by)
         if said.has_time or ("rescheduled" in tables and _joint(words)):
             return self._timed(words, tables)
         if ABSENT in tables:
             known = LATE if {"present", "perfect"} & tables else CANCELLED
-            return None if tables & (SOONER | LATER) else self._of(known, left, tables)
+            return None if tables & (SOONER | LATER) else self._news_of(known, left, tables)
         kinds = {"cancelled": CANCELLED, "present": THERE, "perfect": THERE}
         kinds |= dict.fromkeys(("late", "rescheduled"), LATE)
         kind = next((kind for name, kind in kinds.items() if name in tables), None)
-        return None if kind is None else self._of(kind, left, tables)
+        return None if kind is None else self._news_of(kind, left, tables)
 
     def _timed(self, words: str, tables: frozenset[str]) -> News | None:
         """Read a new time: "they come at eight", "the meeting was moved to four"."""
@@ -173,7 +173,7 @@ class _Clause:
         moved = ABSENT in tables or "rescheduled" in tables
         if ABSENT in tables and time.constraint is not Constraint.BEFORE:
             # "They don't come at seven" leaves open when, "they can't come today" does not.
-            return self._of(LATE if time.grain in CLOCKED else CANCELLED, left, tables)
+            return self._news_of(LATE if time.grain in CLOCKED else CANCELLED, left, tables)
         if moved:
             # "They won't be here until eight", "it was moved to eight"
             at = Said(time.text, self.now, self.lexicon).as_time()
@@ -184,7 +184,7 @@ class _Clause:
             return None
         told = replace(time, span=(self.span[0] + first, self.span[0] + end))
         marked = moved or bool(tables - {"they", "being"})
-        news = self._of(NewsKind.TIME, left, tables)
+        news = self._news_of(NewsKind.TIME, left, tables)
         if news is None:
             return None
         open_times = questions[0] if questions else None
@@ -196,7 +196,7 @@ class _Clause:
             marked=marked,
         )
 
-    def _of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
+    def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
         """Give news of what the words that are left name; None where they say more than that."""
         forms = left.forms
         if ONE_OF_MANY & set(forms) or not all(form.replace("'", "").isalnum() for form in forms):

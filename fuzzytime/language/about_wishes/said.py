@@ -150,19 +150,19 @@ class Said:
         # "Move it to the afternoon"
         inside = (f"in {bare}",) if bare.lower().startswith("the ") else ()
         # "Make it 20 minutes" is how long, and not when.
-        lasts = any(part.constraint is Constraint.FOR for part in self._whole(bare))
+        lasts = any(part.constraint is Constraint.FOR for part in self._as_one_time(bare))
         tried = (*inside, bare, *(() if lasts else (f"at {bare}",)), f"for {bare}")
-        found = [(text, part) for text in tried for part in self._whole(text)]
+        found = [(text, part) for text in tried for part in self._as_one_time(text)]
         if len(found) > 1 and _lacks_preposition(found[0][1]):
             found = found[1:]
         return found[0][0] if found else ""
 
     def as_number(self) -> str:
         """Give it where it is a number alone: what could count minutes; else empty."""
-        counted = self._whole(f"{FOR}{self.text} {Unit.MINUTE}s")
+        counted = self._as_one_time(f"{FOR}{self.text} {Unit.MINUTE}s")
         return self.text if counted and counted[0].unit is Unit.MINUTE else ""
 
-    def _whole(self, text: str) -> tuple[TimeRequirement, ...]:
+    def _as_one_time(self, text: str) -> tuple[TimeRequirement, ...]:
         """Give the time that a text is, whole."""
         found = find_times(text, self.now, self.lexicon).requirements
         return found if len(found) == 1 and found[0].span == (0, len(text)) else ()

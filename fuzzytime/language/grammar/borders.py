@@ -74,10 +74,10 @@ class Borders:
             or self._likens(piece)
             or self._is_played(piece)
             or self._divides(piece)
-            or self._turns(piece)
+            or self._begins_other_bound(piece)
         )
 
-    def _turns(self, piece: Piece) -> bool:
+    def _begins_other_bound(self, piece: Piece) -> bool:
         """Whether its last words begin another bound: "around noon but not before eleven"."""
         follower = self.around.follower(piece)
         begun = self.texts[piece.end - 2 : piece.end - 1] in (["not"], ["or"], ["and"])

@@ -90,7 +90,7 @@ def _sure_date(words: Sequence[Word], place: int) -> Piece | None:
     first = place
     while first and words[first].glued and place - first < DATE_WORDS:
         first -= 1
-    run, ends = _run(words, first)
+    run, ends = _typed_together(words, first)
     match = SURE_DATE.match(run)
     if match is None or match.end() not in ends or ends[match.end()] <= place:
         return None
@@ -108,7 +108,7 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
     if following is not None and following.glued and following.text in {"st", "nd", "rd", "th"}:
         yield Piece("ordinal", start, start + 2, value.value, 0.0, "digits")
     yield from _spaced(words, start)
-    run, ends = _run(words, start)
+    run, ends = _typed_together(words, start)
     for category, shape in _SHAPES:
         match = shape.match(run)
         if match is not None and match.end() in ends:
@@ -134,7 +134,7 @@ def _spaced(words: Sequence[Word], start: int) -> Iterator[Piece]:
         yield Piece("hh:mm", start, start + 3, Typed((words[start].text, minutes.text)), 0.0, "shape")
 
 
-def _run(words: Sequence[Word], start: int) -> tuple[str, dict[int, int]]:
+def _typed_together(words: Sequence[Word], start: int) -> tuple[str, dict[int, int]]:
     """Give what is typed without a space from a word on, and which word ends at which of its characters."""
     text, ends = words[start].text, {len(words[start].text): start + 1}
     for place in range(start + 1, min(start + RUN, len(words))):

@@ -192,23 +192,23 @@ class Fields(Calendar):
 
     def upcoming(self, today: Today, since: date) -> Iterator[Days]:  # noqa: ARG002
         """Give matching periods in ascending order."""
-        for days in self._found(since, 1):
+        for days in self._occurrences(since, 1):
             if days.end > since or self.fixed:
                 yield days
 
     def past(self, today: Today, until: date) -> Iterator[Days]:  # noqa: ARG002
         """Give matching periods in descending order."""
-        for days in self._found(until, -1):
+        for days in self._occurrences(until, -1):
             if days.first < until or self.fixed:
                 yield days
 
     def between(self, today: Today, since: date, end: date) -> Iterator[Days]:  # noqa: ARG002
         """Give the matching periods of the years up to that day."""
-        for days in self._found(since, 1, end.year - since.year + 1):
+        for days in self._occurrences(since, 1, end.year - since.year + 1):
             if days.first < end and (days.end > since or self.fixed):
                 yield days
 
-    def _found(self, near: date, step: int, searched: int = SEARCHED_YEARS) -> Iterator[Days]:
+    def _occurrences(self, near: date, step: int, searched: int = SEARCHED_YEARS) -> Iterator[Days]:
         if self.weekly:
             ahead = ((self.weekday or 0) - near.weekday()) % 7
             first = near + timedelta(days=ahead - (7 if step < 0 else 0))

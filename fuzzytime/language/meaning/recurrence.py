@@ -159,7 +159,7 @@ class CalendarRecurrence:
         now = self.moment.grounding().now
         today = Today(now.date(), self.moment.policy)
         for days in _series(wall.days).upcoming(today, today.day):
-            start, end = self._on(wall, days)
+            start, end = self._on_days(wall, days)
             if start < now:
                 # A stretch that is running counts from now on.
                 if end <= now:
@@ -169,7 +169,7 @@ class CalendarRecurrence:
             if first >= self.first:
                 yield first, min(last, max(self.last, first))
 
-    def _on(self, wall: Wall, days: Days) -> tuple[datetime, datetime]:
+    def _on_days(self, wall: Wall, days: Days) -> tuple[datetime, datetime]:
         """Give where a wall-clock expression begins and is over, on its days."""
         begins = midnight(days.first)
         if wall.clock is not None:

@@ -40,7 +40,7 @@ def of_clause(
     said = clause.condition
     if target is None and said and said.word in lexicon.results and clause.kind in RESULTING:
         # "Boil the pasta. Drain it when it is done": when it is boiled.
-        named = _named(said, _thing(clause, anchors, sketch), lexicon)
+        named = _named(said, _meant_by_pronoun(clause, anchors, sketch), lexicon)
         target = anchors.target_of(replace(clause, condition=named))
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
@@ -79,7 +79,7 @@ def _ending(requirement: TimeRequirement, clause: Clause, anchors: Anchors) -> T
 
 def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
     """Give the requirement that something is so, which another instruction may bring about."""
-    condition = _named(said, _thing(clause, anchors, sketch), anchors.lexicon)
+    condition = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
     if clause.kind in RESULTING and not condition.negated:
         # "Warm up the printer. Once it is warm, print"
         made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
@@ -115,7 +115,7 @@ def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeR
     return replace(requirement, reference=reference, reference_said=True)
 
 
-def _thing(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
+def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
     """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
 
     "Warm the milk and, once it is warm, add the yeast": the milk.

@@ -35,10 +35,10 @@ class _Number:
 def comparisons_in(scanned: Scanned, span: Span, lexicon: Lexicon) -> tuple[Comparison, ...]:
     """Give the numbers that a stretch of a text measures something by."""
     inside = [p for p, word in enumerate(scanned.words) if span[0] <= word.start and word.end <= span[1]]
-    return tuple(_found(scanned, inside, lexicon)) if inside else ()
+    return tuple(_comparisons(scanned, inside, lexicon)) if inside else ()
 
 
-def _found(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Iterator[Comparison]:
+def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Iterator[Comparison]:
     words, last = scanned.words, inside[-1] + 1
     place = inside[0]
     while place < last:
@@ -93,7 +93,7 @@ def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Numbe
     if words[place].text in _MINUS:
         positive = _number(scanned, place + 1, last, lexicon)
         return positive and _Number(-positive.value, positive.end, positive.hedges)
-    run, end = _run(words, place, last)
+    run, end = _typed_number(words, place, last)
     if _THOUSANDS.fullmatch(run):
         return _Number(float(run.replace(",", "")), end)
     pieces = [piece for piece in scanned.cells[place].get("quantity", {}).values() if piece.end <= last]
@@ -106,7 +106,7 @@ def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Numbe
     return _Number(float(said.value), piece.end, said.hedges)
 
 
-def _run(words: tuple[Word, ...], place: int, last: int) -> tuple[str, int]:
+def _typed_number(words: tuple[Word, ...], place: int, last: int) -> tuple[str, int]:
     """Give what is typed without a space from a digit on, as far as it is digits and their marks."""
     end = place
     while (

@@ -162,7 +162,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
     return None
 
 
-def _turns(between: Sequence[Word], lexicon: Lexicon) -> bool:
+def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
     said = [text for text in texts[1:] if text not in AGAIN]
@@ -186,7 +186,7 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     for old, new in pairwise(own):
         between = words[old.end : new.first]
-        if _turns(between, lexicon):
+        if _turns_to_particle(between, lexicon):
             found.append(between[1].start)
             continue
         if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):

@@ -71,7 +71,7 @@ def on_days_of_events(
             sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)
         elif not timed:
             sketch = _with(sketch, Phrase(Said(wall, None, "on"), 0, 0, clause.span, ALL_DAY))
-        phrases = tuple(_on(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
+        phrases = tuple(_on_day(phrase, wall) if _is_of_day(phrase) else phrase for phrase in sketch.phrases)
         kept = tuple(other for other in sketch.clauses if other is not clause)
         sketch = replace(sketch, phrases=phrases, clauses=kept)
     return sketch, event, remarks
@@ -99,7 +99,8 @@ def _is_of_day(phrase: Phrase) -> bool:
     return isinstance(time, Wall) and time.days is None and (time.clock is not None or time.part is not None)
 
 
-def _on(phrase: Phrase, day: Wall) -> Phrase:
+def _on_day(phrase: Phrase, day: Wall) -> Phrase:
+    """Give a time on a day, where they go together."""
     time = phrase.said.time
     both = joined(day, time) if isinstance(time, Wall) else None
     return phrase if both is None else replace(phrase, said=replace(phrase.said, time=both))

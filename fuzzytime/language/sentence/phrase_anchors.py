@@ -54,7 +54,7 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     for place, happening in anchors.just_before():
         if waits_for(operation, happening, anchors.lexicon):
             anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
-            return _only(requirement, anchor, Constraint.BETWEEN)
+            return _counted_from(requirement, anchor, Constraint.BETWEEN)
     return None
 
 
@@ -91,7 +91,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     anchor = Anchor(
         text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
     )
-    return _only(requirement, anchor, constraint)
+    return _counted_from(requirement, anchor, constraint)
 
 
 def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -105,10 +105,10 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
         anchor = Anchor(text=requirement.text, target=target, edge=edge)
-        return _only(replace(requirement, word=None), anchor, constraint)
+        return _counted_from(replace(requirement, word=None), anchor, constraint)
     if phrase.said.preposition == HALFWAY and anchors.position > 0:
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
-        return _only(requirement, anchor, Constraint.AFTER)
+        return _counted_from(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
     before = anchors.position - 1
     if phrase.said.preposition == INTO:
@@ -119,10 +119,10 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     lag = requirement.t_spec or 0.0
     target = anchors.going_on() if phrase.said.preposition == LEFT else before
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
-    return _only(requirement, anchor, side)
+    return _counted_from(requirement, anchor, side)
 
 
-def _only(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
+def _counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
     """Give a requirement that counts from another instruction alone."""
     return replace(
         requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None

@@ -34,7 +34,7 @@ def done_again(sketch: Sketch, words: Sequence[Word]) -> list[Sketch]:
         return [sketch]
     lasting = {phrase.span[0] for phrase in sketch.phrases if phrase.said.constraint is Constraint.FOR}
     ends = pairwise([0, *(cut[1] for cut in cuts), len(words) and words[-1].end])
-    return [replace(_of(sketch, range(*stretch), lasting), joints=tuple(cuts)) for stretch in ends]
+    return [replace(_of_stretch(sketch, range(*stretch), lasting), joints=tuple(cuts)) for stretch in ends]
 
 
 def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
@@ -53,10 +53,10 @@ def each_of(sketch: Sketch, instances: Instances) -> list[Sketch]:
     leading = (span[0] for span in sketch.heard if span[0] < starts[0] < span[1])
     starts[0] = next(leading, starts[0])
     named = replace(sketch, operation=operation)
-    return [_of(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
+    return [_of_stretch(named, range(*stretch), range(starts[0])) for stretch in pairwise([*starts, end])]
 
 
-def _of(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketch:
+def _of_stretch(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketch:
     """Give a sketch with its times and clauses in a stretch, and those that begin at shared places."""
 
     def is_its(span: Span) -> bool:

@@ -18,7 +18,7 @@ EACH = "each"
 
 
 def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
-    """Do what is counted one by one, where it is said to be so long apart, or that each turn is so long.."""
+    """Do what is counted one by one, where it is said to be so long apart, or that each turn is so long."""
     phrases = list(sketch.phrases)
     each = next((p for p in phrases if _is_each(p, words)), None)
     length = each.said.time if each is not None else None

@@ -175,17 +175,17 @@ class _Parser:
         return parts[0] if len(parts) == 1 else Or(tuple(parts))
 
     def _all(self) -> Formula:
-        parts = [self._one()]
+        parts = [self._unary()]
         while self._take("and"):
-            parts.append(self._one())
+            parts.append(self._unary())
         return parts[0] if len(parts) == 1 else And(tuple(parts))
 
-    def _one(self) -> Formula:
+    def _unary(self) -> Formula:
         self._depth += 1
         if self._depth > DEEPEST:
             raise _BrokenError(Problem(f"a condition must not be nested deeper than {DEEPEST}", self._offset))
         if self._take("not"):
-            formula: Formula = Not(self._one())
+            formula: Formula = Not(self._unary())
         elif self._take("("):
             formula = self._any()
             if not self._take(")"):

@@ -57,10 +57,10 @@ def threshold(
     found = measured(comparison, named, guess, tables, context, before)
     if found.meant is None:
         return Threshold(tables, reason=found.reason)
-    return _made(comparison, found.meant, tables, context, found.notes)
+    return _threshold(comparison, found.meant, tables, context, found.notes)
 
 
-def _made(
+def _threshold(
     comparison: Comparison, meant: Meant, tables: Tables, context: Context, notes: tuple[str, ...]
 ) -> Threshold:
     signal = meant.signal
