@@ -10,7 +10,7 @@ import pytest
 
 from fuzzytime_cli.render import Screen
 from fuzzytime_cli.repl.scene import Reply
-from fuzzytime_cli.repl.start import _piped, _Talk
+from fuzzytime_cli.repl.start import Dialogue, piped
 from fuzzytime_cli.repl.turn import Turns
 from terminal.running import ran
 from terminal.talking import NINE, Talk
@@ -188,7 +188,7 @@ def test_notes_end_with_the_start_and_who_takes_the_time_is_named() -> None:
 def test_the_schedule_follows_the_width_of_the_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     written = io.StringIO()
     screen = Screen(written, 80, colour=False, unicode=True, interactive=True)
-    talk = _Talk(Talk().turns, lambda: NINE, screen, bell=False)
+    talk = Dialogue(Talk().turns, lambda: NINE, screen, bell=False)
     talk.take("Stir the soup in about ten minutes and then set the table in the garden")
     for columns in (100, 40):
         monkeypatch.setenv("COLUMNS", str(columns))
@@ -269,10 +269,10 @@ def test_ctrl_c_in_a_turn_ends_the_turn_of_one_who_types_and_all_of_a_pipe(
 
     monkeypatch.setattr(Turns, "take", take)
     screen = Screen(io.StringIO(), 80, colour=False, unicode=True, interactive=False)
-    talk = _Talk(turns, lambda: NINE, screen, bell=False)
+    talk = Dialogue(turns, lambda: NINE, screen, bell=False)
     typed = stream("Stir the soup now\nSet the table now\n")
     with contextlib.nullcontext() if taken > 1 else pytest.raises(KeyboardInterrupt):
-        _piped(talk, typed)
+        piped(talk, typed)
     assert len(seen) == taken
 
 

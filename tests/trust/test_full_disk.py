@@ -13,7 +13,7 @@ import pytest
 from console import ROOT, environment
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.render import Screen
-from fuzzytime_cli.repl.start import _Talk
+from fuzzytime_cli.repl.start import Dialogue
 from fuzzytime_cli.session import NotKeptError, SessionStore
 from terminal.running import Ran, ran
 from terminal.talking import NINE, Talk
@@ -74,7 +74,7 @@ def test_a_step_that_cannot_be_kept_is_not_done(tmp_path: Path) -> None:
 def test_what_a_person_typed_that_cannot_be_kept_stands_on_the_prompt_again(tmp_path: Path) -> None:
     screen = io.StringIO()
     turns = Talk(tmp_path / "sessions.sqlite").turns
-    talk = _Talk(
+    talk = Dialogue(
         turns, lambda: NINE, Screen(screen, 80, colour=False, unicode=True, interactive=True), bell=False
     )
     talk.take("Stir the soup in ten minutes")

@@ -59,12 +59,12 @@ def converse(
     )
     screen = Screen.of(sys.stdout, dict(os.environ))
     turns = Turns(conversation, screen.width, unicode=screen.unicode)
-    talk = _Talk(turns, clock, screen, bell=assembly.settings.flag("bell"))
+    talk = Dialogue(turns, clock, screen, bell=assembly.settings.flag("bell"))
     try:
         if screen.interactive and sys.stdin is not None and sys.stdin.isatty():
             _prompted(talk, folder)
         else:
-            _piped(talk, sys.stdin)
+            piped(talk, sys.stdin)
     finally:
         store.close()
 
@@ -83,7 +83,7 @@ def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
     return shifted
 
 
-class _Talk:
+class Dialogue:
     """Turns and the clock's beats, one at a time, written to one screen."""
 
     def __init__(self, turns: Turns, clock: Callable[[], datetime], screen: Screen, *, bell: bool) -> None:
@@ -154,7 +154,7 @@ class _Talk:
 
 
 @contextmanager
-def _beating(talk: _Talk) -> Iterator[None]:
+def _beating(talk: Dialogue) -> Iterator[None]:
     """Look at the clock every `BEAT` seconds meanwhile."""
 
     def run() -> None:
@@ -170,7 +170,7 @@ def _beating(talk: _Talk) -> Iterator[None]:
         thread.join(2 * BEAT)
 
 
-def _prompted(talk: _Talk, folder: Path | None) -> None:
+def _prompted(talk: Dialogue, folder: Path | None) -> None:
     """Read lines with editing, history and completion; Ctrl-C clears the line, Ctrl-D leaves."""
     from prompt_toolkit.patch_stdout import patch_stdout
 
@@ -192,7 +192,7 @@ def _prompted(talk: _Talk, folder: Path | None) -> None:
                     return
 
 
-def _prompt(talk: _Talk, folder: Path | None) -> "PromptSession[str]":
+def _prompt(talk: Dialogue, folder: Path | None) -> "PromptSession[str]":
     """Give what a line is typed into; Alt-Enter begins another line."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.history import InMemoryHistory
@@ -216,7 +216,7 @@ def _prompt(talk: _Talk, folder: Path | None) -> "PromptSession[str]":
     )
 
 
-def _typed(talk: _Talk, typed: str) -> tuple[bool, str]:
+def _typed(talk: Dialogue, typed: str) -> tuple[bool, str]:
     """Answer what was typed at once; say whether to go on, and what the prompt holds."""
     going, words = True, ""
     for lines in talk.parted(typed):
@@ -226,7 +226,7 @@ def _typed(talk: _Talk, typed: str) -> tuple[bool, str]:
     return going, words
 
 
-def _piped(talk: _Talk, stream: TextIO | None) -> None:
+def piped(talk: Dialogue, stream: TextIO | None) -> None:
     """Read lines as they come, of a pipe or a plain terminal; answers follow each."""
     typed = stream is not None and stream.isatty()
     if isinstance(stream, io.TextIOWrapper):

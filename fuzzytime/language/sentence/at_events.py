@@ -37,9 +37,14 @@ def at_events(
         if happens or is_moment:
             found.append(anchors.of_clause(clause, said, name, target if happens else None))
         if is_moment and not happens:
-            message = f"{said!r} counts when readings or an instruction tell it, and none so far does"
-            remarks.append(Remark(RemarkKind.UNRESOLVED, span, message))
+            remarks.append(untold(said, span))
     return found, remarks
+
+
+def untold(said: str, span: Span) -> Remark:
+    """Point at words that wait for something of which nothing is known so far."""
+    message = f"{said!r} counts when readings or an instruction tell it, and none so far does"
+    return Remark(RemarkKind.UNRESOLVED, span, message)
 
 
 def _events(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[tuple[Span, bool]]:

@@ -5,6 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.sentence.anchors import Anchors
+from fuzzytime.language.sentence.at_events import untold
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.comparisons import comparisons_in
 from fuzzytime.language.sentence.content_words import content_words
@@ -48,10 +49,11 @@ def of_clause(
     what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
-        message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
         if clause.is_event or (subject is not None and subject not in SPEAKERS_AND_ASKED):
-            message = f"{text!r} counts when readings or an instruction tell it, and none so far does"
-        remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
+            remarks.append(untold(text, clause.span))
+        else:
+            message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+            remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
     requirement = anchors.of_clause(clause, text, what, target)
     if clause.reference is Reference.FINISH and target is not None:
         requirement = _ending(requirement, clause, anchors)
