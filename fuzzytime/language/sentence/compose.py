@@ -186,24 +186,11 @@ class _Composer:
         self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
-        requirements = self._of_phrases(sketch, times, anchors)
-        for clause in sketch.clauses:
-            required, remarks = of_clause(clause, anchors, sketch, self.draft)
-            self.remarks += remarks
-            requirements.append(required)
-        events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
-        self.remarks += remarks
-        requirements += [*events, *self._headed(sketch, anchors)]
         segment = sketch.part.segment
         connected = anchored_by_connective(segment, self.draft.text, position)
         if connected is None and position == 0:
             self.remarks += led_by_nothing(segment, self.draft.text)
-        if connected is not None:
-            requirements.append(connected)
-            self.explained.append(connected.span)
-        requirements = within_after(requirements)
-        requirements.sort(key=lambda requirement: requirement.span)
-        self.remarks += contradictions(requirements)
+        requirements = self._required(sketch, times, anchors, connected)
         said = self.draft.text[slice(*segment.span)].strip()
         duration = next((g.duration for g in times.found if g.duration is not None), None)
         operation, requirements, duration = without_denial(
@@ -226,6 +213,26 @@ class _Composer:
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
         )
+
+    def _required(
+        self, sketch: Sketch, times: Times, anchors: Anchors, connected: TimeRequirement | None
+    ) -> list[TimeRequirement]:
+        """Give what times, clauses, events and the word that joins it require of an instruction, in order."""
+        requirements = self._of_phrases(sketch, times, anchors)
+        for clause in sketch.clauses:
+            required, remarks = of_clause(clause, anchors, sketch, self.draft)
+            self.remarks += remarks
+            requirements.append(required)
+        events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
+        self.remarks += remarks
+        requirements += [*events, *self._headed(sketch, anchors)]
+        if connected is not None:
+            requirements.append(connected)
+            self.explained.append(connected.span)
+        requirements = within_after(requirements)
+        requirements.sort(key=lambda requirement: requirement.span)
+        self.remarks += contradictions(requirements)
+        return requirements
 
     def _of_phrases(self, sketch: Sketch, times: Times, anchors: Anchors) -> list[TimeRequirement]:
         """Give what a sketch's times require, each about the end of it that its verb or its words name."""

@@ -8,7 +8,7 @@ from itertools import pairwise
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Repeat, TimeWord
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord
 from fuzzytime.language.sentence.further_orders import further_verbs
 from fuzzytime.language.sentence.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.places import says_where
@@ -177,13 +177,6 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
     words, phrases = one.source.scanned.words, one.source.phrases
     own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
     found = []
-    root = part.tree.root
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
-    objects = part.tree.children(root, "dobj") if root is not None else ()
-    things = {part.tree.nodes[p].lower for p in objects}
-    places = part.tree.children(root, "prep") if root is not None else ()
-    # "Stop for a brew at ten and for lunch at noon"
-    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     for old, new in pairwise(own):
         between = words[old.end : new.first]
         if _turns_to_particle(between, lexicon):
@@ -193,31 +186,54 @@ def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
             between = between[1:]
         elif not between or between[0].text not in {"and", ","}:
             continue
-        if len(between) < SHORTEST_GAP:
-            continue
-        nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-        where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
-        # "Hoover downstairs in the morning and upstairs after lunch"
-        where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
-        nouns = all(_is_of_thing(part, p, things) for p in nodes)
-        kinds = {old.said.constraint, new.said.constraint}
-        happens = not lexicon.happening.isdisjoint(word.text for word in between)
-        alike = (
-            len(kinds) == 1
-            or kinds <= (MOMENTS if happens else SIDES)
-            or (isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING)
-        )
-        # "Story at seven, lights out by half past"
-        listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
-        listed = listed and not happens
-        listed = listed and all(
-            _is_of_thing(part, p, things) or part.tree.nodes[p].tag == "RP" for p in nodes
-        )
-        led = between[1].text in prepositions
-        named = led or between[1].text in OWNING or (has_object and between[0].text in {"and", ","})
-        if (((nouns and named) or where) and alike) or listed:
+        if len(between) >= SHORTEST_GAP and (
+            _names_another(one, part, between, lexicon, old, new)
+            or _is_elsewhere(words, between, lexicon, old, new)
+        ):
             found.append(between[1].start)
     return found
+
+
+def _names_another(
+    one: Waiting, part: Part, between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
+    root = part.tree.root
+    objects = part.tree.children(root, "dobj") if root is not None else ()
+    things = {part.tree.nodes[p].lower for p in objects}
+    nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+    others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
+    if listed and not happens:
+        # "Story at seven, lights out by half past": one word says what becomes of the thing.
+        return all(tag == "RP" for tag in others[1:])
+    if not _binds_alike(old, new, happens=happens):
+        return False
+    places = part.tree.children(root, "prep") if root is not None else ()
+    # "Stop for a brew at ten and for lunch at noon"
+    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
+    led = between[1].text in prepositions
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
+    named = led or between[1].text in OWNING or (has_object and between[0].text in {"and", ","})
+    return named and not others
+
+
+def _is_elsewhere(
+    words: Sequence[Word], between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether the same is done elsewhere: "hoover downstairs in the morning and upstairs after lunch"."""
+    where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
+    where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    return where and _binds_alike(old, new, happens=happens)
+
+
+def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
+    """Whether two times may be of two things to do, or of two that happen."""
+    kinds = {old.said.constraint, new.said.constraint}
+    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
+    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
 
 
 def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
