@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from enum import StrEnum
 
-from fuzzytime.interpreter.request import Wish
+from fuzzytime.interpreter.request import SpokenWish, Wish
 from fuzzytime.language import Instruction, Operation, Reading
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution
@@ -88,6 +88,11 @@ class Interpreted:
     def operation(self) -> Operation | None:
         """What is done, where words said it."""
         return None if self.instruction is None else self.instruction.operation
+
+    @property
+    def words(self) -> str | None:
+        """What was said; None for a skill without words."""
+        return self.wish.text if isinstance(self.wish, SpokenWish) else None
 
     @property
     def stated(self) -> bool:

@@ -182,7 +182,7 @@ def _rejections(interpretation: Interpretation, schedule: Schedule) -> list[Prob
                 kind=ProblemKind.REJECTED,
                 message=f"{interpreted.skill.name}: {reason}",
                 line=interpreted.wish.line,
-                text=getattr(interpreted.wish, "text", interpreted.skill.name),
+                text=interpreted.words or interpreted.skill.name,
                 identifier=interpreted.identifier,
             )
         )

@@ -25,7 +25,7 @@ def explanation_lines(plan: Plan, position: int, width: int, *, unicode: bool = 
     given = interpreted.wish.given
     clock = Clock(given, with_seconds=bool(given.second))
     inner = width - len(INDENT)
-    head = f"{interpreted.identifier}: {plain(getattr(interpreted.wish, 'text', interpreted.skill.name))}"
+    head = f"{interpreted.identifier}: {plain(interpreted.words or interpreted.skill.name)}"
     lines = _wrapped([head], width)
     reading = interpreted.reading
     if reading is not None:

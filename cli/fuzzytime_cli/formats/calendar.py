@@ -32,7 +32,7 @@ def calendar_text(plan: Plan) -> str:
         if end > start:  # What takes no time has no end in a calendar.
             event.add("dtend", end)
         event.add("summary", plain(specific.name))
-        facts = [plain(getattr(interpreted.wish, "text", specific.name))]
+        facts = [plain(interpreted.words or specific.name)]
         facts.append(f"satisfaction {plan.schedule.satisfactions[position]:.2f}")
         if specific.done > until:
             facts.append(f"done at {clock.of(specific.done)}")

@@ -67,7 +67,7 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
     acceptable = skill.satisfaction.acceptable()
     return {
         "id": interpreted.identifier,
-        "instruction": getattr(interpreted.wish, "text", None),
+        "instruction": interpreted.words,
         "line": interpreted.wish.line,
         "name": skill.name,
         "operation": _operation(interpreted),

@@ -114,7 +114,7 @@ class _Picture:
         rejected = self.plan.schedule.rejected[position]
         kind = "good" if satisfaction >= 0.8 else "fair" if satisfaction >= 0.4 else "poor"
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
-        said = element("title", words(getattr(interpreted.wish, "text", specific.name)))
+        said = element("title", words(interpreted.words or specific.name))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
         if self.plan.schedule.task.agents > 1 and not rejected and not interpreted.skill.happens:
             figure = f"by {specific.agent}: {figure}"

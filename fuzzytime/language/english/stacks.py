@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Wall
@@ -46,10 +47,9 @@ def stacked_date(first: Wall, second: Calendar) -> Wall | None:
 
 
 @grammar.rule("wall", "<weekday> <integer>", "<weekday> the <integer>", weight=0.0)
-def weekday_and_day(weekday: int, day: object) -> Wall | None:
+def weekday_and_day(weekday: int, day: Integer) -> Wall | None:
     """Monday 21."""
-    number = getattr(day, "value", 0)
-    return Wall(Fields(day=number, weekday=weekday)) if 12 < number <= 31 else None
+    return Wall(Fields(day=day.value, weekday=weekday)) if 12 < day.value <= 31 else None
 
 
 @grammar.rule("wall", "<wall> at <clock behind at>", weight=0.2)

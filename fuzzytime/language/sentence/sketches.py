@@ -179,6 +179,8 @@ def _alternatives(
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
-    if isinstance(said.time, (Duration, TimeWord)):
-        return (said.constraint or getattr(said.time, "constraint", None)) is Constraint.AT
+    if isinstance(said.time, TimeWord):
+        return (said.constraint or said.time.constraint) is Constraint.AT
+    if isinstance(said.time, Duration):
+        return said.constraint is Constraint.AT
     return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)
