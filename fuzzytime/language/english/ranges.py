@@ -67,7 +67,8 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
         return last
     if wall.clock.shift or not wall.clock.minute < mark.minute <= HALF_PAST:
         return last
-    return replace(last, time=replace(wall, clock=replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE)))
+    clock = replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE, bare=False)
+    return replace(last, time=replace(wall, clock=clock))
 
 
 def _is_meal(wall: Wall) -> bool:

@@ -28,6 +28,9 @@ PREPOSITIONS = frozenset(
 )
 """Words behind which "on" belongs to the verb: "leave it on through the night"."""
 
+LED = frozenset({"at", "in", "by", "before", "after", "to", "for", "from", "until", "till", "on"})
+"""Prepositions behind "round" that are no part of a hedge."""
+
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
@@ -226,9 +229,13 @@ class Borders:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"}:
-            # "Bring the car round at six"
-            return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
+        if first in {"round", "around"} and rest[:1] != [] and rest[0] in LED:
+            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
+            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return first == "round" or moved or rest[0] not in {"in", "at"}
+        if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
+            # "Weigh in every monday"
+            return True
         wall = piece.value.time
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"

@@ -39,6 +39,10 @@ class Lengths(Standing):
         if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
+        set_to = not self.lexicon.appointing.isdisjoint(self.texts[: piece.start])
+        if said.preposition is None and self.around.before(piece) == "at" and not set_to:
+            # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
+            return False
         if said.preposition != "for" and self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False

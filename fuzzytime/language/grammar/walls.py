@@ -28,6 +28,9 @@ THING = "thing"
 STOPS = frozenset({"", ".", ",", ";", "!", "and", "then", "please"})
 """Words behind which a thing is not described further."""
 
+JOINTS = frozenset({",", "and", "&", "or", "/"})
+"""What stands between days of the week in a list."""
+
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
 
@@ -85,9 +88,17 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        return not (
-            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
-        )
+        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        return not alone or (weekly and self._is_listed(piece))
+
+    def _is_listed(self, piece: Piece) -> bool:
+        """Whether another day of the week stands beside it: "on mon, wed and fri"."""
+        before, behind = piece.start - 1, piece.end
+        while before > 0 and self.texts[before] in JOINTS:
+            before -= 1
+        while behind < len(self.texts) and self.texts[behind] in JOINTS:
+            behind += 1
+        return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
 
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""

@@ -15,7 +15,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
-from fuzzytime.language.sentence.clause_sides import sided
+from fuzzytime.language.sentence.clause_sides import at_most_after, sided
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.times_of_events import dates, happens, is_apart
@@ -188,6 +188,7 @@ class _Clauses:
             if isinstance(time_before, Duration):
                 hedges = (*distance.said.hedges, *time_before.hedges)
                 duration = replace(time_before, hedges=hedges)
+                side = side or at_most_after(kind, duration)
         day_part = self.before.part_of_day(place) if distance is None and form in DAYS_APART else None
         if day_part is not None:
             start, duration = day_part.span[0], A_DAY

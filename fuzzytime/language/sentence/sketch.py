@@ -27,7 +27,7 @@ from fuzzytime.language.sentence.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
-from fuzzytime.language.sentence.times_of_events import OVER
+from fuzzytime.language.sentence.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.tree import Tree
 from fuzzytime.language.sentence.waiting import Part
 from fuzzytime.requirement import Constraint, Reference
@@ -45,6 +45,9 @@ BOUNDS = {
     "after": (Constraint.AFTER, "after"),
 }
 """How the time of an event binds what is said to be at, before or after it."""
+
+WHEN = frozenset({None, Constraint.AT})
+"""How a day binds on which something is."""
 
 DATED = "clause"
 """The rule of a phrase that is a clause with a time of its own."""
@@ -140,6 +143,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]
     a, b = operation.span
+    if not operation.negated:
+        kept = [_by_that_day(phrase, clauses) for phrase in kept]
     return Sketch(
         part=part,
         phrases=tuple(kept),
@@ -153,6 +158,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         parameters=parameters_of(reader, action),
         remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
     )
+
+
+def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
+    """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
+    said, time = phrase.said, phrase.said.time
+    ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
+    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in WHEN
+    if not day or next(ahead, None) is None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
 
 
 def order_of(draft: Draft, part: Part) -> Order | None:
@@ -224,7 +239,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
     constraint, preposition = BOUNDS[clause.kind]
     # "By close of school on Tuesday"
-    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker == "by" else Edge.START
+    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker.startswith("by") else Edge.START
     said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1
@@ -252,7 +267,7 @@ def _reference(
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    if any(clause.kind in OVER and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
         # "Lock up when everyone has left on friday"
         return action.reference
     return _reference_at(part, phrase.span, action, lexicon)

@@ -33,6 +33,9 @@ ADDED = frozenset({"and", "&", ",", "also"})
 COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
 """Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
 
+BESIDE_MEALS = "meals.beside_meals"
+"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
+
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
 
@@ -179,6 +182,8 @@ def _alternatives(
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
+    if phrase.rule == BESIDE_MEALS:
+        return True
     if isinstance(said.time, (Duration, TimeWord)):
         return (said.constraint or getattr(said.time, "constraint", None)) is Constraint.AT
     return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)

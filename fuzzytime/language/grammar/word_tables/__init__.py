@@ -100,6 +100,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         lasting=frozenset(form[0] for form in speech.words("lasting")),
         playing=frozenset(form[0] for form in speech.words("playing")),
         catching=frozenset(form[0] for form in speech.words("catching")),
+        circling=frozenset(form[0] for form in speech.words("circling")),
         timing=frozenset(form[0] for form in speech.words("timing", "verbs")),
         timing_alone=frozenset(form[0] for form in speech.words("timing", "alone")),
         citing=frozenset(form[0] for form in speech.words("citing")),
@@ -152,10 +153,10 @@ _SPEECH = (
     "prepositions", "hedges", "words", "indicators", "verbs", "results", "connectives", "addresses",
     "clauses", "comparisons", "corrections", "particles", "places", "appointing", "persons", "impersonal",
     "amounts", "measures", "function_words", "questions", "foreign", "lasting", "landmarks", "courtesies",
-    "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
-    "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
-    "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing",
+    "travelling", "machines", "workers", "rescheduling", "catching", "circling", "citing", "spelling",
+    "timing", "taken", "happening", "frames", "standing", "conversation", "vague_adverbs", "told",
+    "instances", "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers",
+    "playing", "levels", "passing",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
