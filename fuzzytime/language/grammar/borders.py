@@ -28,6 +28,12 @@ PREPOSITIONS = frozenset(
 )
 """Words behind which "on" belongs to the verb: "leave it on through the night"."""
 
+HALVES = frozenset({"am", "pm", "a.m.", "p.m.", "o'clock", "oclock"})
+"""Words that belong to the hour before them."""
+
+OFF = frozenset({"before", "after", "early", "earlier", "late"})
+"""Words behind a length of time that make it a distance."""
+
 LED = frozenset({"at", "in", "by", "before", "after", "to", "for", "from", "until", "till", "on"})
 """Prepositions behind "round" that are no part of a hedge."""
 
@@ -96,6 +102,9 @@ class Borders:
             # "Buy <wine> at six"
             return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
+        if self.texts[piece.end - 1] in {"eve", "close"} and self.around.follower(piece) == "of":
+            # "On the eve of departure", "by close of school"
+            return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
@@ -251,10 +260,10 @@ class Borders:
         inside = piece.value.preposition == "in" and self.texts[piece.end - 2 : piece.end] in distances
         if inside or self.texts[piece.end : piece.end + 2] in distances:
             return True
-        # "Check in 24 hours before the flight"
+        # "Check in 24 hours before the flight", "clock in five minutes early"
         time = piece.value.time
         distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
-        return distance and self.around.follower(piece) in {"before", "after"}
+        return distance and self.around.follower(piece) in OFF
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
@@ -281,6 +290,9 @@ class Borders:
             # "After the first one is done", "a day before the second coat"
             return True
         counted = isinstance(said.time, Offset)
+        if counted and self.around.follower(piece) in HALVES:
+            # "Two hours before the 6 am flight"
+            return True
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
             return False

@@ -102,6 +102,8 @@ class Lengths(Standing):
     def _is_ahead(self, place: int) -> bool:
         """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
         following = self.texts[place : place + 2]
-        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
+        if following == ["in", "advance"]:
+            return self.texts[place + 2 : place + 3] != ["of"]
+        if following[:1] in (["ahead"], ["beforehand"]):
             return True
         return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])

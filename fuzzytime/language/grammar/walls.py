@@ -1,5 +1,7 @@
 """Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
 
+from dataclasses import replace
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
@@ -38,12 +40,18 @@ CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
+def _is_day_of_month(wall: Wall) -> bool:
+    """Whether it is nothing but a day of some month."""
+    return isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day) and wall.clock is None
+
+
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
 
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
         counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
+        counted = counted or self._is_of_thing(piece) or self._counts_things(piece, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -99,6 +107,29 @@ class Walls(Standing):
         while behind < len(self.texts) and self.texts[behind] in JOINTS:
             behind += 1
         return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
+
+    def _is_of_thing(self, piece: Piece) -> bool:
+        """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
+        if "for" not in {self.texts[piece.start], self.around.before(piece)}:
+            return False
+        places = range(piece.start + 1, piece.end + 1)
+        if self.texts[piece.start] == "for":
+            # "For tomorrow by noon" is one time.
+            places = range(piece.end, piece.end + 1)
+        bounds = (
+            p.end for at in places for p in self.around.pieces(at) if p.category == "preposition_before"
+        )
+        return any(self.around.is_day(end) for end in bounds)
+
+    def _counts_things(self, piece: Piece, wall: Wall) -> bool:
+        """Whether ordinals count things and no days: "on the first and second floor"."""
+        listed = _is_day_of_month(wall) and self.around.follower(piece) in {"and", "or", "&"}
+        if not listed or self.words[piece.end - 1].text not in self.lexicon.ordinals:
+            return False
+        behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
+        if behind >= len(self.texts) or not self._is_ordinal(behind):
+            return False
+        return not self.around.may_end(replace(piece, end=behind + 1))
 
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""

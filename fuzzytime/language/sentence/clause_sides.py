@@ -20,7 +20,14 @@ BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
 """Clauses that are neither before nor after alone."""
 
 
-SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
+SIDES = {
+    "no later than": Constraint.BEFORE,
+    "until": Constraint.BEFORE,
+    "by": Constraint.BEFORE,
+    "not before": Constraint.AFTER,
+    "from": Constraint.AFTER,
+    "starting": Constraint.AFTER,
+}
 """Prepositions before a distance, and on which side of it something must be."""
 
 LONGEST = 4
