@@ -80,13 +80,12 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
 def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said | None:
     """Read "7h30" as how long something takes, behind a verb for that: "it takes about 7h30"."""
     said = phrase.said
-    clock = said.time.clock if isinstance(said.time, Wall) and said.preposition is None else None
-    typed = [word.text for word in words[phrase.end - 2 : phrase.end - 1]] == ["h"] and words[
-        phrase.end - 1
-    ].glued
-    if clock is None or not typed or not phrase.first or clock.half is not None:
+    if not phrase.first or words[phrase.first - 1].text not in lexicon.told["taking"]:
         return None
-    if words[phrase.first - 1].text not in lexicon.told["taking"]:
+    clock = said.time.clock if isinstance(said.time, Wall) and said.preposition is None else None
+    texts = [word.text for word in words[phrase.first : phrase.end]]
+    typed = texts[-2:-1] == ["h"] and words[phrase.end - 1].glued
+    if clock is None or not typed or clock.half is not None:
         return None
     length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE)))
     return Said(length, Constraint.FOR, None, said.hedges)

@@ -39,8 +39,8 @@ class Lengths(Standing):
         if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
-        set_to = not self.lexicon.appointing.isdisjoint(self.texts[: piece.start])
-        if said.preposition is None and self.around.before(piece) == "at" and not set_to:
+        aged = said.preposition is None and self.around.before(piece) == "at"
+        if aged and self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
             # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
             return False
         if said.preposition != "for" and self._is_ahead(piece.end):

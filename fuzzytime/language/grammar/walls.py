@@ -51,7 +51,7 @@ class Walls(Standing):
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
         counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
-        counted = counted or self._is_of_thing(piece) or self._counts_things(piece, wall)
+        counted = counted or self._goes_on(piece, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -108,10 +108,15 @@ class Walls(Standing):
             behind += 1
         return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
 
+    def _goes_on(self, piece: Piece, wall: Wall) -> bool:
+        """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
+        led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
+        if led and self._is_of_thing(piece):
+            return True
+        return self.around.follower(piece) in JOINTS and self._counts_things(piece, wall)
+
     def _is_of_thing(self, piece: Piece) -> bool:
         """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
-        if "for" not in {self.texts[piece.start], self.around.before(piece)}:
-            return False
         places = range(piece.start + 1, piece.end + 1)
         if self.texts[piece.start] == "for":
             # "For tomorrow by noon" is one time.
@@ -123,8 +128,7 @@ class Walls(Standing):
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
         """Whether ordinals count things and no days: "on the first and second floor"."""
-        listed = _is_day_of_month(wall) and self.around.follower(piece) in {"and", "or", "&"}
-        if not listed or self.words[piece.end - 1].text not in self.lexicon.ordinals:
+        if not self._is_ordinal(piece.end - 1) or not _is_day_of_month(wall):
             return False
         behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
         if behind >= len(self.texts) or not self._is_ordinal(behind):
