@@ -155,10 +155,13 @@ def test_an_unresolved_reference_is_said() -> None:
 
 
 def test_a_distance_before_nothing_is_said() -> None:
-    reading = language().read("remind me about the trip a day before", now=NOW)
-    (remark,) = reading.remarks
-    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
-    assert reading.text[slice(*remark.span)] == "a day before"
+    for text, words in (
+        ("remind me of the trip a day before", "a day"),
+        ("bake the cake the day before", "the day"),
+    ):
+        (remark,) = language().read(text, now=NOW).remarks
+        assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+        assert text[slice(*remark.span)] == f"{words} before"
     told = language().read("dinner is at 7 pm, remind me an hour before", now=NOW)
     assert told.remarks == ()
 

@@ -103,6 +103,7 @@ def tail(first: Duration, number: Integer) -> Duration | None:
     _, unit = first.terms[-1]
     if (
         first.bare_end
+        or first.hedges
         or unit not in SMALLER
         or unit not in {Unit.HOUR, Unit.MINUTE}
         or not 1 <= number.value < 60

@@ -18,6 +18,7 @@ Marks = tuple[Integer | Duration, ...]
 
 
 @grammar.rule("said", "at|@ <duration>", weight=-0.5)
+@grammar.rule("said", "at the <duration> mark|point", weight=0.5)
 def at_mark(duration: Duration) -> Said | None:
     """(check it) at 20 minutes: counted from what was begun; but "at a moment's notice"."""
     return _into(duration) if _is_mark(duration) else None

@@ -93,8 +93,12 @@ def refined(said: Said, wall: Wall) -> Said | None:
     if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
     if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
-        # As in "after breakfast tomorrow".
-        whole = wall.days is not None and wall.part is None and wall.days.grain is Unit.DAY
+        # As in "after breakfast tomorrow", "before sunset tonight".
+        near = wall.part is None or (
+            said.constraint in {Constraint.BEFORE, Constraint.AFTER}
+            and (said.time.part.half is Half.AM) is (wall.part.half is Half.AM)
+        )
+        whole = wall.days is not None and wall.days.grain is Unit.DAY and near
         return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
     if isinstance(said.time, Wall) and said.time.clock is not None:
         time = joined(said.time, wall)

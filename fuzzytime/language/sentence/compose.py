@@ -232,7 +232,7 @@ class _Composer:
                 requirement = replace(requirement, text=self.draft.heading.name)
             requirement = of_phrase(anchors, phrase, requirement)
             requirements.append(referred(requirement, reference))
-            if counts_from_nothing(requirement, sketch.operation):
+            if counts_from_nothing(requirement, phrase.said, sketch.operation, position):
                 alone = follows_nothing(requirement.text, requirement.span)
                 self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:

@@ -3,8 +3,9 @@
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, Said, TimeWord, Wall
 from fuzzytime.language.meaning.expressions import Edge as Bound
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.references import waits_for
@@ -44,12 +45,17 @@ COUNTED: dict[str | None, Constraint] = {
 """The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
 
 
-def counts_from_nothing(requirement: TimeRequirement, operation: Operation | None) -> bool:
+def counts_from_nothing(
+    requirement: TimeRequirement, said: Said, operation: Operation | None, position: int
+) -> bool:
     """Whether a time is inside something, or before it, and nothing was said: "remind me a day before"."""
     if requirement.anchor is not None:
         return False
     asked = operation is not None and not operation.stated
-    return requirement.preposition in INSIDE or (asked and requirement.preposition == EARLIER)
+    days = said.time.days if isinstance(said.time, Wall) else None
+    # "Bake it the day before"
+    day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
+    return requirement.preposition in INSIDE or (asked and (day_before or requirement.preposition == EARLIER))
 
 
 def of_phrase(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:

@@ -1,5 +1,6 @@
 """Instructions before they are grounded: operation, times and clauses of each part of a draft."""
 
+from collections.abc import Collection
 from dataclasses import replace
 from itertools import pairwise
 
@@ -131,12 +132,12 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
     """
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
+    moments = {p.span for p in sketch.phrases if p.said.constraint in {None, Constraint.AT}}
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
         if text[first[1] : second[0]].strip(" ,").lower() in OFFERED
-        and first not in lasting
-        and not clauses.isdisjoint((first, second))
+        and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
     phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
     kept = replace(
@@ -146,6 +147,11 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
         clauses=tuple(clause for clause in sketch.clauses if clause.span not in left),
     )
     return kept, left
+
+
+def _is_other(first: Span, second: Span, lasting: Collection[Span], clauses: Collection[Span]) -> bool:
+    """Whether a time or a clause stands for another: no length does that a clause ends."""
+    return first not in lasting and (first in clauses or second in clauses)
 
 
 def _alternatives(
