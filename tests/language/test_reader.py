@@ -154,6 +154,18 @@ def test_an_unresolved_reference_is_said() -> None:
     assert reading.text[slice(*remark.span)] == "After setting the table"
 
 
+def test_a_distance_before_nothing_is_said() -> None:
+    for text, words in (
+        ("remind me of the trip a day before", "a day"),
+        ("bake the cake the day before", "the day"),
+    ):
+        (remark,) = language().read(text, now=NOW).remarks
+        assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+        assert text[slice(*remark.span)] == f"{words} before"
+    told = language().read("dinner is at 7 pm, remind me an hour before", now=NOW)
+    assert told.remarks == ()
+
+
 def test_each_text_has_a_moment_of_its_own() -> None:
     noon = datetime(2026, 3, 4, 12)  # noqa: DTZ001
     first, second = language().read_independent(

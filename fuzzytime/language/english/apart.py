@@ -31,7 +31,7 @@ def so_often_apart(repeat: Repeat, length: Duration) -> Repeat | None:
     return replace(repeat, every=length, until=None)
 
 
-@grammar.rule("each", "for? <duration> each", "each|every one? for <duration>")
+@grammar.rule("each", "for? <duration> each time|go?", "each|every one|time? for <duration>")
 def so_long_each(duration: Duration) -> Duration | None:
     """Five minutes each."""
     return duration if duration.seconds > 0 and duration.until is None else None
@@ -41,6 +41,12 @@ def so_long_each(duration: Duration) -> Duration | None:
 def times_each(times: int, length: Duration) -> Said | None:
     """Three times, five minutes each: one right after the other."""
     return Said(Repeat(length, times=times), Constraint.EVERY, lasting=length) if times > 1 else None
+
+
+@grammar.rule("said", "<each>", weight=0.3)
+def each_alone(length: Duration) -> Said:
+    """(Three walks a day,) twenty minutes each: how long every one takes."""
+    return Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
 
 
 @grammar.rule("said", "<apart>", weight=0.3)

@@ -137,7 +137,7 @@ def or_earlier(goal: Goal) -> Said:
 
 @grammar.rule(
     "said",
-    "<said> ,? at the very? latest",
+    "<said> ,? at? the? very? latest",
     "at the? very? latest ,? <said>",
     "latest <said>",
     "<said> ,? or|and before|earlier|sooner",

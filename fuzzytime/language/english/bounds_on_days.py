@@ -23,6 +23,10 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     wall, said = (first, second) if third is None else (second, third)
     if not isinstance(wall, Wall) or not isinstance(said, Said):
         return None
+    dated = isinstance(said.time, Wall) and said.time.days is not None
+    if isinstance(first, Preposition) and first.name == "for" and dated:
+        # "The rota for next week by thursday": what it is for, and a deadline.
+        return None
     # "Eat lunch by one": a meal beside a bound is what is to be done.
     return None if wall.weak and wall.part is not None else refined(said, wall)
 

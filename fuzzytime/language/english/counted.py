@@ -269,6 +269,12 @@ def at_offset(first: Preposition, duration: Duration, second: Preposition) -> Sa
     )
 
 
+@grammar.rule("said", "past <duration> from now|hence", weight=0.5)
+def past_offset(duration: Duration) -> Said:
+    """Past ten minutes from now: not before that."""
+    return _length(duration, Constraint.AFTER, "after")
+
+
 @grammar.rule("said", "<preposition_before>|<within> <duration> <forward>", weight=0.3)
 def deadline_offset(first: Preposition, duration: Duration, second: Preposition) -> Said:
     """Before ten minutes from now."""

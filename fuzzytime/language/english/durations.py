@@ -83,6 +83,14 @@ def sum_of(first: Duration, second: Duration) -> Duration | None:
     return replace(first, terms=(*first.terms, *second.terms), ordinal_end=second.ordinal_end)
 
 
+@grammar.rule("duration", "<integer> x|× <duration>", weight=0.1)
+def times_as_long(number: Integer, duration: Duration) -> Duration | None:
+    """2 x 10 minutes: twice that, in all."""
+    if number.value < 1 or duration.hedges or duration.until is not None or duration.indefinite:
+        return None
+    return replace(duration, terms=tuple((number.value * amount, unit) for amount, unit in duration.terms))
+
+
 @grammar.rule("duration", "<duration> more|longer|extra", weight=0.1)
 def more_of(duration: Duration) -> Duration | None:
     """A minute more, ten minutes longer."""
@@ -95,6 +103,7 @@ def tail(first: Duration, number: Integer) -> Duration | None:
     _, unit = first.terms[-1]
     if (
         first.bare_end
+        or first.hedges
         or unit not in SMALLER
         or unit not in {Unit.HOUR, Unit.MINUTE}
         or not 1 <= number.value < 60

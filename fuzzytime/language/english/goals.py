@@ -20,7 +20,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.requirements import LOWER, UPPER
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
@@ -110,10 +110,34 @@ def about_the_end(edge: Edge, hedge: str, days: Calendar) -> Goal:
 @grammar.rule("goal", "<goal> <hedge_after>", "<goal> - <hedge_after>", "<goal> , <hedge_after>", weight=0.05)
 def hedged_after(goal: Goal, hedge: str) -> Goal | None:
     """Noon sharp, 3pm approximately, elevenish."""
+    distance = _distance(goal.time) if hedge in LOWER | UPPER else None
+    if distance is not None:
+        return _far_off(distance, hedge)
     if isinstance(goal.time, Wall) and goal.time.clock is not None:
         clock = replace(goal.time.clock, bare=False, pair=False)
         goal = replace(goal, time=replace(goal.time, clock=clock))
     return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
+
+
+def _distance(time: Time) -> Offset | None:
+    """Give a time that is so far off another as that: "ten minutes before noon" is one with minutes, too."""
+    if isinstance(time, Offset) and time.anchor is not None:
+        return time
+    clock = time.clock if isinstance(time, Wall) else None
+    if clock is None or not clock.apart or not isinstance(time, Wall):
+        return None
+    whole = replace(clock, shift=0, apart=False, grain=Unit.MINUTE if clock.minute else Unit.HOUR)
+    minutes = Duration(((abs(clock.shift) / 60, Unit.MINUTE),))
+    return Offset(minutes, 1 if clock.shift > 0 else -1, replace(time, clock=whole))
+
+
+def _far_off(offset: Offset, hedge: str) -> Goal | None:
+    """Give what is so far off another time, at most or at least: "ten minutes before noon at most"."""
+    if hedge in LOWER:
+        return Goal(replace(offset, duration=offset.duration.hedged(hedge)))
+    side = at_most_before if offset.direction < 0 else at_most_after
+    time = None if offset.anchor is None else side(hedge, offset.duration, Goal(offset.anchor))
+    return None if time is None else Goal(time)
 
 
 @grammar.rule("offset", "<duration> <forward>|<back>")

@@ -6,7 +6,7 @@ from itertools import pairwise
 from fuzzytime.language.english.counted import in_duration
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import INTO, Duration, Offset, Said, UnitWord
+from fuzzytime.language.meaning.expressions import INTO, Duration, Edge, Offset, Said, UnitWord
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -18,6 +18,7 @@ Marks = tuple[Integer | Duration, ...]
 
 
 @grammar.rule("said", "at|@ <duration>", weight=-0.5)
+@grammar.rule("said", "at the <duration> mark|point", weight=0.5)
 def at_mark(duration: Duration) -> Said | None:
     """(check it) at 20 minutes: counted from what was begun; but "at a moment's notice"."""
     return _into(duration) if _is_mark(duration) else None
@@ -42,10 +43,14 @@ def marks(first: Marks, more: Marks = ()) -> Marks:
     return (*first, *more)
 
 
-@grammar.rule(
-    "said", "at|@|after <marks> and|& <duration>", "at|@|after <marks> , and <duration>", weight=0.4
-)
-def at_marks(numbers: Marks, last: Duration) -> Said | None:
+@grammar.rule("since", "at|@|after", "at|@ t|time =|of?")
+def since() -> Edge:
+    """At (t = 0, 15 and 30 minutes): since what was begun."""
+    return Edge.START
+
+
+@grammar.rule("said", "<since> <marks> and|& <duration>", "<since> <marks> , and <duration>", weight=0.4)
+def at_marks(_since: Edge, numbers: Marks, last: Duration) -> Said | None:
     """(check it) at 10, 20 and 30 minutes: each counted from what was begun."""
     return _listed([_into(duration) for duration in _in_unit(numbers, last)])
 

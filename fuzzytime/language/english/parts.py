@@ -32,6 +32,23 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
+@grammar.rule("end", "midnight between <days> and|& <days>", weight=0.9)
+def midnight_between(_first: Calendar, second: Calendar) -> Ending:
+    """Midnight between thursday and friday: where friday begins."""
+    return Ending(Edge.START, second)
+
+
+@grammar.rule(
+    "wall",
+    "in? the? <part> from|of <days> to|on|into <days>",
+    "in? the? <part> between <days> and <days>",
+    weight=1.2,
+)
+def night_between(found: Part, first: Calendar, _second: Calendar) -> Wall | None:
+    """The night from thursday to friday: that of thursday."""
+    return Wall(first, found) if found.half is Half.NIGHT and not found.is_point else None
+
+
 @grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
 def all_part(found: Part) -> Wall | None:
     """All morning, through the night."""

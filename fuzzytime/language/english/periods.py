@@ -97,7 +97,9 @@ def numbered_week(number: Integer, outer: Calendar | None) -> Calendar | None:
     return Nth(number.value, Cycle(Unit.WEEK), outer or Deictic(Which.THIS, Cycle(Unit.YEAR)))
 
 
-@grammar.rule("date", "the? week of|starting|beginning|commencing on? <whole>", "w / c <whole>", weight=0.3)
+@grammar.rule(
+    "date", "the? week|wk of|starting|beginning|commencing on? <whole>", "w / c <whole>", weight=0.3
+)
 def week_of(days: Calendar) -> Calendar | None:
     """The week of october 7th."""
     return WeekOf(days) if days.grain is Unit.DAY else None

@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Goal, Offset, Said, TimeWord, Wall
-from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -81,12 +81,6 @@ def minutes_to_spare(duration: Duration) -> str | None:
     return "time" if duration.seconds <= LEISURE and duration.unit is not Unit.SECOND else None
 
 
-@grammar.rule("said", "with|alongside <meal>", "with the|my|our|your|his|her|their <meal>", weight=0.2)
-def with_meal(meal: Part) -> Said | None:
-    """With breakfast: then, and no part of it."""
-    return None if meal.place else Said(Wall(part=meal), None, "at")
-
-
 @grammar.rule("said", "at like|say ,? <clock>", weight=0.5)
 def at_like(clock: Clock) -> Said:
     """At like five."""
@@ -99,9 +93,9 @@ def at_clock(clock: Clock) -> Said:
     return Said(Wall(clock=clock), None, "at")
 
 
-@grammar.rule("said", "at <hedge> <clock>", "at <clock> <hedge_after>", weight=0.35)
+@grammar.rule("said", "at <hedge>|<hedge_after> <clock>", "at <clock> <hedge_after>", weight=0.35)
 def at_hedged_clock(first: str | Clock, second: Clock | str) -> Said | None:
-    """At exactly 1830, at 1830 sharp."""
+    """At exactly 1830, at 1830 sharp, at sharp nine."""
     clock, hedge = (first, second) if isinstance(first, Clock) else (second, first)
     if not isinstance(clock, Clock) or not isinstance(hedge, str):
         return None

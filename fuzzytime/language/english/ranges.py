@@ -66,11 +66,12 @@ def _in_hour(first: Goal, last: Goal) -> Goal:
         return last
     if wall.clock.shift or not wall.clock.minute < mark.minute <= HALF_PAST:
         return last
-    return replace(last, time=replace(wall, clock=replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE)))
+    clock = replace(wall.clock, minute=mark.minute, grain=Unit.MINUTE, bare=False)
+    return replace(last, time=replace(wall, clock=clock))
 
 
 def _is_meal(wall: Wall) -> bool:
-    return wall.weak and wall.part is not None
+    return wall.part is not None and (wall.weak or (wall.part.meal and wall.days is None))
 
 
 def _comparable(first: Wall, last: Wall) -> bool:
@@ -192,8 +193,10 @@ def between_minutes(minutes: float, more: float, clock: Clock) -> Said | None:
 def from_to(first: Goal, last: Goal) -> Said | None:
     """5-6 pm, 9:30 - 11:00, monday to friday; but two numbers alone are none."""
     walls = [goal.time for goal in (first, last) if isinstance(goal.time, Wall)]
-    if len(walls) == 2 and (all(wall.bare for wall in walls) or _is_meal(walls[0])):
-        # "Move lunch to one": a meal is what is moved.
+    if len(walls) == 2 and all(wall.bare for wall in walls):
+        return None
+    if isinstance(first.time, Wall) and _is_meal(first.time):
+        # "Move lunch to one": a meal is what is moved; "close to six".
         return None
     grains = {wall.days.grain for wall in walls if wall.days is not None and wall.clock is None}
     if len(grains) > 1 and walls[0].days is not None and not walls[0].days.fixed:

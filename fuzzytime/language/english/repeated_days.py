@@ -26,7 +26,7 @@ def every_weekday(number: int) -> Repeat:
     "every|each other|second|alternate <weekday>",
     "on? alternate <weekday>|<weekdays>",
     "on? every other <weekdays>",
-    weight=0.4,
+    weight=1.5,
 )
 def every_other_weekday(number: int) -> Repeat:
     """Every other friday."""
@@ -94,6 +94,15 @@ def weekends() -> Repeat:
 def every_part(part: Part) -> Repeat:
     """Every morning, in the evenings."""
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
+
+
+@grammar.rule("repeat", "<share> every|each single? <part>", "every|each <part> ,? <share>", weight=0.4)
+def early_every_part(first: tuple[float, float] | Part, second: Part | tuple[float, float]) -> Repeat | None:
+    """First thing every morning, late every evening."""
+    part, share = (first, second) if isinstance(first, Part) else (second, first)
+    if not isinstance(part, Part) or isinstance(share, Part) or part.is_point:
+        return None
+    return Repeat(walls=(Wall(Cycle(Unit.DAY), part.share(*share)),))
 
 
 @grammar.rule("repeat", "with|at|during every|each? <meals>", "every|each <meals>", weight=0.3)

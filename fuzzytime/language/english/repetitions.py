@@ -169,6 +169,12 @@ def once() -> int:
     return 1
 
 
+@grammar.rule("times", "thrice")
+def thrice() -> int:
+    """Thrice."""
+    return 3
+
+
 @grammar.rule("times", "twice")
 def twice() -> int:
     """Twice."""

@@ -23,6 +23,12 @@ def workdays(number: Integer) -> int | None:
     return number.value if 0 < number.value <= MOST else None
 
 
+@grammar.rule("few workdays", "<integer> -|to|or <integer> -? working|business|work|office -? day|days")
+def few_workdays(fewest: Integer, most: Integer) -> tuple[int, int] | None:
+    """Two to three working days."""
+    return (fewest.value, most.value) if 0 < fewest.value < most.value <= MOST else None
+
+
 @grammar.rule("workdays", "a|one|next working|business|work day", "the next working|business|work day")
 def one_workday() -> int:
     """(in) a working day."""
@@ -39,6 +45,20 @@ def workday() -> Calendar:
 def in_workdays(count: int) -> Calendar:
     """In two working days."""
     return Workdays(count, TODAY)
+
+
+@grammar.rule("said", "in <few workdays> time?", "<few workdays> from now|today|hence", weight=1.5)
+def in_few_workdays(counts: tuple[int, int]) -> Said:
+    """In two to three working days: from the first of them to the end of the last."""
+    first, last = (Wall(Workdays(count, TODAY)) for count in counts)
+    return Said(Range(first, last), Constraint.BETWEEN, "in")
+
+
+@grammar.rule("said", "<within> the? <deictic>? <few workdays>", weight=1.5)
+def within_few_workdays(*said: Preposition | Which | tuple[int, int]) -> Said | None:
+    """Within two to three working days: by the end of the last."""
+    counts = next(part for part in said if isinstance(part, tuple))
+    return within_workdays(*(part for part in said if not isinstance(part, tuple)), counts[1])
 
 
 @grammar.rule("days", "the? next|following working|business|work day", weight=0.6)

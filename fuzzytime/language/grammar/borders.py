@@ -28,6 +28,15 @@ PREPOSITIONS = frozenset(
 )
 """Words behind which "on" belongs to the verb: "leave it on through the night"."""
 
+HALVES = frozenset({"am", "pm", "a.m.", "p.m.", "o'clock", "oclock"})
+"""Words that belong to the hour before them."""
+
+OFF = frozenset({"before", "after", "early", "earlier", "late"})
+"""Words behind a length of time that make it a distance."""
+
+LED = frozenset({"at", "in", "by", "before", "after", "to", "for", "from", "until", "till", "on"})
+"""Prepositions behind "round" that are no part of a hedge."""
+
 BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
 """Words behind which "late" says how somebody is."""
 
@@ -93,6 +102,9 @@ class Borders:
             # "Buy <wine> at six"
             return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
+        if self.texts[piece.end - 1] in {"eve", "close"} and self.around.follower(piece) == "of":
+            # "On the eve of departure", "by close of school"
+            return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
@@ -226,9 +238,13 @@ class Borders:
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"}:
-            # "Bring the car round at six"
-            return rest[:1] in (["at"], ["in"], ["by"], ["before"], ["after"])
+        if first in {"round", "around"} and rest[:1] != [] and rest[0] in LED:
+            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
+            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return first == "round" or moved or rest[0] not in {"in", "at"}
+        if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
+            # "Weigh in every monday"
+            return True
         wall = piece.value.time
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"
@@ -244,10 +260,10 @@ class Borders:
         inside = piece.value.preposition == "in" and self.texts[piece.end - 2 : piece.end] in distances
         if inside or self.texts[piece.end : piece.end + 2] in distances:
             return True
-        # "Check in 24 hours before the flight"
+        # "Check in 24 hours before the flight", "clock in five minutes early"
         time = piece.value.time
         distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
-        return distance and self.around.follower(piece) in {"before", "after"}
+        return distance and self.around.follower(piece) in OFF
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
@@ -274,6 +290,9 @@ class Borders:
             # "After the first one is done", "a day before the second coat"
             return True
         counted = isinstance(said.time, Offset)
+        if counted and self.around.follower(piece) in HALVES:
+            # "Two hours before the 6 am flight"
+            return True
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
             return False

@@ -202,9 +202,11 @@ class Judge:
         """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
         time = piece.value.time
         place = piece.end + 1
-        if not isinstance(time, Wall) or time.clock is None or place >= len(self.words):
+        if not isinstance(time, (Wall, Range)) or place >= len(self.words):
             return []
-        joint = self.texts[piece.end]
+        if isinstance(time, Range) or time.clock is None:
+            return self._further_days(piece, cells, chosen)
+        joint = self.around.follower(piece)
         if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
@@ -216,6 +218,19 @@ class Judge:
         if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
             return []
         return found + [more for one in found for more in self.continued(one, cells, chosen)]
+
+    def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
+        """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
+        place = piece.end + 1
+        listed = self.around.follower(piece) in {"and", "&", ","} and _is_day_of_month(piece)
+        if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
+            return []
+        found = [
+            p
+            for p in cells[place].get("said", {}).values()
+            if _is_day_of_month(p) and isinstance(p.value.time, Wall) and self.around.may_end(p)
+        ][:1]
+        return found + [more for one in found for more in self._further_days(one, cells, chosen)]
 
     def _is_number_for(self, piece: Piece) -> bool:
         """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
@@ -263,6 +278,14 @@ def _is_open(piece: Piece) -> bool:
     """Whether it is a number alone, or two that a full stop joins: "12.30"."""
     clock = piece.value.time.clock
     return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
+
+
+def _is_day_of_month(piece: Piece) -> bool:
+    """Whether it is on a day of some month, and no other is said: "15th", "from two to ten on the 14th"."""
+    time = piece.value.time
+    wall = time.first if isinstance(time, Range) else time
+    days = wall.days if isinstance(wall, Wall) else None
+    return isinstance(days, Fields) and days.day is not None and days == Fields(day=days.day)
 
 
 def _is_clocked(piece: Piece) -> bool:

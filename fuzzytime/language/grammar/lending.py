@@ -63,6 +63,9 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
 def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read a number alone as minutes where only a length of time can be meant: "simmer for ten"."""
     said = phrase.said
+    taken = _as_taken(phrase, words, lexicon)
+    if taken is not None:
+        return replace(phrase, said=taken)
     bare = said.preposition == "for" and isinstance(said.time, Wall) and said.time.bare
     clock = said.time.clock if isinstance(said.time, Wall) else None
     before = {word.text for word in words[: phrase.first]}
@@ -72,6 +75,20 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
         return phrase
     duration = Duration(((clock.hour, Unit.MINUTE),))
     return replace(phrase, said=replace(said, time=duration, constraint=Constraint.FOR))
+
+
+def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said | None:
+    """Read "7h30" as how long something takes, behind a verb for that: "it takes about 7h30"."""
+    said = phrase.said
+    if not phrase.first or words[phrase.first - 1].text not in lexicon.told["taking"]:
+        return None
+    clock = said.time.clock if isinstance(said.time, Wall) and said.preposition is None else None
+    texts = [word.text for word in words[phrase.first : phrase.end]]
+    typed = texts[-2:-1] == ["h"] and words[phrase.end - 1].glued
+    if clock is None or not typed or clock.half is not None:
+        return None
+    length = Duration(((clock.hour, Unit.HOUR), (clock.minute, Unit.MINUTE)))
+    return Said(length, Constraint.FOR, None, said.hedges)
 
 
 def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

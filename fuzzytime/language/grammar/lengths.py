@@ -33,6 +33,10 @@ class Lengths(Standing):
         if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
+        aged = said.preposition is None and self.around.before(piece) == "at"
+        if aged and self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
+            # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
+            return False
         if said.preposition != "for" and self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False
@@ -92,6 +96,8 @@ class Lengths(Standing):
     def _is_ahead(self, place: int) -> bool:
         """Whether words say that a length of time is a distance, and not from what: "ahead", "in advance"."""
         following = self.texts[place : place + 2]
-        if following[:1] in (["ahead"], ["beforehand"]) or following == ["in", "advance"]:
+        if following == ["in", "advance"]:
+            return self.texts[place + 2 : place + 3] != ["of"]
+        if following[:1] in (["ahead"], ["beforehand"]):
             return True
         return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])

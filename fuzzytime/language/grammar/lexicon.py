@@ -84,6 +84,8 @@ class Lexicon:
         Words behind which "for" says when, not how long: "an alarm for two hours before noon".
     catching
         Verbs whose object is called by its time: "catch the 7:42".
+    circling
+        Verbs behind which "around" is where to, and no hedge: "bring the car around at six".
     playing
         Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
@@ -169,6 +171,7 @@ class Lexicon:
     appointing: frozenset[str]
     lasting: frozenset[str]
     catching: frozenset[str]
+    circling: frozenset[str]
     playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]

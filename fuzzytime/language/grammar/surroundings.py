@@ -110,6 +110,14 @@ class Surroundings:
         """Whether the word at a place begins a time."""
         return any(piece.category in TIMELY for piece in self.pieces(place))
 
+    def is_day(self, place: int) -> bool:
+        """Whether the word at a place names a day."""
+        return any(piece.category in {"day", "weekday", "month"} for piece in self.pieces(place))
+
+    def is_weekday(self, place: int) -> bool:
+        """Whether the word at a place names a day of the week."""
+        return any(piece.category == "weekday" for piece in self.pieces(place))
+
     def is_part(self, place: int) -> bool:
         """Whether the word at a place names a part of the day."""
         return any(piece.category == "part" for piece in self.pieces(place))

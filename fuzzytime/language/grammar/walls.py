@@ -1,5 +1,7 @@
 """Whether a wall-clock expression is a time where it stands, and not a number or a part of a noun."""
 
+from dataclasses import replace
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
@@ -28,11 +30,19 @@ THING = "thing"
 STOPS = frozenset({"", ".", ",", ";", "!", "and", "then", "please"})
 """Words behind which a thing is not described further."""
 
+JOINTS = frozenset({",", "and", "&", "or", "/"})
+"""What stands between days of the week in a list."""
+
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
 
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
+
+
+def _is_day_of_month(wall: Wall) -> bool:
+    """Whether it is nothing but a day of some month."""
+    return isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day) and wall.clock is None
 
 
 class Walls(Standing):
@@ -41,6 +51,7 @@ class Walls(Standing):
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
         counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
+        counted = counted or self._goes_on(piece, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -85,9 +96,44 @@ class Walls(Standing):
             return False
         # "The sun", "in the sun": a weekday never stands with "in".
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
-        return not (
-            len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
+        return not alone or (weekly and self._is_listed(piece))
+
+    def _is_listed(self, piece: Piece) -> bool:
+        """Whether another day of the week stands beside it: "on mon, wed and fri"."""
+        before, behind = piece.start - 1, piece.end
+        while before > 0 and self.texts[before] in JOINTS:
+            before -= 1
+        while behind < len(self.texts) and self.texts[behind] in JOINTS:
+            behind += 1
+        return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
+
+    def _goes_on(self, piece: Piece, wall: Wall) -> bool:
+        """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
+        led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
+        if led and self._is_of_thing(piece):
+            return True
+        return self.around.follower(piece) in JOINTS and self._counts_things(piece, wall)
+
+    def _is_of_thing(self, piece: Piece) -> bool:
+        """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
+        places = range(piece.start + 1, piece.end + 1)
+        if self.texts[piece.start] == "for":
+            # "For tomorrow by noon" is one time.
+            places = range(piece.end, piece.end + 1)
+        bounds = (
+            p.end for at in places for p in self.around.pieces(at) if p.category == "preposition_before"
         )
+        return any(self.around.is_day(end) for end in bounds)
+
+    def _counts_things(self, piece: Piece, wall: Wall) -> bool:
+        """Whether ordinals count things and no days: "on the first and second floor"."""
+        if not self._is_ordinal(piece.end - 1) or not _is_day_of_month(wall):
+            return False
+        behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
+        if behind >= len(self.texts) or not self._is_ordinal(behind):
+            return False
+        return not self.around.may_end(replace(piece, end=behind + 1))
 
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""

@@ -4,7 +4,17 @@ from dataclasses import replace
 from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Range, Repeat, Said, Time, Wall
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Said,
+    Time,
+    Wall,
+)
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
@@ -83,8 +93,12 @@ def refined(said: Said, wall: Wall) -> Said | None:
     if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
     if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
-        # As in "after breakfast tomorrow".
-        whole = wall.days is not None and wall.part is None and wall.days.grain is Unit.DAY
+        # As in "after breakfast tomorrow", "before sunset tonight".
+        near = wall.part is None or (
+            said.constraint in {Constraint.BEFORE, Constraint.AFTER}
+            and (said.time.part.half is Half.AM) is (wall.part.half is Half.AM)
+        )
+        whole = wall.days is not None and wall.days.grain is Unit.DAY and near
         return replace(said, time=replace(said.time, days=wall.days, weak=False)) if whole else None
     if isinstance(said.time, Wall) and said.time.clock is not None:
         time = joined(said.time, wall)
@@ -167,6 +181,11 @@ def _is_inside(inner: Part, outer: Part) -> bool:
 
 def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     """Give a repetition with its bounds, or within hours of each day: every weekday from 9 to 5."""
+    marked = isinstance(repeat.starting, HourMark) and repeat.until is None
+    return _bounded_mark(repeat, said) if marked else _bounded(repeat, said)
+
+
+def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     time = said.time
     if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
         return None
@@ -200,6 +219,16 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what is done at a mark of each hour, and when: "every hour on the hour overnight"."""
+    time, mark = said.time, repeat.starting
+    if not isinstance(time, Wall) or time.part is None or not isinstance(mark, HourMark):
+        return None
+    first = time.part.start + (mark.minute * 60 - time.part.start) % 3600
+    within = replace(time, part=replace(time.part, start=first))
+    return _bounded(replace(repeat, starting=None), replace(said, time=within))
 
 
 def is_of_day(time: Time) -> TypeGuard[Wall]:

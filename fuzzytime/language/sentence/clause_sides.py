@@ -5,18 +5,29 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.expressions import Duration, Phrase
+from fuzzytime.language.meaning.requirements import UPPER
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.requirement import Constraint
 
 FIRST = frozenset({"before", "until", "by the time"})
 """Clauses whose instruction comes first."""
 
+BEHIND = frozenset({"after", "when"})
+"""Clauses whose instruction follows what they name."""
+
 BINDING = {"while": Constraint.AT, "within": Constraint.BETWEEN}
 """Clauses that are neither before nor after alone."""
 
 
-SIDES = {"no later than": Constraint.BEFORE, "not before": Constraint.AFTER}
+SIDES = {
+    "no later than": Constraint.BEFORE,
+    "until": Constraint.BEFORE,
+    "by": Constraint.BEFORE,
+    "not before": Constraint.AFTER,
+    "from": Constraint.AFTER,
+    "starting": Constraint.AFTER,
+}
 """Prepositions before a distance, and on which side of it something must be."""
 
 LONGEST = 4
@@ -32,6 +43,12 @@ def sided(distance: Phrase, words: Sequence[Word], lexicon: Lexicon) -> tuple[Co
                 span = (words[first].start, distance.span[1])
                 return side, replace(distance, first=first, span=span)
     return None, distance
+
+
+def at_most_after(kind: str, distance: Duration) -> Constraint | None:
+    """Give the side of a distance that is the longest: "no more than five minutes after the bell"."""
+    longest = kind in BEHIND and not UPPER.isdisjoint(distance.hedges) and distance.until is None
+    return Constraint.BEFORE if longest else None
 
 
 def side_of(clause: Clause) -> Constraint:

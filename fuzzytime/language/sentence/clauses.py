@@ -6,16 +6,18 @@ from dataclasses import replace
 from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
     Offset,
     Phrase,
+    Wall,
 )
 from fuzzytime.language.sentence.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clause import Clause
 from fuzzytime.language.sentence.clause_contents import Contents
-from fuzzytime.language.sentence.clause_sides import sided
+from fuzzytime.language.sentence.clause_sides import at_most_after, sided
 from fuzzytime.language.sentence.conditions import IF
 from fuzzytime.language.sentence.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.times_of_events import dates, happens, is_apart
@@ -41,6 +43,9 @@ WITHIN = (("of",), ("after",))
 EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
 """Words before a marker whose clause says when not to do something, or that it is done all the same."""
 
+OFF = (("before",), ("after",))
+"""Markers of what a distance counts from."""
+
 EVEN = "even"
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
@@ -65,7 +70,10 @@ def clauses_of(
     while place < len(words):
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
-        if form is not None and (is_length(form, words, place) or _leads_nowhere(form, words, place)):
+        leads = form is not None and (
+            _leads_nowhere(form, words, place) or reader.leads_to_distance(place, form)
+        )
+        if form is not None and (is_length(form, words, place) or leads):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
@@ -78,6 +86,17 @@ def clauses_of(
         found.append(clause)
         place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
     return found
+
+
+def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
+    """Give an event its clock time, and the day behind it: "before the 6 am flight on saturday"."""
+    if day is None or not isinstance(day.said.time, Wall) or not isinstance(named.said.time, Wall):
+        return replace(event, time=named)
+    both = joined(named.said.time, day.said.time)
+    if both is None:
+        return replace(event, time=named)
+    dated = replace(named, said=replace(named.said, time=both))
+    return replace(event, time=dated, span=(event.span[0], day.span[1]))
 
 
 def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
@@ -122,6 +141,18 @@ class _Clauses:
         """Give the "of" of "within an hour of calling" as what begins a clause."""
         return ("of",) if self.words[place].text == "of" and self.before.bound(place) is not None else None
 
+    def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""
+        if self.lexicon.clauses[form] != "until" or self.denied(place, form) is not None:
+            return False
+        behind = place + len(form)
+        ends = (p.end for p in self.phrases if p.first == behind and isinstance(p.said.time, Duration))
+        return any(
+            longest_match(self.words, end, self.lexicon.clauses) in OFF
+            for end in ends
+            if end < len(self.words)
+        )
+
     def inverted(self, place: int) -> tuple[str, ...] | None:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
         word, node = self.words[place], next(iter(self.tree.nodes), None)
@@ -154,7 +185,9 @@ class _Clauses:
         """Read what begins so long after something: "don't start it until ten minutes after the bell"."""
         behind = self.before.behind_denied(place, form)
         clause = None if behind is None else self.read(behind, AFTER)
-        return clause and replace(clause, kind="until", span=(self.words[place].start, clause.span[1]))
+        return clause and replace(
+            clause, kind="until", side=None, span=(self.words[place].start, clause.span[1])
+        )
 
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
@@ -189,6 +222,7 @@ class _Clauses:
             if isinstance(time_before, Duration):
                 hedges = (*distance.said.hedges, *time_before.hedges)
                 duration = replace(time_before, hedges=hedges)
+                side = side or at_most_after(kind, duration)
         day_part = self.before.part_of_day(place) if distance is None and form in DAYS_APART else None
         if day_part is not None:
             start, duration = day_part.span[0], A_DAY
@@ -206,9 +240,9 @@ class _Clauses:
             day_part=day_part,
         )
         named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
-        if named is not None and time is None and kind in EVENTFUL:
+        if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
-            return event if event is None else replace(event, time=named)
+            return event and _named_at(event, named, time)
         named_event = edge is not None or form == BY
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.

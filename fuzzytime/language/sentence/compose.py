@@ -43,7 +43,7 @@ from fuzzytime.language.sentence.lengths import (
 )
 from fuzzytime.language.sentence.negations import awaiting, without_denial
 from fuzzytime.language.sentence.pairs import leads_to
-from fuzzytime.language.sentence.phrase_anchors import INSIDE, ORDERING, of_phrase
+from fuzzytime.language.sentence.phrase_anchors import ORDERING, counts_from_nothing, of_phrase
 from fuzzytime.language.sentence.prepared import due_of
 from fuzzytime.language.sentence.references import Mentions
 from fuzzytime.language.sentence.sketch import Sketch
@@ -248,7 +248,7 @@ class _Composer:
                 requirement = replace(requirement, text=self.draft.heading.name)
             requirement = of_phrase(anchors, phrase, requirement)
             requirements.append(referred(requirement, reference))
-            if requirement.preposition in INSIDE and requirement.anchor is None:
+            if counts_from_nothing(requirement, phrase.said, sketch.operation, anchors.position):
                 alone = follows_nothing(requirement.text, requirement.span)
                 self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
             if requirement.word in ORDERING:

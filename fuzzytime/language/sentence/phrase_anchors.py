@@ -2,8 +2,10 @@
 
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, Said, TimeWord, Wall
 from fuzzytime.language.meaning.expressions import Edge as Bound
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.content_words import content_words
 from fuzzytime.language.sentence.references import waits_for
@@ -31,13 +33,29 @@ WITHIN = "within"
 INSIDE = frozenset({LEFT, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
+EARLIER = "earlier"
+"""The preposition of times that count back from what was said before."""
+
 COUNTED: dict[str | None, Constraint] = {
     "later": Constraint.AFTER,
-    "earlier": Constraint.BEFORE,
+    EARLIER: Constraint.BEFORE,
     INTO: Constraint.AFTER,
     LEFT: Constraint.AFTER,
 }
 """The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
+
+
+def counts_from_nothing(
+    requirement: TimeRequirement, said: Said, operation: Operation | None, position: int
+) -> bool:
+    """Whether a time is inside something, or before it, and nothing was said: "remind me a day before"."""
+    if requirement.anchor is not None:
+        return False
+    asked = operation is not None and not operation.stated
+    days = said.time.days if isinstance(said.time, Wall) else None
+    # "Bake it the day before"
+    day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
+    return requirement.preposition in INSIDE or (asked and (day_before or requirement.preposition == EARLIER))
 
 
 def of_phrase(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:

@@ -95,16 +95,17 @@ def apart(phrases: Sequence[Phrase]) -> list[Phrase]:
 
 
 def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
-    """Give days of the week the clock time of the last of them: "monday, wednesday and friday at ten"."""
-    if isinstance(hours := phrases[-1].said.time, Range):
-        return _with_shared_hours(phrases, hours)
+    """Give days of a list the clock time of the last of them: "monday, wednesday and friday at ten"."""
+    for giving, others in ((phrases[-1], phrases[:-1]), (phrases[0], phrases[1:])):
+        if isinstance(hours := giving.said.time, Range):
+            return _with_shared_hours(giving, others, hours) or list(phrases)
     times = [phrase.said.time for phrase in (phrases[-1], phrases[0])]
     # "At eleven on tuesday and thursday"
     time = next((one for one in times if isinstance(one, Wall) and one.clock is not None), None)
-    if time is None or not _is_weekday(time):
+    if time is None or not _is_listed(time):
         return list(phrases)
     walls = [phrase.said.time for phrase in phrases]
-    if not all(isinstance(wall, Wall) and _is_weekday(wall) for wall in walls):
+    if not all(isinstance(wall, Wall) and _is_listed(wall) for wall in walls):
         return list(phrases)
     found = []
     for phrase in phrases:
@@ -115,20 +116,20 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
     return found
 
 
-def _with_shared_hours(phrases: Sequence[Phrase], hours: Range) -> list[Phrase]:
-    """Give days of the week the hours of the last of them: "monday and friday from seven till eleven"."""
+def _with_shared_hours(giving: Phrase, others: Sequence[Phrase], hours: Range) -> list[Phrase]:
+    """Give days of a list the hours of the first or the last: "monday and friday from seven till eleven"."""
     first, last = hours.first, hours.last
-    walls = [phrase.said.time for phrase in phrases[:-1]]
-    alone = all(isinstance(w, Wall) and _is_weekday(w) and w.clock is None and w.part is None for w in walls)
-    if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_weekday(first):
-        return list(phrases)
-    found = []
-    for phrase, wall in zip(phrases[:-1], walls, strict=True):
+    walls = [phrase.said.time for phrase in others]
+    alone = all(isinstance(w, Wall) and _is_listed(w) and w.clock is None and w.part is None for w in walls)
+    if not alone or not isinstance(first, Wall) or not isinstance(last, Wall) or not _is_listed(first):
+        return []
+    found = [giving]
+    for phrase, wall in zip(others, walls, strict=True):
         days = wall.days if isinstance(wall, Wall) else None
         ends = replace(last, days=days) if last.days is not None else last
-        told = replace(phrases[-1].said, time=replace(hours, first=replace(first, days=days), last=ends))
+        told = replace(giving.said, time=replace(hours, first=replace(first, days=days), last=ends))
         found.append(replace(phrase, said=replace(told, preposition=phrase.said.preposition)))
-    return [*found, phrases[-1]]
+    return sorted(found, key=lambda phrase: phrase.span)
 
 
 def is_weekday(phrase: Phrase) -> bool:
@@ -138,6 +139,11 @@ def is_weekday(phrase: Phrase) -> bool:
 
 def _is_weekday(wall: Wall) -> bool:
     return isinstance(wall.days, Fields) and wall.days.weekly
+
+
+def _is_listed(wall: Wall) -> bool:
+    """Whether it is a day of the week or of some month, which a list may hold several of."""
+    return _is_weekday(wall) or (isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day))
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:

@@ -95,7 +95,7 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     """Give the time of an event that has one: "before the guests arrive at seven" is before seven."""
     constraint, preposition = BOUNDS[clause.kind]
     # "By close of school on Tuesday"
-    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker == "by" else Edge.START
+    edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker.startswith("by") else Edge.START
     said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1

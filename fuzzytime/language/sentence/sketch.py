@@ -6,10 +6,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    Phrase,
-)
+from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Wall
 from fuzzytime.language.sentence.actions import DENYING, Action, action_of, reference_of, says_how_things_are
 from fuzzytime.language.sentence.amounts import parameters_of
 from fuzzytime.language.sentence.clause import Clause
@@ -20,12 +17,16 @@ from fuzzytime.language.sentence.happenings import happening_at, happens
 from fuzzytime.language.sentence.named import PRONOUNS
 from fuzzytime.language.sentence.operations import Reader
 from fuzzytime.language.sentence.said_of_time import DATED, said_of_time
-from fuzzytime.language.sentence.times_of_events import OVER
+from fuzzytime.language.sentence.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.waiting import Part
-from fuzzytime.requirement import Reference
+from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
+
+
+WHEN = frozenset({None, Constraint.AT})
+"""How a day binds on which something is."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,6 +98,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]
     a, b = operation.span
+    if not operation.negated:
+        kept = [_by_that_day(phrase, clauses) for phrase in kept]
     return Sketch(
         part=part,
         phrases=tuple(kept),
@@ -110,6 +113,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         parameters=parameters_of(reader, action),
         remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
     )
+
+
+def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
+    """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
+    said, time = phrase.said, phrase.said.time
+    ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
+    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in WHEN
+    if not day or next(ahead, None) is None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
 
 
 def order_of(draft: Draft, part: Part) -> Order | None:
@@ -169,7 +182,7 @@ def _reference(
     if phrase.rule in {DATED, DEADLINE}:
         # What its clause is about starts or ends then, not what is to be done.
         return action.reference
-    if any(clause.kind in OVER and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
         # "Lock up when everyone has left on friday"
         return action.reference
     return _reference_at(part, phrase.span, action, lexicon)

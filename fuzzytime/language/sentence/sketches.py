@@ -1,5 +1,6 @@
 """Instructions before they are grounded: operation, times and clauses of each part of a draft."""
 
+from collections.abc import Collection
 from dataclasses import replace
 from itertools import pairwise
 
@@ -32,6 +33,9 @@ from fuzzytime.requirement import Constraint
 ADDED = frozenset({"and", "&", ",", "also"})
 COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
 """Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
+
+BESIDE_MEALS = "meals.beside_meals"
+"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
 
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
@@ -128,12 +132,12 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
     """
     lasting = {p.span for p in sketch.phrases if p.said.constraint is Constraint.FOR}
     clauses = {clause.span for clause in sketch.clauses}
+    moments = {p.span for p in sketch.phrases if p.said.constraint in {None, Constraint.AT}}
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
         if text[first[1] : second[0]].strip(" ,").lower() in OFFERED
-        and first not in lasting
-        and not clauses.isdisjoint((first, second))
+        and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
     phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
     kept = replace(
@@ -143,6 +147,11 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
         clauses=tuple(clause for clause in sketch.clauses if clause.span not in left),
     )
     return kept, left
+
+
+def _is_other(first: Span, second: Span, lasting: Collection[Span], clauses: Collection[Span]) -> bool:
+    """Whether a time or a clause stands for another: no length does that a clause ends."""
+    return first not in lasting and (first in clauses or second in clauses)
 
 
 def _alternatives(
@@ -179,6 +188,8 @@ def _alternatives(
 def _is_when(phrase: Phrase) -> bool:
     """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
     said = phrase.said
+    if phrase.rule == BESIDE_MEALS:
+        return True
     if isinstance(said.time, TimeWord):
         return (said.constraint or said.time.constraint) is Constraint.AT
     if isinstance(said.time, Duration):

@@ -15,6 +15,10 @@ OVER = frozenset({"after", "when"})
 """Clauses that wait for the end of something, or for what becomes so."""
 
 
+AHEAD = frozenset({"before"})
+"""Clauses that name what something is to be done before."""
+
+
 def happens(clause: Clause) -> bool:
     """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
     subject = None if clause.condition is None else clause.condition.subject
@@ -32,12 +36,13 @@ def dates(phrase: Phrase, distance: Duration | None, kind: str) -> bool:
     """Whether a time is when an event is: neither a bound nor a length; to count from it, it is a moment.
 
     Where days are counted, a clock time alone is that of what is to be done on the day. What is over on
-    a day is over at no moment of it that is known: "after the show on Saturday".
+    a day is over at no moment of it that is known: "after the show on Saturday". Nor does an event begin when
+    its day does: "before the show on Saturday".
     """
     time = phrase.said.time
     if not isinstance(time, Wall) or phrase.said.constraint not in {None, Constraint.AT}:
         return False
-    if kind in OVER and distance is None and time.clock is None and time.part is None:
+    if kind in OVER | AHEAD and distance is None and time.clock is None and time.part is None:
         return False
     days = distance is not None and all(unit not in SUB_DAY for _, unit in distance.terms)
     return distance is None or (time.days if days else time.clock) is not None

@@ -52,8 +52,7 @@ def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sk
 def _is_each(phrase: Phrase, words: Sequence[Word]) -> bool:
     """Whether a length is that of each of several: "two minutes each"."""
     lasts = isinstance(phrase.said.time, Duration) and phrase.said.constraint in {None, Constraint.FOR}
-    behind = phrase.end < len(words) and words[phrase.end].text == EACH
-    return lasts and behind
+    return lasts and any(word.text == EACH for word in words[phrase.first : phrase.end])
 
 
 def _counted(sketch: Sketch, lexicon: Lexicon, *, turns: bool = False) -> tuple[Sketch, int] | None:
@@ -70,7 +69,7 @@ def _counted(sketch: Sketch, lexicon: Lexicon, *, turns: bool = False) -> tuple[
     if turns and singular(named[place + 1].lower()) not in lexicon.spacing["turns"]:
         # "Grill two steaks for three minutes each": both at once.
         return None
-    one = " ".join((*named[:place], ONE_OF.strip(), *named[place:])).removesuffix(f" {EACH}")
+    one = " ".join((*named[:place], ONE_OF.strip(), *named[place:]))
     return replace(sketch, operation=replace(operation, object=one)), times
 
 

@@ -12,9 +12,10 @@ from fuzzytime.language.sentence.sketch import Sketch
 def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) -> Moment:
     """Give the moment for one instruction, with the policy of the hours that its words are usual at."""
     named = [sketch.operation.name] if sketch.operation is not None else []
-    # "Let me sleep until ten"
-    prepositions = [phrase.said.preposition or "" for phrase in sketch.phrases]
-    named += [f"{name} {preposition}" for name in named for preposition in prepositions]
+    # "Let me sleep until ten", "don't sleep past nine"
+    leading = [text[slice(*phrase.span)].partition(" ")[0] for phrase in sketch.phrases]
+    leading += [phrase.said.preposition or "" for phrase in sketch.phrases]
+    named = [*(f"{name} {word}" for name in named for word in leading), *named]
     dated = (text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
     words = words_of(" ; ".join((*dated, *named)))
     for place in range(len(words)):

@@ -102,6 +102,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         lasting=speech.single_words("lasting"),
         playing=speech.single_words("playing"),
         catching=speech.single_words("catching"),
+        circling=speech.single_words("circling"),
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
         citing=speech.single_words("citing"),
@@ -157,7 +158,7 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past",
+    "passing", "doing", "past", "circling",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

@@ -1,0 +1,47 @@
+"""Meals by which it is said when: "with breakfast", "before breakfast, lunch and dinner"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.times_of_day import Part
+
+grammar = Grammar()
+
+Meals = tuple[Part, ...]
+
+
+@grammar.rule("said", "with|alongside <meal>", "with the|my|our|your|his|her|their <meal>", weight=0.2)
+def with_meal(meal: Part) -> Said | None:
+    """With breakfast: then, and no part of it."""
+    return None if meal.place else Said(Wall(part=meal), None, "at")
+
+
+@grammar.rule("several meals", "<meal> ,|and|& <meal>")
+@grammar.rule("several meals", "<several meals> ,|and|& <meal>", "<several meals> , and <meal>")
+def several_meals(first: Part | Meals, last: Part) -> Meals | None:
+    """Breakfast, lunch and dinner; but "school and work" are places."""
+    meals = (first, last) if isinstance(first, Part) else (*first, last)
+    apart = len({meal.name for meal in meals}) == len(meals)
+    return meals if apart and not any(meal.place for meal in meals) else None
+
+
+@grammar.rule("said", "with|alongside|at|during|over <several meals>", weight=0.6)
+def at_meals(meals: Meals) -> Said:
+    """With breakfast and dinner: at each of them."""
+    return _at_each(meals, Said(Wall(), None, "at"))
+
+
+@grammar.rule("said", "<preposition_before>|<preposition_after> <several meals>", weight=0.6)
+def beside_meals(preposition: Preposition, meals: Meals) -> Said | None:
+    """Before breakfast, lunch and dinner: before each of them."""
+    if preposition.name not in {"before", "after"}:
+        return None
+    return _at_each(meals, Said(Wall(), preposition.constraint, preposition.name, edge=preposition.edge))
+
+
+def _at_each(meals: Meals, said: Said) -> Said:
+    """Give what is said of a time for each of several meals."""
+    first, *further = (replace(said, time=Wall(part=meal)) for meal in meals)
+    return replace(first, listed=tuple(further))
