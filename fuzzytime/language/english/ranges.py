@@ -118,6 +118,13 @@ def between(first: Goal, last: Goal) -> Said | None:
     return _range(first, last, "between")
 
 
+@grammar.rule("said", "for the? <date>|<weak date> to|until|till|through the? <date>|<weak date>", weight=1.1)
+def for_days(first: Calendar, last: Calendar) -> Said | None:
+    """(book it) for the 20th to the 27th."""
+    days = first.grain is Unit.DAY and last.grain is Unit.DAY
+    return _range(Goal(Wall(first)), Goal(Wall(last)), "between") if days else None
+
+
 @grammar.rule(
     "said",
     "between <clock> and <minutes past>",

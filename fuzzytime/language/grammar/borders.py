@@ -28,6 +28,9 @@ PREPOSITIONS = frozenset(
 )
 """Words behind which "on" belongs to the verb: "leave it on through the night"."""
 
+LAST_DAY = ["last", "day"]
+"""Words for yesterday, which may be those for the end of something."""
+
 HALVES = frozenset({"am", "pm", "a.m.", "p.m.", "o'clock", "oclock"})
 """Words that belong to the hour before them."""
 
@@ -102,8 +105,11 @@ class Borders:
             # "Buy <wine> at six"
             return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
-        if self.texts[piece.end - 1] in {"eve", "close"} and self.around.follower(piece) == "of":
-            # "On the eve of departure", "by close of school"
+        named = (
+            self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
+        )
+        if named and self.around.follower(piece) == "of":
+            # "On the eve of departure", "by close of school", "on the last day of the lease"
             return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]

@@ -137,8 +137,8 @@ class Judge:
             counts = follower in OWNING or self.measures.is_number(piece.end)
             return sure and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
-            # "For the last five minutes": of what, is not said; in what is asked for, never of the past.
-            return said.preposition not in {None, "at", "for"}
+            # "In the last five minutes": of what, is not said; in what is asked for, never of the past.
+            return False
         if isinstance(time, Repeat) and not self._accepts_repeat(piece):
             return False
         if isinstance(time, (Repeat, TimeWord)):

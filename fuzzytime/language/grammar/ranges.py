@@ -51,4 +51,6 @@ class Ranges(Standing):
         # "No earlier than eight and no later than nine"
         first = self.texts[piece.start : piece.start + 3]
         sometime = piece.value.preposition == "between" and "between" in first
-        return bool(BINDING & set(first[:2])) or "than" in first or sometime
+        # "Any time after lunch but before four"
+        led = first if first[1:2] == ["time"] else first[:2]
+        return bool(BINDING & set(led)) or "than" in first or sometime
