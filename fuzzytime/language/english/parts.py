@@ -46,7 +46,7 @@ def midnight_between(_first: Calendar, second: Calendar) -> Ending:
 )
 def night_between(found: Part, first: Calendar, _second: Calendar) -> Wall | None:
     """The night from thursday to friday: that of thursday."""
-    return Wall(first, found) if found.half is Half.NIGHT and not found.is_point else None
+    return Wall(first, found) if found.half.is_late and not found.is_point else None
 
 
 @grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)

@@ -164,7 +164,7 @@ def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     for old in repeat.walls:
         if old.clock and wall.clock:
             return None
-        late = old.part is not None and old.part.half is Half.NIGHT and wall.clock is not None
+        late = old.part is not None and old.part.half.is_late and wall.clock is not None
         if old.part and wall.part and not late and not _is_inside(wall.part, old.part):
             return None
         clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock

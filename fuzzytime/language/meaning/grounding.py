@@ -34,7 +34,7 @@ from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
 from fuzzytime.language.meaning.standpoint import Standpoint
-from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
+from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.language.policy import SameWeekday
 from fuzzytime.requirement import Unit
 
@@ -173,7 +173,7 @@ class Grounding(Standpoint):
         return moment if ahead else moment + timedelta(days=1)
 
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
-        night = wall.part is not None and wall.part.half is Half.NIGHT
+        night = wall.part is not None and wall.part.half.is_late
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         for days in islice(self.days(calendar), 3):

@@ -56,7 +56,7 @@ def over_at_midnight(wall: Wall, policy: Policy) -> timedelta:
 def is_eve(wall: Wall) -> bool:
     """Whether it names an eve or a night, whose midnight is where it is over: "midnight on Christmas Eve"."""
     named = isinstance(wall.days, Feast) and wall.days.name.endswith(EVES)
-    return named or (wall.part is not None and wall.part.half is Half.NIGHT)
+    return named or (wall.part is not None and wall.part.half.is_late)
 
 
 def shifted(moment: datetime, duration: Duration, direction: int) -> datetime:

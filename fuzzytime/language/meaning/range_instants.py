@@ -121,7 +121,7 @@ def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
         raise UngroundedError("a range of clock times must have two")
     if first.part is not None:
         start_clock = halved(start_clock, first.part.half)
-    if last.part is not None and not (last.part == first.part and last.part.half is Half.NIGHT):
+    if last.part is not None and not (last.part == first.part and last.part.half.is_late):
         # "Overnight from ten until six": what begins at night may end in the morning.
         end_clock = halved(end_clock, last.part.half)
     if start_clock.midnight and last.days is None:

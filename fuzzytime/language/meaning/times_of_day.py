@@ -24,8 +24,14 @@ class Half(StrEnum):
     AM = "am"
     PM = "pm"
     DAY = "day"
+    EVENING = "evening"
     NIGHT = "night"
     EITHER = "either"
+
+    @property
+    def is_late(self) -> bool:
+        """Whether it goes on past midnight: an evening, a night."""
+        return self in {Half.EVENING, Half.NIGHT}
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +83,9 @@ class Clock:
             return (before_noon % DAY_SECONDS,)
         if self.half is Half.PM:
             return (after_noon % DAY_SECONDS,)
+        if self.half is Half.EVENING:
+            # "Half past four in the evening" is in the afternoon, as many people say it.
+            return ((before_noon if self.hour in {12, 1} else after_noon) % DAY_SECONDS,)
         if self.half is Half.NIGHT:
             return ((before_noon if self.hour in {12, 1, 2, 3, 4} else after_noon) % DAY_SECONDS,)
         if self.half is Half.DAY:
