@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from terminal.running import ran
 from terminal.talking import NINE, Talk
 
 
@@ -105,7 +106,7 @@ def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
     assert other.entries == ["Stir the soup in exactly an hour"]
     assert other.turns.conversation.state.busy[0].what == "lunch"
     third = Talk()
-    assert "1 busy times read" in third.say(f":load {tmp_path / 'dinner.ics'}")
+    assert "1 busy times of the next year read" in third.say(f":load {tmp_path / 'dinner.ics'}")
 
 
 def test_the_beginning_of_a_command_will_do() -> None:
@@ -230,3 +231,46 @@ def test_a_long_instruction_is_undone_in_a_line() -> None:
     talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
     assert max(map(len, talk.say(":undo").splitlines())) <= 80
     assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80
+
+
+def test_a_calendar_is_loaded_for_a_year_and_only_once(tmp_path: Path) -> None:
+    file = tmp_path / "work.ics"
+    daily = "BEGIN:VEVENT\nDTSTART:20260301T080000Z\nDURATION:PT20M\nRRULE:FREQ=DAILY\nEND:VEVENT\n"
+    file.write_text(
+        f"BEGIN:VCALENDAR\nVERSION:2.0\n{daily}BEGIN:VEVENT\nSUMMARY:Fair\nEND:VEVENT\nEND:VCALENDAR\n"
+    )
+    talk = Talk()
+    answer = talk.say(f":load {file}")
+    assert "364 busy times of the next year" in answer
+    assert "event 'Fair' takes no time" in answer
+    assert "364 of them known" in talk.say(f":load {file}")
+    assert len(talk.turns.conversation.state.busy) == 364
+
+
+@pytest.mark.parametrize(
+    ("options", "said", "planned"),
+    [
+        (("--ctx", "pan_temp=180"), "flip the pancakes when the pan is hot", "09:01"),
+        (("--horizon", "60 d"), "call mum on April 22 at noon", "22 Apr 12:00"),
+        (("--agents", "2"), "stir the soup right now", "by what"),
+    ],
+)
+def test_options_count_in_a_conversation(
+    options: tuple[str, str], said: str, planned: str, tmp_path: Path
+) -> None:
+    command = ("repl", "--forget", "--now", "2026-03-04T09:00")
+    lines = f"{said}\n".encode()
+    assert planned in ran(*command, *options, folder=tmp_path, stdin=lines).out
+    assert planned not in ran(*command, folder=tmp_path, stdin=lines).out
+
+
+def test_a_conversation_counts_more_than_the_agents_of_an_option(tmp_path: Path) -> None:
+    given = ("repl", "--forget", "--agents", "2", "--now", "2026-03-04T09:00")
+    done = ran(*given, folder=tmp_path, stdin=b":agents 1\nstir the soup soon\n")
+    assert "by what" not in done.out
+
+
+def test_readings_from_outside_are_listed_and_not_kept(tmp_path: Path) -> None:
+    given = ("repl", "--ctx", "pan_temp=180", "--now", "2026-03-04T09:00")
+    assert "pan_temp" in ran(*given, folder=tmp_path, stdin=b":ctx\n").out
+    assert "no readings yet" in ran("repl", folder=tmp_path, stdin=b":ctx\n").out

@@ -107,7 +107,7 @@ def request_from(
     )
     if source is not None:
         if is_task_file(source):
-            from fuzzytime_cli.inputs.calendar import busy_of_calendar
+            from fuzzytime_cli.inputs.calendar import read_calendar
 
             folder = source.path.parent if source.path is not None else Path()
             surroundings = Surroundings(
@@ -115,7 +115,7 @@ def request_from(
                 assembly.given(asked=True),
                 assembly.given(asked=False),
                 now,
-                lambda name, moment, ahead: busy_of_calendar(folder / name, moment, ahead),
+                lambda name, moment, ahead: read_calendar(folder / name, moment, ahead),
                 signals,
             )
             request = read_task_file(source, surroundings)

@@ -20,7 +20,7 @@ from fuzzytime.yaml_tree import Sequence as Listed
 from fuzzytime_cli.inputs.functions import read_function
 from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
-from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy
+from fuzzytime_cli.inputs.surroundings import CalendarReader, Taken, read_busy
 
 Value = TypeVar("Value")
 KEYS = ("now", "zone", "agents", "horizon", "in_order", "context", "busy", "instructions", "skills")
@@ -123,10 +123,10 @@ class _TaskFile:
             if "context" in top
             else Context()
         )
-        busy = (
+        taken = (
             read_busy(reader, top["busy"], self.now, self.agents, horizon or 0.0, self.surroundings.calendar)
             if "busy" in top
-            else ()
+            else Taken()
         )
         wishes = (
             *(self._instructions(top["instructions"]) if "instructions" in top else ()),
@@ -145,7 +145,8 @@ class _TaskFile:
             wishes=wishes,
             agents=self.agents,
             context=context,
-            busy=busy,
+            busy=taken.busy,
+            unread=taken.unread,
             horizon=horizon,
             in_order=_first(asked.in_order, in_order, usual.in_order is True),
         )

@@ -143,7 +143,9 @@ def ctx(scene: Scene, text: str) -> Reply:
     signals = scene.conversation.interpreter.rulebook.signals
     if not text.strip():
         clock = Clock(scene.now, with_seconds=True)
-        shown = tuple(_reading_line(one, clock) for one in scene.conversation.state.readings)
+        conversation = scene.conversation
+        readings = (*conversation.given, *conversation.state.readings)
+        shown = tuple(_reading_line(one, clock) for one in readings)
         known = wrapped(f"no readings yet; signals: {', '.join(sorted(signals))}", scene.width)
         return Reply(shown or tuple(known))
     reading = parse_assignment(text.strip(), signals)
@@ -152,7 +154,11 @@ def ctx(scene: Scene, text: str) -> Reply:
 
 
 def _reading_line(kept: KeptReading, clock: Clock) -> str:
-    value = "happened" if kept.value is None else f"{kept.value:g} {kept.unit or ''}".rstrip()
+    value = (
+        ("happens" if kept.at > clock.now else "happened")
+        if kept.value is None
+        else f"{kept.value:g} {kept.unit or ''}".rstrip()
+    )
     return f"{plain(kept.signal):<18} {plain(value):<12} at {clock.at(kept.at)}"
 
 

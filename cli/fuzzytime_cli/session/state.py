@@ -75,14 +75,15 @@ class KeptRating:
 class State:
     """Everything that was said in a conversation, as a value.
 
-    ``in_order`` says whether each instruction is done after the one before; None leaves that to the settings.
+    ``agents`` says how many can work at once, ``in_order`` whether each instruction is done after the one
+    before; None leaves that to the settings.
     """
 
     entries: tuple[Entry, ...] = ()
     next_number: int = 1
     readings: tuple[KeptReading, ...] = ()
     busy: tuple[KeptBusy, ...] = ()
-    agents: int = 1
+    agents: int | None = None
     in_order: bool | None = None
     solver: str = ""
     finished: tuple[str, ...] = field(default=())
