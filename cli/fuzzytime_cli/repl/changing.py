@@ -21,6 +21,7 @@ from fuzzytime_cli.repl.scene import (
     position_of,
     said,
     step,
+    whole,
 )
 from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
@@ -164,9 +165,10 @@ def _reading_line(kept: KeptReading, clock: Clock) -> str:
 
 def agents(scene: Scene, text: str) -> Reply:
     """Say how many can work at once."""
-    if not text.strip().isdigit() or not 1 <= int(text) <= 100:
-        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()!r}")
-    return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
+    number = whole(text)
+    if number is None or not 1 <= number <= 100:
+        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()[:40]!r}")
+    return step(scene, f":agents {number}", lambda state: replace(state, agents=number))
 
 
 def in_order(scene: Scene, text: str) -> Reply:

@@ -264,7 +264,7 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
 
 def _by_number(identifier: str) -> tuple[int, str]:
     digits = identifier.lstrip("s").partition(".")[0]
-    return (int(digits) if digits.isdigit() else 0, identifier)
+    return (int(digits) if digits.isdecimal() else 0, identifier)
 
 
 def answered(entry: Entry, span: tuple[int, int], instant: datetime) -> Entry:

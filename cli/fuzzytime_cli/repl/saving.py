@@ -8,13 +8,14 @@ from rich.text import Text
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import WEEK, instant_after
 from fuzzytime_cli.choices import PlanFormat
+from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines, said, step
 from fuzzytime_cli.session import KeptBusy, State
 
-YEAR = 52 * WEEK
-"""How far a calendar is read, in seconds."""
+AHEAD = 13 * WEEK
+"""How far a calendar is read at least, in seconds: a conversation may go on for long."""
 
 MOST_FAULTS = 3
 """Lines of a file that are pointed at: the rest is counted."""
@@ -103,10 +104,11 @@ def _load_lines(scene: Scene, path: Path, texts: list[str]) -> Reply:
 
 
 def _load_calendar(scene: Scene, path: Path) -> Reply:
-    """Add the times that a calendar takes: those of a year, as a conversation may go on for long."""
+    """Add the times that a calendar takes, for some months or as far as is planned."""
     from fuzzytime_cli.inputs.calendar import read_calendar
 
-    taken = read_calendar(path, scene.now, YEAR)
+    ahead = max(AHEAD, scene.conversation.horizon or 0.0)
+    taken = read_calendar(path, scene.now, ahead)
     found = tuple(
         KeptBusy(instant_after(scene.now, busy.start), instant_after(scene.now, busy.end), busy.what)
         for busy in taken.busy
@@ -115,7 +117,8 @@ def _load_calendar(scene: Scene, path: Path) -> Reply:
     new = tuple(one for one in found if one not in known)
     again = f", {len(found) - len(new)} of them known" if len(new) < len(found) else ""
     lines = [Text(plain(sentence), style="red") for sentence in taken.unread]
-    lines.append(Text(f"{len(found)} busy times of the next year read{again}"))
+    until = date_of(instant_after(scene.now, ahead))
+    lines.append(Text(f"{len(found)} busy times read, until {until}{again}"))
     if not new:
         return Reply(tuple(lines))
     reply = step(scene, f":load {path}", lambda state: replace(state, busy=(*state.busy, *new)))
