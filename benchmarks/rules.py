@@ -17,10 +17,10 @@ from fuzzytime.context import Context
 from fuzzytime.errors import DocumentError
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement
 from fuzzytime.rulebook import Profile, Resolution, Rulebook, check
-from fuzzytime.rulebook.documents import SHIPPED, Document, load, read_over, shipped_tables
-from fuzzytime.rulebook.inference import takagi_sugeno
-from fuzzytime.rulebook.truth import trace_all
-from fuzzytime.rulebook.world import Grid, World
+from fuzzytime.rulebook.over_time.truth import trace_all
+from fuzzytime.rulebook.over_time.world import Grid, World
+from fuzzytime.rulebook.resolving.inference import takagi_sugeno
+from fuzzytime.rulebook.tables.documents import SHIPPED, Document, load, read_over, shipped_tables
 from fuzzytime.satisfaction import Floats
 from fuzzytime.yaml_nodes import Reader
 

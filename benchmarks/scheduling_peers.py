@@ -13,10 +13,10 @@ import numpy as np
 
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling import THRESHOLD, Labels, Limits, LocalSearch, Milp, Solver, solve
-from fuzzytime.scheduling.flow import Flow
-from fuzzytime.scheduling.grid import Curve, Grid, Ints
+from fuzzytime.scheduling.bound.paths import arcs_of
+from fuzzytime.scheduling.exact.flow import Flow
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.paths import arcs_of
+from fuzzytime.scheduling.problem.grid import Curve, Grid, Ints
 from fuzzytime.skills import FuzzyTask
 
 WORST = -math.log(THRESHOLD)

@@ -24,9 +24,9 @@ from fuzzytime.study import (
     rule_table,
     simulate,
 )
-from fuzzytime.study.numbers import numbers
-from fuzzytime.study.plots import figures, rendered
-from fuzzytime.study.report import report
+from fuzzytime.study.reporting.numbers import numbers
+from fuzzytime.study.reporting.plots import figures, rendered
+from fuzzytime.study.reporting.report import report
 
 RUNS = 5
 

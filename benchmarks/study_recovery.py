@@ -11,7 +11,7 @@ from study_truth import truth
 
 from fuzzytime.satisfaction import SatisfactionFunction, Trapezoid
 from fuzzytime.study import Design, Hand, Model, Population, StudyInstruction, compare, fit, simulate
-from fuzzytime.study.simulate import Truth
+from fuzzytime.study.answers.simulate import Truth
 
 STUDIES = 20
 PARTICIPANTS = 32

@@ -13,7 +13,7 @@ from playwright.sync_api import Page, sync_playwright
 from chromium import ARGUMENTS, chromium
 from fuzzytime.rulebook import Profile
 from fuzzytime.study import Design, Hand, Population, analyse, simulate
-from fuzzytime.study.plots import figures, rendered
+from fuzzytime.study.reporting.plots import figures, rendered
 from fuzzytime_cli.study.truth import read_truth
 from study.serving import running
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from fuzzytime.rulebook import Rulebook
-    from fuzzytime.study.personal import PersonalTable
+    from fuzzytime.study.calibration.personal import PersonalTable
     from fuzzytime_cli.session import KeptRating
 
 
@@ -31,7 +31,7 @@ def kept_ratings(folder: Path | None) -> "tuple[KeptRating, ...]":
 def personal_table(kept: "Sequence[KeptRating]") -> "PersonalTable":
     """Give the table that ratings amount to."""
     from fuzzytime.study import Prior, personal_table
-    from fuzzytime.study.rating import rating_of
+    from fuzzytime.study.answers.rating import rating_of
 
     return personal_table(Prior.shipped(), [rating_of(json.loads(one.rating)) for one in kept])
 

@@ -19,7 +19,7 @@ from fuzzytime.interpreter.told_anew import as_they_happened
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.language.instruction import Span, overlap
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.documents import shipped_tables
+from fuzzytime.rulebook.tables.documents import shipped_tables
 from fuzzytime.skills import FuzzySkill
 
 

@@ -11,8 +11,9 @@ from fuzzytime.language.about_wishes import (
     reported,
 )
 from fuzzytime.language.answer import answer
-from fuzzytime.language.finding import Times, check_length, find_times
+from fuzzytime.language.finding import Times, check_length, find_times, shipped_lexicon
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import (
     Instruction,
     Operation,
@@ -67,7 +68,9 @@ __all__ = [
     "is_several",
     "model_files",
     "news_in",
+    "read_lexicon",
     "reported",
     "shares_thing",
+    "shipped_lexicon",
     "with_words",
 ]

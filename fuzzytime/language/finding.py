@@ -9,6 +9,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.leftovers import leftovers
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.word_tables import read_lexicon
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.instants import UngroundedError
@@ -16,6 +17,7 @@ from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded, grounded
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.resources import rules_directory
 
 LONGEST_TEXT = 4000
 """Characters that one instruction may have at most."""
@@ -41,8 +43,15 @@ class Times:
 
 @cache
 def shipped_lexicon() -> Lexicon:
-    """Give the shipped word tables, read once."""
-    return Lexicon.shipped()
+    """Give the shipped word tables, which are English, read once.
+
+    Raises
+    ------
+    DocumentError
+        If a table breaks rules: every mistake with file, line and column.
+    """
+    rules = rules_directory()
+    return read_lexicon(rules / "lexicon.yaml", rules / "calendar.yaml")
 
 
 def shipped_grammar() -> Grammar:

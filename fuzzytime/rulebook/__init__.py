@@ -1,8 +1,6 @@
 """From a time requirement and a context to a satisfaction function."""
 
-from fuzzytime.rulebook.durations import OperationDuration
-from fuzzytime.rulebook.profile import Actor, Profile
-from fuzzytime.rulebook.resolution import (
+from fuzzytime.rulebook.resolving.resolution import (
     AtomDegree,
     Degree,
     HedgeEffect,
@@ -12,6 +10,8 @@ from fuzzytime.rulebook.resolution import (
     Trace,
 )
 from fuzzytime.rulebook.rulebook import HORIZON, Rulebook, check
+from fuzzytime.rulebook.tables.durations import OperationDuration
+from fuzzytime.rulebook.tables.profile import Actor, Profile
 
 __all__ = [
     "HORIZON",

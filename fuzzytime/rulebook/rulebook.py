@@ -8,18 +8,18 @@ from types import MappingProxyType
 from fuzzytime.context import Context, Signal
 from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
 from fuzzytime.requirement import Anchor, Condition, Reference, TimeRequirement
-from fuzzytime.rulebook.beside import measured_from_event
-from fuzzytime.rulebook.dependence import signals_for
-from fuzzytime.rulebook.documents import Document, load, read_over, shipped_tables
-from fuzzytime.rulebook.durations import OperationDuration
-from fuzzytime.rulebook.execution import over_starts, reason_for_never
-from fuzzytime.rulebook.phrases import event_at_end
-from fuzzytime.rulebook.profile import Actor, Profile
-from fuzzytime.rulebook.question import Question
-from fuzzytime.rulebook.resolution import Resolution
-from fuzzytime.rulebook.resolving import answer
-from fuzzytime.rulebook.sentences import can_be_told, condition_of
-from fuzzytime.rulebook.tables import Tables
+from fuzzytime.rulebook.resolving.answer import answer
+from fuzzytime.rulebook.resolving.beside import measured_from_event
+from fuzzytime.rulebook.resolving.dependence import signals_for
+from fuzzytime.rulebook.resolving.execution import over_starts, reason_for_never
+from fuzzytime.rulebook.resolving.question import Question
+from fuzzytime.rulebook.resolving.resolution import Resolution
+from fuzzytime.rulebook.tables.contents import Tables
+from fuzzytime.rulebook.tables.documents import Document, load, read_over, shipped_tables
+from fuzzytime.rulebook.tables.durations import OperationDuration
+from fuzzytime.rulebook.tables.profile import Actor, Profile
+from fuzzytime.rulebook.wording.phrases import event_at_end
+from fuzzytime.rulebook.wording.sentences import can_be_told, condition_of
 from fuzzytime.satisfaction import ALWAYS
 from fuzzytime.times import HOUR
 from fuzzytime.yaml_nodes import Reader

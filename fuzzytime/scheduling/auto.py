@@ -4,15 +4,15 @@ import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from fuzzytime.scheduling import shares, small
-from fuzzytime.scheduling.exact import MANY, Labels, search_part
+from fuzzytime.scheduling.exact import shares, small
+from fuzzytime.scheduling.exact.milp import Milp
+from fuzzytime.scheduling.exact.threshold import MANY, Labels, search_part
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.milp import Milp
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
+from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.search.stretches import Stretches
 from fuzzytime.scheduling.solver import Draft
-from fuzzytime.scheduling.stretches import Stretches
 
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""

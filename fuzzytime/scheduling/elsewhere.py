@@ -10,10 +10,10 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.satisfaction import Interval, Rectangle
 from fuzzytime.scheduling.limits import Limits, Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.problem import Job
+from fuzzytime.scheduling.problem.jobs import Job
+from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.scheduling.schedule import Schedule
+from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.scheduling.solve import solve
 from fuzzytime.scheduling.solver import Solver
 from fuzzytime.skills import Busy, FuzzyTask

@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import NEVER, Clipped, Interval
 from fuzzytime.scheduling.limits import Limits
-from fuzzytime.scheduling.objectives import DEFAULT, Objective
 from fuzzytime.scheduling.schedule import Schedule
+from fuzzytime.scheduling.secondary.objectives import DEFAULT, Objective
 from fuzzytime.scheduling.solve import solve
 from fuzzytime.scheduling.solver import Solver
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence, SpecificSkill

@@ -6,19 +6,19 @@ from dataclasses import replace
 from functools import partial
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.scheduling.alone import best_alone
 from fuzzytime.scheduling.auto import Auto
-from fuzzytime.scheduling.clash import clash_of
-from fuzzytime.scheduling.expected import expected_starts
 from fuzzytime.scheduling.limits import Limits, Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.objectives import DEFAULT, Objective
-from fuzzytime.scheduling.placement import place_rest
-from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem.alone import best_alone
+from fuzzytime.scheduling.problem.clash import clash_of
+from fuzzytime.scheduling.problem.placement import place_rest
+from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP, THRESHOLD, TINY, Certificate, Schedule, Status
-from fuzzytime.scheduling.secondary import rearranged
+from fuzzytime.scheduling.search.expected import expected_starts
+from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.search.warm import remembered
+from fuzzytime.scheduling.secondary.lexicographic import rearranged
+from fuzzytime.scheduling.secondary.objectives import DEFAULT, Objective
 from fuzzytime.scheduling.solver import Solver, nothing
-from fuzzytime.scheduling.warm import remembered
 from fuzzytime.skills import FuzzyTask
 
 

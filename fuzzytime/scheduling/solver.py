@@ -7,9 +7,9 @@ from typing import ClassVar, Protocol
 import numpy as np
 
 from fuzzytime.satisfaction import Floats
-from fuzzytime.scheduling.grid import Ints
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.grid import Ints
+from fuzzytime.scheduling.problem.jobs import Problem
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,9 +9,9 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from fuzzytime.satisfaction import Interval
-from fuzzytime.scheduling.alone import Best, best_alone, best_beside
 from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.limits import Limits, Stopwatch
+from fuzzytime.scheduling.problem.alone import Best, best_alone, best_beside
 from fuzzytime.scheduling.schedule import Schedule
 from fuzzytime.scheduling.solver import Solver
 from fuzzytime.skills import Busy, FuzzyTask

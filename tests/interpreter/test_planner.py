@@ -11,7 +11,7 @@ from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, Spoken
 from fuzzytime.satisfaction import Triangle
 from fuzzytime.scheduling import LocalSearch
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.solver import Draft
 from fuzzytime.skills import Busy
 from fuzzytime.times import HOUR

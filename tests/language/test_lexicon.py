@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from fuzzytime.errors import DocumentError
-from fuzzytime.language import Lexicon
+from fuzzytime.language import read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
 from fuzzytime.resources import rules_directory
 
@@ -19,7 +19,7 @@ def mistakes(tmp_path: Path, lexicon: str = LEXICON, calendar: str = CALENDAR) -
     (tmp_path / "lexicon.yaml").write_text(lexicon, "utf-8")
     (tmp_path / "calendar.yaml").write_text(calendar, "utf-8")
     try:
-        Lexicon.of_files(tmp_path / "lexicon.yaml", tmp_path / "calendar.yaml")
+        read_lexicon(tmp_path / "lexicon.yaml", tmp_path / "calendar.yaml")
     except DocumentError as error:
         return [f"{Path(m.path).name}:{m.line}:{m.column}: {m.key}: {m.message}" for m in error.mistakes]
     return []
@@ -127,7 +127,7 @@ def test_every_word_that_a_rule_names_can_be_typed() -> None:
 def test_the_rows_that_a_rulebook_may_have_are_the_keys_of_the_tables() -> None:
     names = {
         entry.value.name
-        for row in Lexicon.shipped().entries.values()
+        for row in shipped_lexicon().entries.values()
         for entry in row
         if entry.category.startswith("preposition")
     }

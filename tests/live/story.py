@@ -13,6 +13,7 @@ from console import ROOT
 from fuzzytime.context import Context
 from fuzzytime.interpreter import Interpreter, Request, SpokenWish, Wish
 from fuzzytime.scheduling import THRESHOLD, Auto, Limits, Solver
+from fuzzytime_cli.live import events
 from fuzzytime_cli.live.clock import Clock, SimulatedClock
 from fuzzytime_cli.live.dispatcher import Dispatcher
 from fuzzytime_cli.live.events import Event, Happens, Planned, Start, document_of
@@ -178,3 +179,9 @@ def check(story: Story) -> None:
             busy = {agent: other for agent, other in busy.items() if other != identifier}
     started = [one.id for one in story.begun]
     assert len(started) == len(set(started)), "a skill starts once"
+
+
+def kinds_of_events() -> dict[str, type[Event]]:
+    """Give the events that a run may tell, by their types."""
+    types = [value for value in vars(events).values() if isinstance(value, type)]
+    return {kind.type: kind for kind in types if issubclass(kind, Event) and hasattr(kind, "type")}

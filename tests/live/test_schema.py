@@ -5,10 +5,9 @@ import re
 import pytest
 
 from console import ROOT
-from fuzzytime_cli.live.events import Event
-from live.story import DOCUMENT
+from live.story import DOCUMENT, kinds_of_events
 
-TYPES = {kind.type: kind for kind in Event.__subclasses__()}
+TYPES = kinds_of_events()
 ROWS = dict(
     re.findall(r"^\| `(\w+)` \|[^|]*\|([^|]*)\|$", (ROOT / "docs" / "live.md").read_text(), re.MULTILINE)
 )

@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from fuzzytime.rulebook import Profile, Rulebook
-from fuzzytime.rulebook.documents import Document, load
+from fuzzytime.rulebook.tables.documents import Document, load
 
 
 def book(tmp_path: Path, text: str, profile: Profile = Profile.EVERYDAY) -> Rulebook:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from fuzzytime.requirement import Constraint
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.lookup import find
+from fuzzytime.rulebook.wording.lookup import find
 from rulebook.requirements_of import said, word
 
 RULEBOOK = Rulebook.shipped()

@@ -7,7 +7,7 @@ import pytest
 from fuzzytime.errors import DocumentError
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Profile, Rulebook, check
-from fuzzytime.rulebook.documents import shipped_tables
+from fuzzytime.rulebook.tables.documents import shipped_tables
 from fuzzytime.yaml_nodes import Reader
 
 SEEDED = Path(__file__).with_name("seeded_mistakes.yaml")

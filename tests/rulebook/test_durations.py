@@ -3,7 +3,7 @@
 import pytest
 
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.durations import singular_forms
+from fuzzytime.rulebook.tables.durations import singular_forms
 from fuzzytime.times import MINUTE
 
 RULEBOOK = Rulebook.shipped()

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.rulebook.extension import added
+from fuzzytime.rulebook.resolving.extension import added
 from fuzzytime.satisfaction import NEVER, Rectangle, Sampled, SatisfactionFunction, Trapezoid
 
 CORNERS = st.lists(st.floats(0, 100), min_size=4, max_size=4).map(sorted).map(tuple)

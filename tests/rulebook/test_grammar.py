@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.rulebook.formula import (
+from fuzzytime.rulebook.logic.formula import (
     And,
     Direction,
     Formula,
@@ -16,7 +16,7 @@ from fuzzytime.rulebook.formula import (
     variables,
     window_reach,
 )
-from fuzzytime.rulebook.grammar import KEYWORDS, parse_condition
+from fuzzytime.rulebook.logic.grammar import KEYWORDS, parse_condition
 
 TERMS = {"pan": {"hot", "warm"}, "workload": {"busy"}}
 HEDGES = {"very", "somewhat"}

@@ -11,7 +11,7 @@ from fuzzytime.context import Context, Reading
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.requirement import Unit
 from fuzzytime.rulebook import Resolution, Rulebook
-from fuzzytime.rulebook.inference import takagi_sugeno
+from fuzzytime.rulebook.resolving.inference import takagi_sugeno
 from fuzzytime.satisfaction import Trapezoid
 from rulebook.books import book
 from rulebook.requirements_of import ahead, word

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from fuzzytime.context import Context
-from fuzzytime.rulebook.inference import hear, takagi_sugeno
-from fuzzytime.rulebook.windows import Extent, Past, sometime, throughout
-from fuzzytime.rulebook.world import World
+from fuzzytime.rulebook.logic.windows import Extent, Past, sometime, throughout
+from fuzzytime.rulebook.over_time.world import World
+from fuzzytime.rulebook.resolving.inference import hear, takagi_sugeno
 from rulebook.books import book
 
 ORACLE = """

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.rulebook.thinning import MOST_POINTS, thinned
+from fuzzytime.rulebook.over_time.thinning import MOST_POINTS, thinned
 
 
 @given(st.lists(st.floats(0, 1), min_size=1, max_size=60), st.sampled_from([1e-4, 0.01, 0.3]))

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from fuzzytime.context import Context
 from fuzzytime.requirement import Anchor, Comparison, Condition, Constraint, Side, TimeRequirement
 from fuzzytime.rulebook import Profile, Resolution, Rulebook
-from fuzzytime.rulebook.documents import shipped_tables
-from fuzzytime.rulebook.sentences import understand
+from fuzzytime.rulebook.tables.documents import shipped_tables
+from fuzzytime.rulebook.wording.sentences import understand
 from rulebook.requirements_of import said
 
 RULEBOOK = Rulebook.shipped()

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from fuzzytime.context.series import Series
-from fuzzytime.rulebook.tables import Tables
-from fuzzytime.rulebook.world import MOST_COMBINATIONS, World
+from fuzzytime.rulebook.over_time.world import MOST_COMBINATIONS, World
+from fuzzytime.rulebook.tables.contents import Tables
 
 
 @dataclass(frozen=True)

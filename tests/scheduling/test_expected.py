@@ -4,7 +4,7 @@ import math
 
 from fuzzytime.satisfaction import ALWAYS, Rectangle
 from fuzzytime.scheduling import solve
-from fuzzytime.scheduling.expected import expected_starts
+from fuzzytime.scheduling.search.expected import expected_starts
 from fuzzytime.skills import FuzzySkill, FuzzyTask, Precedence
 
 ANY = Rectangle(0, 36000)

@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid
-from fuzzytime.scheduling.grid import grid_of, step_for
-from fuzzytime.scheduling.posing import problem_of
+from fuzzytime.scheduling.problem.grid import grid_of, step_for
+from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask
 from satisfaction.shapes_of import plain
 

@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 
 from fuzzytime.satisfaction import Trapezoid
-from fuzzytime.scheduling import Limits, kicks
-from fuzzytime.scheduling.grid import grid_of, step_for
+from fuzzytime.scheduling import Limits
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.rough import Rough
+from fuzzytime.scheduling.problem.grid import grid_of, step_for
+from fuzzytime.scheduling.problem.posing import problem_of
+from fuzzytime.scheduling.search import kicks
+from fuzzytime.scheduling.search.rough import Rough
 from fuzzytime.scheduling.solver import nothing
 from fuzzytime.skills import FuzzySkill, FuzzyTask
 

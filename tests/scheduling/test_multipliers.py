@@ -5,12 +5,12 @@ import pytest
 from scipy.optimize import linprog
 
 from fuzzytime.satisfaction import Floats, Trapezoid
-from fuzzytime.scheduling.grid import grid_of, step_for
+from fuzzytime.scheduling.bound.multipliers import Multipliers
+from fuzzytime.scheduling.bound.relaxation import Relaxation
 from fuzzytime.scheduling.limits import Limits, Stopwatch
-from fuzzytime.scheduling.local_search import LocalSearch
-from fuzzytime.scheduling.multipliers import Multipliers
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.relaxation import Relaxation
+from fuzzytime.scheduling.problem.grid import grid_of, step_for
+from fuzzytime.scheduling.problem.posing import problem_of
+from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.skills import FuzzySkill, FuzzyTask
 
 

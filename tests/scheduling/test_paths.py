@@ -9,11 +9,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Floats
-from fuzzytime.scheduling.backward import used_below
-from fuzzytime.scheduling.grid import Ints
-from fuzzytime.scheduling.labels import Labels
+from fuzzytime.scheduling.bound.paths import Arcs, Paths, ways_to_end
+from fuzzytime.scheduling.exact.backward import used_below
+from fuzzytime.scheduling.exact.labels import Labels
 from fuzzytime.scheduling.limits import Limits, Stopwatch
-from fuzzytime.scheduling.paths import Arcs, Paths, ways_to_end
+from fuzzytime.scheduling.problem.grid import Ints
 
 Visit = tuple[int, int]
 
@@ -55,7 +55,7 @@ def routes(case: Case, slot: int = 0, last: int = -1) -> Iterator[tuple[tuple[Vi
 @given(case=cases())
 def test_the_cheapest_path_is_the_cheapest_of_all(narrow: int, case: Case) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("fuzzytime.scheduling.paths.NARROW", narrow)
+        patch.setattr("fuzzytime.scheduling.bound.paths.NARROW", narrow)
         paths = Paths(case.arcs, case.durations, case.slots)
     least = min(cost for _, cost in routes(case))
     assert float(paths.run(case.prices).cost[-1]) == pytest.approx(least, abs=1e-12)

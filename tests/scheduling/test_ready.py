@@ -9,11 +9,11 @@ import pytest
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import Trapezoid, Triangle
 from fuzzytime.scheduling import Labels, Limits, Status, solve
-from fuzzytime.scheduling.dominance import Dominance
-from fuzzytime.scheduling.dynasearch import Dynasearch, only_order_counts
+from fuzzytime.scheduling.exact.dominance import Dominance
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.jobs import Problem
+from fuzzytime.scheduling.problem.posing import problem_of
+from fuzzytime.scheduling.search.dynasearch import Dynasearch, only_order_counts
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import random_ready_task
 

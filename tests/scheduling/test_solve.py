@@ -10,10 +10,10 @@ import pytest
 from fuzzytime.errors import FuzzytimeError, RefusedError
 from fuzzytime.satisfaction import ALWAYS, NEVER, Bell, Rectangle, Trapezoid, Triangle
 from fuzzytime.scheduling import HeldKarp, Labels, Limits, Status, solve
-from fuzzytime.scheduling.alone import best_alone
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.alone import best_alone
+from fuzzytime.scheduling.problem.jobs import Problem
+from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence

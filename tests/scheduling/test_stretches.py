@@ -10,13 +10,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fuzzytime.satisfaction import Triangle
-from fuzzytime.scheduling import Auto, LocalSearch, exact, solve
+from fuzzytime.scheduling import Auto, LocalSearch, solve
+from fuzzytime.scheduling.exact import threshold
 from fuzzytime.scheduling.limits import Limits, Stopwatch
-from fuzzytime.scheduling.parts import part_of
-from fuzzytime.scheduling.posing import problem_of
-from fuzzytime.scheduling.problem import Problem
+from fuzzytime.scheduling.problem.jobs import Problem
+from fuzzytime.scheduling.problem.posing import problem_of
+from fuzzytime.scheduling.search.parts import part_of
+from fuzzytime.scheduling.search.stretches import Stretches
 from fuzzytime.scheduling.solver import Draft, draft_of, nothing
-from fuzzytime.scheduling.stretches import Stretches
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.checks import FAMILIES, wrong
 from scheduling.random_tasks import faults, random_task
@@ -152,7 +153,7 @@ def test_what_is_proved_with_stretches_holds_beside_an_independent_optimiser(
     seed: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name, value in {"MANY": 2, "MOST_TOGETHER": 2, "DOUBTFUL": 0.0, "STRETCH": 3, "REJECTED": 2}.items():
-        monkeypatch.setattr(exact, name, value)
+        monkeypatch.setattr(threshold, name, value)
     assert not list(wrong(FAMILIES["one agent, labels"], seed))
 
 
@@ -166,9 +167,9 @@ def test_many_skills_are_searched_in_stretches(monkeypatch: pytest.MonkeyPatch) 
         return found
 
     monkeypatch.setattr(Stretches, "improve", noting)
-    monkeypatch.setattr(exact, "MANY", 20)
-    monkeypatch.setattr(exact, "MOST_TOGETHER", 20)
-    monkeypatch.setattr(exact, "DOUBTFUL", 0.0)
+    monkeypatch.setattr(threshold, "MANY", 20)
+    monkeypatch.setattr(threshold, "MOST_TOGETHER", 20)
+    monkeypatch.setattr(threshold, "DOUBTFUL", 0.0)
     generator = np.random.default_rng(5)
     centres, durations = generator.uniform(60, 900, 40).tolist(), generator.integers(10, 60, 40).tolist()
     wishes = [Triangle(centre - 120, centre, centre + 120) for centre in centres]

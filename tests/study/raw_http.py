@@ -5,7 +5,7 @@ import socket
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from fuzzytime.study.server import StudyServer
+from fuzzytime.study.serving.server import StudyServer
 from study.serving import TOKEN
 
 

@@ -7,8 +7,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from fuzzytime.study import AnswerStore, Design
-from fuzzytime.study.server import StudyServer
-from fuzzytime.study.service import StudyService
+from fuzzytime.study.serving.server import StudyServer
+from fuzzytime.study.serving.service import StudyService
 
 TOKEN = "a-token-for-tests"  # noqa: S105 - of a server that lives for one test
 

@@ -7,10 +7,10 @@ import pytest
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.study import Answers, Design, Model, Population, analyse, corner_intervals, simulate
-from fuzzytime.study.analysis import Analysis
-from fuzzytime.study.density import SQUARE_MINUTE
-from fuzzytime.study.numbers import numbers
-from fuzzytime.study.report import report
+from fuzzytime.study.analysis.analyse import Analysis
+from fuzzytime.study.analysis.density import SQUARE_MINUTE
+from fuzzytime.study.reporting.numbers import numbers
+from fuzzytime.study.reporting.report import report
 from study.truths import truth
 
 

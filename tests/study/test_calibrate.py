@@ -10,7 +10,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Actor, Profile, Rulebook, check
 from fuzzytime.study import Answers, Design, Population, StudyInstruction, calibrate, rule_table, simulate
-from fuzzytime.study.breakpoints import Breakpoint, explained
+from fuzzytime.study.calibration.breakpoints import Breakpoint, explained
 from study.truths import half_base, truth
 
 CONSTRAINTS = {"in": Constraint.AT, "before": Constraint.BEFORE, "after": Constraint.AFTER}

@@ -6,7 +6,7 @@ from hypothesis import strategies as st
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study import flanks, variance
-from fuzzytime.study.density import SQUARE_MINUTE, mean_time
+from fuzzytime.study.analysis.density import SQUARE_MINUTE, mean_time
 from study.truths import half_base
 
 TIMES = 4.5 * np.arange(800)

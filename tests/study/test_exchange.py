@@ -8,7 +8,7 @@ import pytest
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.study import Answers, Design, Participant
-from fuzzytime.study.exchange import read_csv, read_json, write_csv, write_json
+from fuzzytime.study.answers.exchange import read_csv, read_json, write_csv, write_json
 
 
 def as_csv(answers: Answers) -> str:

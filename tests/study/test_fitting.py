@@ -6,7 +6,15 @@ from hypothesis import strategies as st
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Bell, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.study import Model, fit, fit_models
-from fuzzytime.study.models import BELL, FULL_AT_END, FULL_AT_START, TRAPEZOID, TRIANGLE, Curve, Shape
+from fuzzytime.study.analysis.models import (
+    BELL,
+    FULL_AT_END,
+    FULL_AT_START,
+    TRAPEZOID,
+    TRIANGLE,
+    Curve,
+    Shape,
+)
 
 TIMES = 4.5 * np.arange(800, dtype=float)
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from fuzzytime.study import AnswerStore, Design
-from fuzzytime.study.server import StudyServer
+from fuzzytime.study.serving.server import StudyServer
 from study.serving import running
 
 if TYPE_CHECKING:

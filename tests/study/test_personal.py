@@ -14,7 +14,7 @@ from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 from fuzzytime.rulebook import Rulebook, check
 from fuzzytime.satisfaction import Bell, Floored, Sampled, SatisfactionFunction, Trapezoid
 from fuzzytime.study import Answers, Cue, CueKind, Direction, Prior, Rating, personal_table
-from fuzzytime.study.rating import document_of, rating_of
+from fuzzytime.study.answers.rating import document_of, rating_of
 
 IN = Cue(CueKind.PREPOSITION, "in")
 SOON = Cue(CueKind.WORD, "soon")

@@ -8,9 +8,9 @@ from html.parser import HTMLParser
 import pytest
 
 from fuzzytime.study import Answers, Design, analyse
-from fuzzytime.study.analysis import Analysis
-from fuzzytime.study.plots import figures, rendered
-from fuzzytime.study.report import report
+from fuzzytime.study.analysis.analyse import Analysis
+from fuzzytime.study.reporting.plots import figures, rendered
+from fuzzytime.study.reporting.report import report
 
 pytest.importorskip("matplotlib", reason="matplotlib is not installed: no figure is drawn")
 

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from fuzzytime.study import Design
-from fuzzytime.study.server import MOST_CONNECTIONS, StudyServer
-from fuzzytime.study.service import body_limit
+from fuzzytime.study.serving.server import MOST_CONNECTIONS, StudyServer
+from fuzzytime.study.serving.service import body_limit
 from study.raw_http import request, send
 from study.serving import TOKEN, running
 
@@ -343,7 +343,7 @@ def test_it_listens_on_loopback_only(server: StudyServer) -> None:
 
 def test_another_address_can_be_asked_for(tmp_path: Path, design: Design) -> None:
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.service import StudyService
+    from fuzzytime.study.serving.service import StudyService
 
     with AnswerStore.create(tmp_path / "a.sqlite", design) as store:
         service = StudyService(store, lambda: "", lambda: os.urandom(8).hex())

@@ -2,7 +2,7 @@ import pytest
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.study import Answers, influence_of_start_times
-from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.analysis.density import SQUARE_MINUTE
 
 
 def test_the_ratio_of_the_paper_comes_out_of_a_study_with_its_law(answers: Answers) -> None:

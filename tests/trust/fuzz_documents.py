@@ -23,7 +23,7 @@ from fuzzytime.errors import DocumentError, FuzzytimeError
 from fuzzytime.interpreter import DirectWish
 from fuzzytime.requirement import Condition, Constraint, TimeRequirement, Unit
 from fuzzytime.rulebook import Profile, Rulebook
-from fuzzytime.rulebook.documents import read_over
+from fuzzytime.rulebook.tables.documents import read_over
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import parse_zone
 from fuzzytime.yaml_nodes import Reader

@@ -19,7 +19,7 @@ from zoneinfo import ZoneInfo
 import numpy as np
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import Lexicon, find_times
+from fuzzytime.language import find_times, shipped_lexicon
 
 SENTENCES = (
     "flip the pancakes in about two minutes, then set the table",
@@ -48,7 +48,7 @@ NOWS = (
 
 def vocabulary() -> list[str]:
     """Give every way to say something that the word tables have, and marks."""
-    lexicon = Lexicon.shipped()
+    lexicon = shipped_lexicon()
     said = {" ".join(entry.words) for entries in lexicon.entries.values() for entry in entries}
     said |= set(lexicon.numbers) | set(lexicon.ordinals) | {" ".join(form) for form in lexicon.clauses}
     said |= {" ".join(form) for form in lexicon.connectives}

@@ -25,8 +25,8 @@ SERVER = """
 import secrets, sys
 from pathlib import Path
 from fuzzytime.study import AnswerStore, Design
-from fuzzytime.study.server import StudyServer
-from fuzzytime.study.service import StudyService
+from fuzzytime.study.serving.server import StudyServer
+from fuzzytime.study.serving.service import StudyService
 store = AnswerStore.create(Path(sys.argv[1]), Design.shipped())
 service = StudyService(store, lambda: "now", lambda: secrets.token_urlsafe(12))
 server = StudyServer(("127.0.0.1", 0), service, sys.argv[2])

@@ -30,6 +30,14 @@ class Event:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class SkillEvent(Event):
+    """Something that happened to a skill."""
+
+    id: str
+    name: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Began(Event):
     """The run begins; the first event."""
 
@@ -76,36 +84,30 @@ class Planned(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Moved(Event):
+class Moved(SkillEvent):
     """A planned start moved noticeably; None where there was, or is, none."""
 
     type: ClassVar[str] = "moved"
 
-    id: str
-    name: str
     before_s: float | None
     after_s: float | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Rejected(Event):
+class Rejected(SkillEvent):
     """As things stand no time satisfies; a later reading may change that."""
 
     type: ClassVar[str] = "rejected"
 
-    id: str
-    name: str
     reason: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Start(Event):
+class Start(SkillEvent):
     """A skill starts now: everything that whoever does it needs to know."""
 
     type: ClassVar[str] = "start"
 
-    id: str
-    name: str
     instruction: str | None
     planned_s: float
     end_s: float
@@ -118,13 +120,11 @@ class Start(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Happens(Event):
+class Happens(SkillEvent):
     """Something happens by itself: there is nothing to do, and no command is run."""
 
     type: ClassVar[str] = "happens"
 
-    id: str
-    name: str
     instruction: str | None
     planned_s: float
     done_s: float
@@ -132,69 +132,56 @@ class Happens(Event):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class End(Event):
+class End(SkillEvent):
     """The agent is free again."""
 
     type: ClassVar[str] = "end"
 
-    id: str
-    name: str
     agent: int
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Done(Event):
+class Done(SkillEvent):
     """The result is there."""
 
     type: ClassVar[str] = "done"
 
-    id: str
-    name: str
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Late(Event):
+class Late(SkillEvent):
     """A skill takes longer than planned; ``expected_s`` is when its end is expected now."""
 
     type: ClassVar[str] = "late"
 
-    id: str
-    name: str
     planned_s: float
     expected_s: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Failed(Event):
+class Failed(SkillEvent):
     """A skill was begun and will not be done."""
 
     type: ClassVar[str] = "failed"
 
-    id: str
-    name: str
     reason: str
     exit_code: int | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Dropped(Event):
+class Dropped(SkillEvent):
     """A skill will not be done, because somebody said so."""
 
     type: ClassVar[str] = "dropped"
 
-    id: str
-    name: str
     reason: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Missed(Event):
+class Missed(SkillEvent):
     """A start passed while nobody looked, as when the machine slept; it is planned anew."""
 
     type: ClassVar[str] = "missed"
 
-    id: str
-    name: str
     planned_s: float
 
 

@@ -11,7 +11,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import Interpreted
 from fuzzytime.requirement import Reference, TimeRequirement, Unit
 from fuzzytime.rulebook import Resolution
-from fuzzytime.study.rating import Cue, CueKind, Direction, Rating, document_of
+from fuzzytime.study.answers.rating import Cue, CueKind, Direction, Rating, document_of
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.personal import personal_table, rating_line
 from fuzzytime_cli.render import plain

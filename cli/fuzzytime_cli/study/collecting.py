@@ -11,8 +11,8 @@ from fuzzytime_cli.faults import NoInputError, as_config, report
 from fuzzytime_cli.study.shared import DESIGN, DesignFile, NewDatabase, design_of, now
 
 if TYPE_CHECKING:
-    from fuzzytime.study.server import StudyServer
-    from fuzzytime.study.service import StudyService
+    from fuzzytime.study.serving.server import StudyServer
+    from fuzzytime.study.serving.service import StudyService
 
 
 def serve(
@@ -37,7 +37,7 @@ def serve(
     import signal
 
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.service import StudyService
+    from fuzzytime.study.serving.service import StudyService
 
     with AnswerStore.create(database, design_of(database, design)) as store:
         service = StudyService(store, now, lambda: secrets.token_urlsafe(12))
@@ -60,7 +60,7 @@ def serve(
 def _listening(
     address: tuple[str, int], service: "StudyService", token: str, names: tuple[str, ...]
 ) -> "StudyServer":
-    from fuzzytime.study.server import StudyServer
+    from fuzzytime.study.serving.server import StudyServer
 
     try:
         return StudyServer(address, service, token, names=names, tell=report)

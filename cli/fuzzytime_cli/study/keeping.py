@@ -69,7 +69,7 @@ def import_(
     import io
 
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.exchange import read_csv, read_json
+    from fuzzytime.study.answers.exchange import read_csv, read_json
     from fuzzytime_cli.inputs.source import read_exactly
 
     source = read_exactly(str(file), MAX_BYTES)
@@ -129,7 +129,7 @@ def export(
     """Write a study's answers as CSV or JSON."""
     import io
 
-    from fuzzytime.study.exchange import write_csv, write_json
+    from fuzzytime.study.answers.exchange import write_csv, write_json
     from fuzzytime_cli.files import write_out
 
     if csv and json:

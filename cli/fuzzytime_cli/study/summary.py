@@ -3,8 +3,8 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from fuzzytime.study import Answers, Model, Participant
-from fuzzytime.study.analysis import Analysis
-from fuzzytime.study.density import SQUARE_MINUTE
+from fuzzytime.study.analysis.analyse import Analysis
+from fuzzytime.study.analysis.density import SQUARE_MINUTE
 from fuzzytime.study.wording import between
 from fuzzytime.times import MINUTE, format_duration
 from fuzzytime_cli.render import fitted, plain, width_of

@@ -11,7 +11,7 @@ from fuzzytime_cli.options import OutputFile
 from fuzzytime_cli.study.shared import Database, opened
 
 if TYPE_CHECKING:
-    from fuzzytime.study.analysis import Analysis
+    from fuzzytime.study.analysis.analyse import Analysis
 
 
 def analyse(
@@ -34,8 +34,8 @@ def analyse(
     import json as encoding
     import os
 
-    from fuzzytime.study.analysis import analyse as analysed
-    from fuzzytime.study.numbers import numbers
+    from fuzzytime.study.analysis.analyse import analyse as analysed
+    from fuzzytime.study.reporting.numbers import numbers
     from fuzzytime_cli.render import Screen
     from fuzzytime_cli.study.summary import analysis as summary
 
@@ -55,9 +55,9 @@ def _write_report(folder: Path, found: "Analysis", *, plots: bool) -> None:
     import json as encoding
 
     from fuzzytime.errors import FuzzytimeError
-    from fuzzytime.study.numbers import numbers
-    from fuzzytime.study.plots import figures, rendered
-    from fuzzytime.study.report import report as page
+    from fuzzytime.study.reporting.numbers import numbers
+    from fuzzytime.study.reporting.plots import figures, rendered
+    from fuzzytime.study.reporting.report import report as page
     from fuzzytime_cli.files import replace_file
 
     folder.mkdir(parents=True, exist_ok=True)

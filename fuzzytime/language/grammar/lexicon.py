@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
@@ -10,7 +9,6 @@ from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
 from fuzzytime.requirement import Constraint, Side
-from fuzzytime.resources import rules_directory
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,32 +195,6 @@ class Lexicon:
     misspelt: Mapping[str, str]
     usual_hours: Mapping[tuple[str, ...], Hours]
     policy: Policy = field(default_factory=Policy)
-
-    @classmethod
-    def shipped(cls) -> "Lexicon":
-        """Read the tables that are shipped: English.
-
-        Raises
-        ------
-        DocumentError
-            If a table breaks rules: every mistake with file, line and column.
-        """
-        return cls.of_files(rules_directory() / "lexicon.yaml", rules_directory() / "calendar.yaml")
-
-    @classmethod
-    def of_files(cls, words: Path, calendar: Path) -> "Lexicon":
-        """Read the tables from two files.
-
-        Raises
-        ------
-        OSError
-            If a file cannot be read.
-        DocumentError
-            If a table breaks rules: every mistake with file, line and column.
-        """
-        from fuzzytime.language.grammar.word_tables import read_lexicon
-
-        return read_lexicon(words, calendar)
 
     def pieces(self, words: Sequence[Word], start: int) -> Iterator[Piece]:
         """Give what the tables say of the words from one place on."""

@@ -2,14 +2,11 @@
 
 from collections.abc import Sequence
 from datetime import datetime, time, timedelta
-from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.instants import Instants, midnight
+from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import Clock
-
-if TYPE_CHECKING:
-    from fuzzytime.language.meaning.grounding import Grounding
 
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
@@ -28,7 +25,7 @@ EARLY = time(4)
 """From here on, who speaks is up early, not late."""
 
 
-def decided(here: "Grounding", moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
+def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
     """Choose among the moments that a clock time may mean, in ascending order."""
     named = wall.days is not None
     plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
@@ -55,7 +52,7 @@ def decided(here: "Grounding", moments: list[datetime], clock: Clock, wall: Wall
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
 
-def _is_late(here: "Grounding", since: datetime, moments: Sequence[datetime]) -> bool:
+def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> bool:
     """Whether one of some moments follows what was said of an evening on a line before."""
     if not here.carried or since.time() < EVENING:
         return False
@@ -65,7 +62,7 @@ def _is_late(here: "Grounding", since: datetime, moments: Sequence[datetime]) ->
     return any(since < moment <= since + CLOSE and moment.date() == since.date() for moment in moments)
 
 
-def _is_plausible(here: "Grounding", moment: datetime, *, ahead: bool) -> bool:
+def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     """Whether people are up, for as long as what is asked for is said to last.
 
     On a day to come that is named they may be up earlier.
@@ -84,13 +81,13 @@ def _is_plausible(here: "Grounding", moment: datetime, *, ahead: bool) -> bool:
     )
 
 
-def _leads(here: "Grounding", moment: datetime, clock: Clock) -> bool:
+def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
     """Whether a clock time follows on the same day, while people are up where its half is not said."""
     there = (midnight(moment.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
     return any(m > moment and (not clock.is_open or _is_plausible(here, m, ahead=True)) for m in there)
 
 
-def same_day_after(here: "Grounding", clock: Clock) -> list[datetime]:
+def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
     """Give the moments of a clock time on the day of what it follows with the same thing."""
     if not here.onto or here.since is None or here.since.date() <= here.now.date():
         return []
@@ -98,7 +95,7 @@ def same_day_after(here: "Grounding", clock: Clock) -> list[datetime]:
     return sorted(moment for moment in there if moment > here.since)
 
 
-def before_due(here: "Grounding", clock: Clock) -> list[datetime]:
+def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
     """Give the last of a clock time's moments before what is prepared; none where that is far from it."""
     if here.due is None:
         return []

@@ -1,7 +1,7 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import date, datetime, timedelta
 from itertools import islice
 
@@ -33,65 +33,18 @@ from fuzzytime.language.meaning.instants import (
 from fuzzytime.language.meaning.part_instants import part_alone, part_on
 from fuzzytime.language.meaning.range_instants import range_instants
 from fuzzytime.language.meaning.relations import Deictic, Following, Relative, Which
+from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
-from fuzzytime.language.policy import Policy, SameWeekday
+from fuzzytime.language.policy import SameWeekday
 from fuzzytime.requirement import Unit
 
 HOUR = timedelta(hours=1)
 
 
-@dataclass(frozen=True, slots=True)
-class Grounding:
-    """The moment of an instruction, on the wall clock, and the policy.
+class Grounding(Standpoint):
+    """From times as they were said to instants."""
 
-    Parameters
-    ----------
-    now : datetime
-        Without a zone: wall-clock arithmetic is done here, zones are applied by the caller.
-    policy : Policy
-        What decides.
-    lasting : float
-        Seconds that what is asked for was said to last, 0 where nothing was said.
-    day : datetime, optional
-        The day that was said before.
-    since : datetime, optional
-        The clock time that was said before in the same text.
-    listed : bool
-        Whether it was said for the same thing to be done.
-    follows : bool
-        Whether what is asked for comes after it.
-    carried : bool
-        Whether another text said it.
-    ends : bool
-        Whether it is a deadline, which is not now: nothing can be done by then.
-    due : datetime, optional
-        When that happens which is to be prepared.
-    usual : bool
-        Whether the plausible hours are those at which people do what is asked for.
-    leads : Clock, optional
-        The clock time of what follows with the same thing.
-    onto : bool
-        Whether this is what follows.
-    """
-
-    now: datetime
-    policy: Policy
-    lasting: float = 0.0
-    since: datetime | None = None
-    day: datetime | None = None
-    listed: bool = False
-    follows: bool = False
-    carried: bool = False
-    ends: bool = False
-    due: datetime | None = None
-    usual: bool = False
-    leads: Clock | None = None
-    onto: bool = False
-
-    @property
-    def today(self) -> Today:
-        """The day of the instruction."""
-        return Today(self.now.date(), self.policy)
+    __slots__ = ()
 
     def instants(self, said: Time) -> Instants:
         """Ground a time.

@@ -2,19 +2,16 @@
 
 from dataclasses import replace
 from datetime import datetime, timedelta
-from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import Instants, UngroundedError, halved, midnight
+from fuzzytime.language.meaning.standpoint import Standpoint
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half
 from fuzzytime.language.policy import SameWeekday
 
-if TYPE_CHECKING:
-    from fuzzytime.language.meaning.grounding import Grounding
 
-
-def range_instants(clock: "Grounding", said: Range) -> Instants:
+def range_instants(clock: Standpoint, said: Range) -> Instants:
     """Ground a range.
 
     Raises
@@ -50,14 +47,14 @@ def range_instants(clock: "Grounding", said: Range) -> Instants:
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
 
 
-def _since(clock: "Grounding", start: Instants) -> Instants:
+def _since(clock: Standpoint, start: Instants) -> Instants:
     """Ground a range up to now: it began at the last such clock time."""
     choices = start.choices or (start.start,)
     begun = max(choice - timedelta(days=1) for choice in choices)
     return Instants(begun, clock.now, start.grain)
 
 
-def _day_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
+def _day_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
     """Ground a range of days, which lend each other the month or the year that only one names."""
     first_days, last_days = first.days, last.days
     lent = False
@@ -96,14 +93,14 @@ def _before(first: Fields, last: Fields) -> Fields:
     return replace(first, month=last.month - 1 or 12, year=year)
 
 
-def _after(clock: "Grounding", moment: datetime) -> "Grounding":
+def _after(clock: Standpoint, moment: datetime) -> Standpoint:
     """Give the grounding of what comes after a moment."""
     return replace(
         clock, now=moment, policy=replace(clock.policy, same_weekday=SameWeekday.NEXT), lasting=0.0
     )
 
 
-def _begun(clock: "Grounding", first: Wall, last: Wall, start: Instants) -> Instants:
+def _begun(clock: Standpoint, first: Wall, last: Wall, start: Instants) -> Instants:
     """Give the start of a range of dates that is not over: "august to october", said in september."""
     days = first.days
     if not isinstance(days, Fields) or days.weekly or days.fixed or first.clock is not None:
@@ -117,7 +114,7 @@ def _begun(clock: "Grounding", first: Wall, last: Wall, start: Instants) -> Inst
     )
 
 
-def _clock_range(clock: "Grounding", first: Wall, last: Wall) -> Instants:
+def _clock_range(clock: Standpoint, first: Wall, last: Wall) -> Instants:
     """Ground a range of clock times: without am or pm, the shortest that they can mean."""
     start_clock, end_clock = first.clock, last.clock
     if start_clock is None or end_clock is None:

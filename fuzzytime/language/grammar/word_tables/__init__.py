@@ -19,14 +19,14 @@ from fuzzytime.language.grammar.word_tables.tables import Tables, by_form, numbe
 
 
 def read_lexicon(words: Path, calendar: Path) -> Lexicon:
-    """Read both files.
+    """Read the tables of words and of the calendar.
 
     Raises
     ------
     OSError
         If a file cannot be read.
     DocumentError
-        If a table breaks rules.
+        If a table breaks rules: every mistake with file, line and column.
     """
     speech = Tables(words, _SPEECH)
     days = Tables(calendar, _CALENDAR)

@@ -1,0 +1,79 @@
+"""Where one stands when a time is said: what the same words mean depends on it."""
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from datetime import datetime
+
+from fuzzytime.language.meaning.calendar import Today
+from fuzzytime.language.meaning.expressions import Time, Wall
+from fuzzytime.language.meaning.instants import Instants
+from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.policy import Policy
+
+
+@dataclass(frozen=True, slots=True)
+class Standpoint(ABC):
+    """The moment of an instruction, on the wall clock, the policy, and what was said before.
+
+    Parameters
+    ----------
+    now : datetime
+        Without a zone: wall-clock arithmetic is done here, zones are applied by the caller.
+    policy : Policy
+        What decides.
+    lasting : float
+        Seconds that what is asked for was said to last, 0 where nothing was said.
+    day : datetime, optional
+        The day that was said before.
+    since : datetime, optional
+        The clock time that was said before in the same text.
+    listed : bool
+        Whether it was said for the same thing to be done.
+    follows : bool
+        Whether what is asked for comes after it.
+    carried : bool
+        Whether another text said it.
+    ends : bool
+        Whether it is a deadline, which is not now: nothing can be done by then.
+    due : datetime, optional
+        When that happens which is to be prepared.
+    usual : bool
+        Whether the plausible hours are those at which people do what is asked for.
+    leads : Clock, optional
+        The clock time of what follows with the same thing.
+    onto : bool
+        Whether this is what follows.
+    """
+
+    now: datetime
+    policy: Policy
+    lasting: float = 0.0
+    since: datetime | None = None
+    day: datetime | None = None
+    listed: bool = False
+    follows: bool = False
+    carried: bool = False
+    ends: bool = False
+    due: datetime | None = None
+    usual: bool = False
+    leads: Clock | None = None
+    onto: bool = False
+
+    @property
+    def today(self) -> Today:
+        """The day of the instruction."""
+        return Today(self.now.date(), self.policy)
+
+    @abstractmethod
+    def instants(self, said: Time) -> Instants:
+        """Ground a time.
+
+        Raises
+        ------
+        UngroundedError
+            If the words name no time.
+        """
+
+    @abstractmethod
+    def wall(self, wall: Wall) -> Instants:
+        """Ground a time on the wall: a day, a part of it, a clock time."""

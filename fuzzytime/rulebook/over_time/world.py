@@ -1,0 +1,200 @@
+"""What a context tells over time: each variable's value at each time, for each curve of a forecast."""
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from fuzzytime.context import Context
+from fuzzytime.context.series import Series
+from fuzzytime.rulebook.logic.formula import (
+    Direction,
+    Formula,
+    Window,
+    events,
+    nodes,
+    variables,
+    window_reach,
+)
+from fuzzytime.rulebook.logic.windows import Extent, slope
+from fuzzytime.rulebook.tables.contents import Tables
+from fuzzytime.rulebook.tables.variables import Source, Variable
+from fuzzytime.satisfaction import Floats
+
+MOST_COMBINATIONS = 8
+"""Combinations of forecasts' components that are followed at most, the likeliest."""
+
+MOST_POINTS = 1800
+MOST_FINE_POINTS = 20_000
+_STEPS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0)
+_STEPS_A_WINDOW = 8
+_AFTER = 1e-6
+_STRIDES = (1, 37, 11, 53, 23, 5, 43, 29)
+"""Orders in which the curves of several signals are paired: coprime to their number, and unlike."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Grid:
+    """Regular times that hold 0, and finer times where more than the grid is wanted.
+
+    ``times`` has shape (k,); ``regular`` are the positions of the regular ones, ``zero`` that of time 0.
+    """
+
+    step: float
+    times: Floats
+    regular: np.ndarray[tuple[int], np.dtype[np.intp]]
+
+    @classmethod
+    def of(cls, past: float, future: float, finest: float) -> "Grid":
+        """Make a grid from ``past`` seconds before 0 to ``future`` after it.
+
+        Its step is a round number that keeps it within `MOST_POINTS`, unless windows want it finer.
+        """
+        total = past + future
+        step = next((step for step in _STEPS if total / step <= MOST_POINTS), total / MOST_POINTS)
+        if finest / _STEPS_A_WINDOW < step:
+            step = max(finest / _STEPS_A_WINDOW, total / MOST_FINE_POINTS)
+        before, after = math.ceil(past / step - 1e-9), math.ceil(future / step - 1e-9)
+        times = np.arange(-before, after + 1, dtype=float) * step
+        return cls(step, times, np.arange(times.size))
+
+    @property
+    def zero(self) -> int:
+        """The position of time 0."""
+        return int(np.searchsorted(self.times, 0.0))
+
+    def refined(self, more: Iterable[float]) -> "Grid":
+        """Give the grid with further times inside it."""
+        inside = [time for time in more if self.times[0] < time < self.times[-1]]
+        times = np.union1d(self.times, inside)
+        return Grid(self.step, times, np.searchsorted(times, self.times[self.regular]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Combination:
+    """One component of the forecast of each signal, by name, and the weight of these together."""
+
+    weight: float
+    components: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class World:
+    """The series of signals and the times of events, in the order of the tables."""
+
+    tables: Tables
+    series: Mapping[str, Series]
+    happened: Mapping[str, Floats]
+
+    @classmethod
+    def of(cls, context: Context, tables: Tables, names: Iterable[str]) -> "World":
+        """Gather the signals that are named from an admitted context."""
+        series: dict[str, Series] = {}
+        happened: dict[str, Floats] = {}
+        for name in names:
+            signal, readings = tables.signals[name], context.of_signal(name)
+            if signal.event:
+                happened[name] = np.array([reading.at for reading in readings], float)
+            else:
+                series[name] = Series.of(signal, readings)
+        return cls(tables, series, happened)
+
+    def combinations(self, names: Iterable[str]) -> tuple[Combination, ...]:
+        """Give the likeliest combinations of the components of some signals' forecasts."""
+        kept = [Combination(1.0, {})]
+        for name in dict.fromkeys(names):
+            if name in self.series:
+                found = [
+                    Combination(part.weight * weight, {**part.components, name: index})
+                    for part in kept
+                    for index, weight in enumerate(self.series[name].components)
+                ]
+                # What is left out here has as many likelier ones in front of it with any component to come.
+                kept = sorted(found, key=lambda combination: -combination.weight)[:MOST_COMBINATIONS]
+        total = math.fsum(combination.weight for combination in kept)
+        return tuple(Combination(part.weight / total, part.components) for part in kept)
+
+    def known(self, name: str) -> bool:
+        """Tell whether a signal was read, or an event has happened or is announced."""
+        if name in self.happened:
+            return bool(self.happened[name].size)
+        return self.series[name].forecast is not None
+
+    def values(self, variable: Variable, grid: Grid, combination: Combination) -> Floats:
+        """Give a variable's values, of shape (curves, k), NaN where they are unknown."""
+        if variable.source is Source.SINCE:
+            return self.since(variable.signal, grid.times)[None, :]
+        values = self._signal(variable.signal, grid.times, combination)
+        if variable.source is Source.OF:
+            return values
+        extent = Extent.of(variable.over, variable.over, grid.step)
+        slopes = slope(values[:, grid.regular], extent) / grid.step * variable.per
+        return on_all_times(slopes, grid)
+
+    def since(self, event: str, times: Floats) -> Floats:
+        """Give the seconds since an event last happened, NaN before it did."""
+        happened = self.happened[event]
+        if not happened.size:
+            return np.full(times.size, np.nan)
+        latest = np.searchsorted(happened, times, "right") - 1
+        return np.where(latest >= 0, times - happened[np.maximum(latest, 0)], np.nan)
+
+    def _signal(self, name: str, times: Floats, combination: Combination) -> Floats:
+        values = self.series[name].at(times, combination.components[name])
+        number = len(values)
+        stride = _STRIDES[list(self.series).index(name) % len(_STRIDES)]
+        return values if number == 1 else values[stride * np.arange(number) % number]
+
+    # -- how far to look ------------------------------------------------------------------------------------
+
+    def settled(self, formula: Formula) -> float:
+        """Give the time from which nothing that a formula speaks of changes any more."""
+        latest = [0.0]
+        for name in variables(formula):
+            variable = self.tables.variables[name]
+            latest.append(self._settled(variable) + variable.over)
+        latest += [float(self.happened[event].max(initial=0.0)) for event in events(formula)]
+        return max(latest)
+
+    def _settled(self, variable: Variable) -> float:
+        if variable.source is Source.SINCE:
+            beyond = max(variable.breakpoints, default=0.0)
+            return float(self.happened[variable.signal].max(initial=-math.inf)) + beyond
+        series = self.series[variable.signal]
+        if series.forecast is None:
+            return 0.0
+        within = variable.breakpoints if variable.source is Source.OF else ()
+        # Where knowledge ends the value changes as well: it becomes unknown.
+        return min(series.forecast.settled(within), max(series.known_until, 0.0) + _AFTER)
+
+    def memory(self, formula: Formula) -> float:
+        """Give how many seconds back a formula looks, through windows and rates."""
+        return window_reach(formula, Direction.LAST) + max(self._stretches(formula), default=0.0)
+
+    def first_reading(self, formula: Formula) -> float:
+        """Give the time of the earliest reading of what a formula speaks of, at most 0."""
+        names = {self.tables.variables[name].signal for name in variables(formula)} | set(events(formula))
+        times = [self.series[name].times for name in names & set(self.series)]
+        times += [self.happened[name] for name in names & set(self.happened)]
+        return min((float(part.min(initial=0.0)) for part in times), default=0.0)
+
+    def grid(self, formula: Formula, ahead: float, past: float = 0.0) -> Grid:
+        """Make a grid on which a formula can be followed from ``past`` to ``ahead`` seconds from now."""
+        future = ahead + window_reach(formula, Direction.NEXT)
+        lengths = [node.length for node in nodes(formula) if isinstance(node, Window)]
+        finest = min((*lengths, *self._stretches(formula)), default=math.inf)
+        return Grid.of(max(past, self.memory(formula)), future, finest)
+
+    def _stretches(self, formula: Formula) -> list[float]:
+        """Give the stretches of time over which rates are taken."""
+        stretches = [self.tables.variables[name].over for name in variables(formula)]
+        return [stretch for stretch in stretches if stretch > 0]
+
+
+def on_all_times(trace: Floats, grid: Grid) -> Floats:
+    """Carry a trace on the regular times of a grid to all of them, linearly."""
+    if grid.regular.size == grid.times.size:
+        return trace
+    regular = grid.times[grid.regular]
+    return np.stack([np.interp(grid.times, regular, row) for row in trace])

@@ -1,0 +1,102 @@
+"""Why a condition never comes true, in words a person can act on."""
+
+import math
+
+import numpy as np
+
+from fuzzytime.context.forecast import Forecast
+from fuzzytime.context.series import Series
+from fuzzytime.context.signals import Approach, Hold, Signal
+from fuzzytime.context.units import symbol
+from fuzzytime.rulebook.logic.formula import Formula, Is, Not, nodes
+from fuzzytime.rulebook.over_time.truth import Traced
+from fuzzytime.rulebook.over_time.world import World
+from fuzzytime.rulebook.resolving.inference import signals_of
+from fuzzytime.rulebook.tables.variables import Source, Variable
+from fuzzytime.times import format_duration
+
+_LITTLE = 0.02
+"""The share of its way, or of where it leads, that may be left where a signal counts as settled."""
+
+
+def why_never(formula: Formula, world: World, traced: Traced, horizon: float, never_below: float) -> str:
+    """Say which readings are missing, or where the signals end up instead.
+
+    ``traced`` is the condition's trace, which stays below ``never_below``.
+    """
+    missing = [name for name in signals_of(formula, world.tables) if _unknown_now(name, world)]
+    ahead = traced.grid.times >= 0
+    if missing and float(traced.truth.high[ahead].max()) >= never_below:
+        return _missing(missing, world)
+    described = [
+        _end_of(world.tables.variables[node.variable], world, horizon)
+        for node in nodes(formula)
+        if isinstance(node, Is) and _stays_apart(node, formula, traced, never_below)
+    ]
+    if not described:
+        return "never: its parts do not hold at the same time"
+    return "never: " + ", ".join(dict.fromkeys(described))
+
+
+def _stays_apart(atom: Is, formula: Formula, traced: Traced, never_below: float) -> bool:
+    """Tell whether an atom never does what the formula wants of it."""
+    ahead = traced.grid.times >= 0
+    truth = traced.parts[atom]
+    if any(isinstance(node, Not) and node.part == atom for node in nodes(formula)):
+        return bool(truth.high[ahead].min() > 1 - never_below)
+    return bool(truth.low[ahead].max() < never_below)
+
+
+def _unknown_now(name: str, world: World) -> bool:
+    if not world.known(name):
+        return True
+    return name in world.series and world.series[name].known_until <= 0
+
+
+def _missing(names: list[str], world: World) -> str:
+    events = [name for name in names if name in world.happened]
+    signals = [name for name in names if name not in world.happened]
+    parts: list[str] = []
+    if signals:
+        ages = [_age(world.series[name]) for name in signals if world.known(name)]
+        parts.append(f"not enough readings of {' and '.join(signals)}{''.join(ages)}")
+    parts += [f"not yet: {event} has not happened" for event in events]
+    return "; ".join(parts)
+
+
+def _age(series: Series) -> str:
+    age = format_duration(-float(series.times[-1]))
+    return f" (the last is {age} old, more than {format_duration(series.signal.max_age)})"
+
+
+def _end_of(variable: Variable, world: World, horizon: float) -> str:
+    """Say where what a variable looks at ends up."""
+    if variable.source is Source.SINCE:
+        since = float(world.since(variable.signal, np.zeros(1))[0])
+        return f"it is {format_duration(since)} since {variable.signal}"
+    series = world.series[variable.signal]
+    if series.forecast is None:
+        return f"nothing is known of {variable.signal}"
+    return f"{variable.signal} {outlook(series.signal, series.forecast, min(horizon, series.known_until))}"
+
+
+def outlook(signal: Signal, forecast: Forecast, until: float = math.inf) -> str:
+    """Say where a signal ends up, as expected, within ``until`` seconds from now: "settles at 150 °C"."""
+    last = min(until, forecast.until)
+    if not math.isfinite(last):
+        last = max(forecast.settled(), 0.0)
+    start, end = forecast.quantiles(np.array([forecast.start, last]), (0.5,))[0]
+    shown = with_unit(float(end), signal.unit)
+    if isinstance(signal.course, Hold) or start == end:
+        return f"stays at {shown}"
+    if isinstance(signal.course, Approach):
+        level = forecast.level
+        if abs(end - level) <= _LITTLE * max(abs(start - level), abs(level)):
+            return f"settles at {with_unit(level, signal.unit)}"
+    return f"is at {shown} after {format_duration(last)}, as far as it is forecast"
+
+
+def with_unit(value: float, unit: str | None) -> str:
+    """Print a value to three digits, with its unit as people write it."""
+    rounded = 0.0 if value == 0 else round(value, 2 - math.floor(math.log10(abs(value))))
+    return f"{rounded:g} {symbol(unit)}".strip()

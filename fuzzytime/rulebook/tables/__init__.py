@@ -1,0 +1,1 @@
+"""What rule files say, as values, and how they are read."""

@@ -1,0 +1,78 @@
+"""Reading how long operations take: the section ``durations`` of a rule file."""
+
+from dataclasses import replace
+from types import MappingProxyType
+
+from fuzzytime.rulebook.tables.durations import Begun, Durations, Key, OperationDuration
+from fuzzytime.rulebook.tables.sections.scope import Scope
+from fuzzytime.times import DAY
+from fuzzytime.yaml_nodes import Node, Reader
+
+_TIMES = ("hands_on", "elapsed")
+
+
+def read_durations(scope: Scope, node: Node, key: str) -> Durations:
+    """Read a default, operations by verb with rows for single objects, and what is only begun."""
+    reader = scope.reader
+    found = reader.mapping(node, key, ("default", "operations", "begun"))
+    default = None
+    if "default" in found:
+        times = scope.row(found["default"], f"{key}.default", _TIMES)
+        default = _times(reader, found["default"], f"{key}.default", times, known=False)
+    rows: dict[Key, OperationDuration] = {}
+    if "operations" in found:
+        path = f"{key}.operations"
+        for verb, value in reader.mapping(found["operations"], path).items():
+            rows |= _operation(scope, value, f"{path}.{verb}", verb.lower())
+    begun = None
+    if "begun" in found:
+        path = f"{key}.begun"
+        bounds = scope.row(found["begun"], path, ("hands_on", "times", "verbs"))
+        if {*bounds} >= {"hands_on", "times"}:
+            hands_on = reader.duration(bounds["hands_on"], f"{path}.hands_on", 0.0, DAY)
+            length = reader.number(bounds["times"], f"{path}.times", 1.0, 1000.0)
+            verbs = reader.strings(bounds["verbs"], f"{path}.verbs") if "verbs" in bounds else ()
+            begun = Begun(hands_on, length, frozenset(map(str.lower, verbs)))
+        else:
+            reader.missing(found["begun"], path, ("hands_on", "times"))
+    return Durations(MappingProxyType(rows), default, begun)
+
+
+def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
+    reader = scope.reader
+    found = scope.row(node, key, (*_TIMES, "needed_for", "objects"))
+    rows: dict[Key, OperationDuration] = {}
+    needed = reader.strings(found["needed_for"], f"{key}.needed_for") if "needed_for" in found else ()
+    if "hands_on" in found or "elapsed" in found or "objects" not in found:
+        own = _times(reader, node, key, found)
+        if own is not None:
+            rows[verb, None] = replace(own, needed_for=needed)
+    if "objects" in found:
+        path = f"{key}.objects"
+        for thing, value in reader.mapping(found["objects"], path).items():
+            times = scope.row(value, f"{path}.{thing}", _TIMES)
+            row = _times(reader, value, f"{path}.{thing}", times)
+            if row is not None:
+                rows[verb, thing.lower()] = replace(row, needed_for=needed)
+    return rows
+
+
+def _times(
+    reader: Reader, node: Node, key: str, found: dict[str, Node], *, known: bool = True
+) -> OperationDuration | None:
+    """Read ``hands_on`` and ``elapsed``; one alone stands for both."""
+    if "hands_on" not in found and "elapsed" not in found:
+        reader.missing(node, key, ("hands_on", "elapsed"))
+        return None
+    given = {
+        name: reader.duration(found[name], f"{key}.{name}", 0.0, 365 * DAY)
+        for name in ("hands_on", "elapsed")
+        if name in found
+    }
+    elapsed = given.get("elapsed", given.get("hands_on", 0.0))
+    hands_on = given.get("hands_on", elapsed)
+    if hands_on > elapsed:
+        message = "the elapsed time must not be shorter than the hands-on time"
+        reader.mistake(found["elapsed"], f"{key}.elapsed", message)
+        return None
+    return OperationDuration(hands_on=hands_on, elapsed=elapsed, source=reader.place(node), known=known)

@@ -1,0 +1,127 @@
+"""The words by which tables name things, terms and events, and where a text has them."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from fuzzytime.rulebook.tables.contents import Tables
+from fuzzytime.rulebook.tables.durations import singular_forms
+from fuzzytime.rulebook.tables.variables import Term, Variable
+
+_DETERMINERS = frozenset(
+    ("the", "a", "an", "my", "your", "our", "his", "her", "its", "their", "this", "that", "these", "those")
+)
+_DENIALS = re.compile(r"\b(?:not|no longer|never|neither|\w+n't)\b")
+_FORMS_OF_HAVE = frozenset(("has", "have", "had", "just", "already", "finally"))
+_FORMS_OF_BE = frozenset(("is", "are", "was", "were", "been", "gets", "got"))
+_BE = "is"
+REMEMBERED = 16384
+"""Texts whose plain form is remembered: those of tables are compared with each that is said."""
+
+_ENDING = re.compile(r"(?<=\w{3})(?:(?<=([^aeiou]))\1(?=ing|ed))?(?:ing|ed|es|s|e)$")
+
+
+@dataclass(frozen=True, slots=True)
+class Naming:
+    """A variable and one of its terms, each with the words that name it in a text."""
+
+    subject: str
+    word: str
+    variable: Variable
+    term: Term
+
+    def hedges(self, text: str, tables: Tables) -> tuple[str, ...]:
+        """Give the hedges in a plain text that are no part of the words: "too hot" is a word of its own."""
+        return tuple(
+            word for word in text.split() if word in tables.term_hedges and word not in self.word.split()
+        )
+
+
+def naming(variables: Iterable[Variable], subject: str, word: str) -> Naming | None:
+    """Find the longest way in which plain texts name one of some variables, and one of its terms."""
+    found: list[Naming] = []
+    for variable in variables:
+        named = _longest(in_numbers(ways_to_name(variable)), subject)
+        for term in variable.terms.values():
+            said = _longest(ways_to_say(term), word)
+            if named and said:
+                found.append(Naming(named, said, variable, term))
+    return max(found, key=lambda one: len(one.subject) + len(one.word), default=None)
+
+
+def _longest(ways: Iterable[str], text: str) -> str:
+    return max((way for way in ways if within(way, text)), key=len, default="")
+
+
+def event_named(text: str, tables: Tables) -> str | None:
+    """Find the event that a text names, in whatever tense, by the longest words."""
+    said = plain(text)
+    for form in (str, _of_any_tense):
+        found = [
+            (len(word), signal.name)
+            for signal in tables.signals.values()
+            if signal.event
+            for word in map(plain, signal.words)
+            if within(form(word), form(said))
+        ]
+        if found:
+            return max(found)[1]
+    return None
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _of_any_tense(text: str) -> str:
+    """Give a plain text without tenses, as far as these are regular: "courier has come" is "courier come"."""
+    words = (_BE if word in _FORMS_OF_BE else word for word in text.split() if word not in _FORMS_OF_HAVE)
+    return " ".join(_ENDING.sub("", word) for word in words)
+
+
+def event_at_end(text: str, tables: Tables) -> str | None:
+    """Find the event whose name a text ends with: "half an hour before lunch"."""
+    event, said = event_named(text, tables), plain(text)
+    if event is None:
+        return None
+    ways = map(plain, tables.signals[event].words)
+    return event if any(said == way or said.endswith(f" {way}") for way in ways) else None
+
+
+def names(variable: Variable, subject: str) -> bool:
+    """Tell whether a noun phrase names a variable: its last words do, perhaps in the plural."""
+    said = plain(subject)
+    return any(said == way or said.endswith(f" {way}") for way in in_numbers(ways_to_name(variable)))
+
+
+def in_numbers(ways: Iterable[str]) -> set[str]:
+    """Add to ways of naming a thing those of naming several."""
+    found: set[str] = set()
+    for way in ways:
+        found |= {way, f"{way}s", f"{way}es", *singular_forms(way)}
+    return found
+
+
+def ways_to_name(variable: Variable) -> tuple[str, ...]:
+    """Give the plain names of a variable's thing."""
+    return (plain(variable.name), *map(plain, variable.words))
+
+
+def ways_to_say(term: Term) -> tuple[str, ...]:
+    """Give the plain words for a term."""
+    return (plain(term.name), *map(plain, term.words))
+
+
+@lru_cache(maxsize=REMEMBERED)
+def plain(text: str) -> str:
+    """Give a text in lower case, without punctuation and determiners."""
+    words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", text.lower().replace("\u2019", "'"))
+    return " ".join(word for word in words if word not in _DETERMINERS)
+
+
+def denies(text: str) -> bool:
+    """Tell whether a clause denies what it says: "is not hot", "is no longer hot", "isn't hot"."""
+    return _DENIALS.search(text.lower().replace("\u2019", "'")) is not None
+
+
+def within(words: str, text: str) -> bool:
+    """Tell whether whole words stand in a text, both plain."""
+    return bool(words) and f" {words} " in f" {text} "

@@ -1,0 +1,1 @@
+"""What no schedule can cost less than: a Lagrangian bound, on grid after finer grid."""

@@ -1,0 +1,1 @@
+"""The paper's own methods, for comparison: exhaustive sampling, hill climbing, annealing, genetic search."""

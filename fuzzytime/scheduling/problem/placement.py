@@ -1,0 +1,96 @@
+"""Real start times for the skills that are not placed where they satisfy, after what matters.
+
+A rejected skill starts as soon as an agent is free for it once its windows are over. A skill that is as well
+done at any late time, as an instruction without time words, takes the first free time that is good enough.
+"""
+
+import bisect
+import math
+from collections.abc import Sequence
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import Interval
+from fuzzytime.scheduling.problem.jobs import Job
+from fuzzytime.scheduling.problem.windows import good_enough, in_common
+from fuzzytime.skills import FuzzyTask
+
+ROOM = 1e-10
+"""Seconds by which a gap may be too short, for rounding."""
+
+
+class Rota:
+    """What each agent is taken by, appointments included."""
+
+    def __init__(self, task: FuzzyTask) -> None:
+        self._taken: dict[int, list[tuple[float, float]]] = {agent: [] for agent in range(1, task.agents + 1)}
+        for busy in task.busy:
+            for agent in self._taken if busy.agent is None else [busy.agent]:
+                self.take(agent, busy.start, busy.end)
+
+    def take(self, agent: int, start: float, end: float) -> None:
+        """Note that an agent is taken for a time."""
+        bisect.insort(self._taken[agent], (start, end))
+
+    def earliest(self, agent: int, duration: float, wanted: Sequence[Interval]) -> float:
+        """Give the first start in one of some ascending intervals at which an agent is free, or infinity."""
+        for interval in wanted:
+            start = interval.low
+            for low, high in self._taken[agent]:
+                if low - start >= duration - ROOM:
+                    break
+                if high > start:
+                    start = high
+            if start <= interval.high and start < math.inf:
+                return start
+        return math.inf
+
+
+def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents: list[int]) -> None:
+    """Fill in start times and agents, in place, where a start is NaN.
+
+    Raises
+    ------
+    FuzzytimeError
+        If no agent ever has time for a skill.
+    """
+    rota = Rota(task)
+    for skill, start, agent in zip(task.skills, starts, agents, strict=True):
+        if not math.isnan(start) and not skill.happens:
+            rota.take(agent, start, start + skill.duration)
+    pairs = zip(task.skills, starts, strict=True)
+    end_of_all = max((start + skill.duration for skill, start in pairs if not math.isnan(start)), default=0.0)
+    for job in _in_order(task, [job for job in jobs if math.isnan(starts[job.position])]):
+        skill = task.skills[job.position]
+        release = 0.0
+        for precedence in task.precedences:
+            if precedence.second == job.position:
+                first = task.skills[precedence.first]
+                done = starts[precedence.first] + first.time_until_done
+                release = max(release, done + precedence.minimum_lag)
+        if job.over == math.inf:
+            wanted = in_common(good_enough(job), [Interval(release, math.inf)])
+        else:
+            # What has no time at all waits for everything that has.
+            wanted = (Interval(max(release, job.over or end_of_all), math.inf),)
+        allowed = [skill.agent] if skill.agent is not None else list(range(1, task.agents + 1))
+        start, agent = min((rota.earliest(agent, job.duration, wanted), agent) for agent in allowed)
+        if start == math.inf:
+            raise FuzzytimeError(
+                f"every skill needs a time when an agent is free for it, got none for {skill.name!r}"
+            )
+        starts[job.position], agents[job.position] = start, agent
+        if not skill.happens:
+            rota.take(agent, start, start + job.duration)
+
+
+def _in_order(task: FuzzyTask, jobs: list[Job]) -> list[Job]:
+    """Sort jobs by when their windows are over, each after what must come before it."""
+    waiting = sorted(jobs, key=lambda job: (job.over or math.inf, job.position))
+    ordered: list[Job] = []
+    while waiting:
+        missing = {job.position for job in waiting}
+        blocked = {entry.second for entry in task.precedences if entry.first in missing}
+        job = next(job for job in waiting if job.position not in blocked)
+        waiting.remove(job)
+        ordered.append(job)
+    return ordered

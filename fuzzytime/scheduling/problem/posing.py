@@ -1,0 +1,153 @@
+"""Pose a task as the problem that is solved, worked out once for every solver."""
+
+import math
+from dataclasses import replace
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.satisfaction import EMPTY, Interval, SatisfactionFunction
+from fuzzytime.scheduling.problem.jobs import Job, Lag, Lane, Problem
+from fuzzytime.scheduling.problem.windows import INSIDE, free_of, in_common, strictly_above
+from fuzzytime.scheduling.schedule import TINY
+from fuzzytime.skills import FuzzyTask
+
+
+def problem_of(task: FuzzyTask, threshold: float) -> Problem:
+    """Work out a task for the solvers.
+
+    Raises
+    ------
+    FuzzytimeError
+        If the threshold is not in [0, 1).
+    """
+    if not 0 <= threshold < 1:
+        raise FuzzytimeError(f"a threshold must be at least 0 and below 1, got {threshold}")
+    floor = threshold or TINY
+    lanes = _lanes(task)
+    horizon = horizon_of(task, floor)
+    leading = {precedence.first for precedence in task.precedences}
+    bound = {precedence.second for precedence in task.precedences if precedence.maximum_lag < math.inf}
+    # In the strict product any schedule without a rejection beats every one with: none may cost as much.
+    strict = 1 - math.log(floor) * math.fsum(skill.priority for skill in task.skills)
+    jobs: list[Job] = []
+    for position, skill in enumerate(task.skills):
+        mine = [lane if skill.agent in {None, *lane.agents} else None for lane in lanes]
+        late = 0.0
+        if position not in bound and any(lane is not None and lane.is_free_at_last for lane in mine):
+            late = float(skill.satisfaction(math.inf))
+        wanted = strictly_above(
+            skill.satisfaction, floor if position in leading else max(floor, late), horizon
+        )
+        windows = tuple(
+            () if lane is None else wanted if skill.happens else free_of(wanted, lane.busy, skill.duration)
+            for lane in mine
+        )
+        worst = -skill.priority * math.log(floor)
+        final = -skill.priority * math.log(max(late, floor)) + 0.0
+        jobs.append(
+            Job(
+                position,
+                skill.satisfaction,
+                skill.priority,
+                skill.duration,
+                skill.time_until_done,
+                worst,
+                strict if threshold == 0 and late <= floor else final,
+                math.inf if late > floor else _over(skill.satisfaction, wanted),
+                windows,
+            )
+        )
+    return _bound_by_lags(task, jobs, lanes)
+
+
+def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
+    named = {skill.agent for skill in task.skills}
+    agents: dict[tuple[tuple[tuple[float, float], ...], int | None], list[int]] = {}
+    for agent in range(1, task.agents + 1):
+        busy = {(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}}
+        times = tuple(sorted(span for span in busy if span[0] < span[1]))
+        agents.setdefault((times, agent if agent in named else None), []).append(agent)
+    return tuple(
+        Lane(tuple(members), tuple(Interval(low, high) for low, high in times))
+        for (times, _), members in agents.items()
+    )
+
+
+def horizon_of(task: FuzzyTask, floor: float) -> float:
+    """Give a time after which no start is needed.
+
+    After the last kink, or the best times where there is one peak only, and the last appointment every ψ only
+    falls, so that idle time can be closed by moving all that follows to an earlier time.
+    """
+    kinks = [0.0]
+    for skill in task.skills:
+        function = skill.satisfaction
+        rises = (
+            (function.best.low, function.best.high)
+            if function.log_concave
+            else (*function.kinks, *function.crossings(floor)[:1])
+        )
+        kinks.extend(time for time in rises if math.isfinite(time))
+    kinks.extend(entry.end for entry in task.busy if math.isfinite(entry.end))
+    lags = [abs(precedence.minimum_lag) for precedence in task.precedences]
+    work = [max(skill.duration, skill.time_until_done) for skill in task.skills]
+    return max(kinks) + math.fsum(work) + math.fsum(lags)
+
+
+def _over(function: SatisfactionFunction, wanted: tuple[Interval, ...]) -> float:
+    """Give a time from which on ψ does not exceed the floor."""
+    if not wanted:
+        return 0.0
+    end = function.support.high
+    if end == math.inf:
+        return wanted[-1].high + 2 * INSIDE * max(1.0, wanted[-1].high)
+    # At a jump ψ keeps its larger value: the next whole second is beyond it.
+    return end if float(function(end)) == 0 else math.floor(end) + 1.0
+
+
+def _bound_by_lags(task: FuzzyTask, jobs: list[Job], lanes: tuple[Lane, ...]) -> Problem:
+    """Narrow windows by what must come before, and set the jobs apart that have none."""
+    waiting = [0] * len(jobs)
+    for precedence in task.precedences:
+        waiting[precedence.second] += 1
+    ready = [position for position, count in enumerate(waiting) if not count]
+    lags: list[Lag] = []
+    for first in ready:
+        before = jobs[first]
+        for precedence in task.precedences:
+            if precedence.first != first:
+                continue
+            second = precedence.second
+            low, high = before.elapsed + precedence.minimum_lag, before.elapsed + precedence.maximum_lag
+            lags.append(Lag(first, second, low, high))
+            within = Interval(before.earliest + low, before.latest + high) if any(before.windows) else EMPTY
+            jobs[second] = _clipped(jobs[second], within)
+            waiting[second] -= 1
+            if not waiting[second]:
+                ready.append(second)
+    everything = Problem(tuple(jobs), lanes, tuple(lags))
+    free = _free(task, jobs)
+    kept = everything.select([i for i, job in enumerate(jobs) if any(job.windows) and i not in free])
+    apart = tuple(job for job in jobs if not any(job.windows))
+    return replace(kept, apart=apart, free=tuple(jobs[index] for index in free))
+
+
+def _free(task: FuzzyTask, jobs: list[Job]) -> list[int]:
+    """Give what happens by itself, and is bound to nothing, or happens at a known moment and after no work.
+
+    What comes after such a moment has no other windows than those that follow it.
+    """
+    bound = {member for entry in task.precedences for member in (entry.first, entry.second)}
+    happening = {
+        position
+        for position, skill in enumerate(task.skills)
+        if skill.happens
+        and any(jobs[position].windows)
+        and (position not in bound or jobs[position].earliest == jobs[position].latest)
+    }
+    while late := {entry.second for entry in task.precedences if entry.first not in happening} & happening:
+        happening -= late
+    return sorted(happening)
+
+
+def _clipped(job: Job, within: Interval) -> Job:
+    return replace(job, windows=tuple(in_common(lane, [within]) for lane in job.windows))

@@ -1,0 +1,1 @@
+"""The best among schedules that satisfy equally."""

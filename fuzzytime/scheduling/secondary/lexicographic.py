@@ -1,0 +1,167 @@
+"""The best of the schedules that satisfy equally, by secondary objectives.
+
+The found schedule leaves each skill a set of starts at which it is as satisfied as it is now; a solver then
+arranges the skills within these sets by what an objective wishes, so that no satisfaction falls. Several
+objectives count one after the other, each among the schedules that the ones before it leave.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from fuzzytime.satisfaction import Floats, Interval, SatisfactionFunction
+from fuzzytime.scheduling.limits import Stopwatch
+from fuzzytime.scheduling.problem.grid import Ints
+from fuzzytime.scheduling.problem.jobs import Job, Problem
+from fuzzytime.scheduling.problem.windows import above, in_common
+from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
+from fuzzytime.scheduling.solver import Draft, draft_of
+from fuzzytime.scheduling.timing.chains import Block, round_blocks
+from fuzzytime.scheduling.timing.settle import lanes_of_agents, nearest, sequences, settled
+from fuzzytime.skills import FuzzySkill
+
+AT_AN_END = 1e-6
+"""Seconds: a start so near to the end of the starts that are as good is that end, but for rounding."""
+
+FLAT = 1.0
+"""Seconds: where a skill may move by less than this, it does not move at all."""
+
+SEARCHED = 12
+"""Up to so many skills another order is sought even where no start was named."""
+
+UNWANTED = 1e3
+"""The cost of leaving a skill out, far above that of any start."""
+
+EQUAL = 1e-9
+"""Costs of wishes that differ by less are equal."""
+
+NAMED = 1e-6
+"""Seconds: a start so near to the one that was named is that one, and two skills so near follow on."""
+
+
+def rearranged(
+    problem: Problem,
+    skills: Sequence[FuzzySkill],
+    draft: Draft,
+    objectives: Sequence[Objective],
+    watch: Stopwatch,
+) -> Draft:
+    """Give the best draft, by some objectives in turn, of those that satisfy each skill as well as one does.
+
+    Parameters
+    ----------
+    problem
+        What the draft solves.
+    skills
+        Those of the task, found by the jobs' positions.
+    draft
+        Jobs that it rejects stay so.
+    objectives
+        The first counts most.
+    watch
+        The order of the skills is kept where it is over.
+    """
+    placed = [index for index, start in enumerate(draft.starts.tolist()) if not math.isnan(start)]
+    first = problem.select(placed)
+    starts, agents = draft.starts[placed], draft.agents[placed]
+    lanes = lanes_of_agents(problem)
+    equal = _as_good(first, starts, agents, lanes)
+    mine = tuple(skills[job.position] for job in equal.jobs)
+    for objective in objectives:
+        reach = max((job.latest for job in equal.jobs), default=0.0) + 1.0
+        wishes = objective.wishes(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
+        wishing = replace(equal, jobs=tuple(map(_wishing, equal.jobs, wishes)))
+        for members in wishing.groups():
+            named = any(mine[member].preferred is not None for member in members)
+            search = objective.reorders and (named or len(members) <= SEARCHED)
+            group = wishing.select(members)
+            found = _best(group, starts[members], agents[members], watch if search else None)
+            starts[members], agents[members] = found.starts, found.agents
+        bounds = objective.bounds(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
+        equal = _bounded(_as_good(wishing, starts, agents, lanes), starts, bounds)
+    everything, everyone = draft.starts.copy(), draft.agents.copy()
+    everything[placed], everyone[placed] = _rounded(first, skills, starts, agents), agents
+    return draft_of(problem, everything, everyone, draft.lower_cost)
+
+
+def _as_good(problem: Problem, starts: Floats, agents: Ints, lanes: Mapping[int, int]) -> Problem:
+    """Narrow all windows to the starts at which a job costs no more than at its own."""
+    jobs = []
+    for job, start, agent in zip(problem.jobs, starts.tolist(), agents.tolist(), strict=True):
+        level = float(np.nextafter(float(job.function(start)), -1.0))
+        good = above(job.function, level, max(job.latest, start))
+        windows = []
+        for index, lane in enumerate(job.windows):
+            spans = [_with(span, start) for span in in_common(lane, good)]
+            if index == lanes[agent] and not any(start in span for span in spans):
+                spans = sorted([*spans, Interval(start, start)], key=lambda span: span.low)
+            windows.append(tuple(spans))
+        jobs.append(replace(job, windows=tuple(windows)))
+    return replace(problem, jobs=tuple(jobs))
+
+
+def _bounded(problem: Problem, starts: Floats, bounds: Sequence[Interval]) -> Problem:
+    """Cut windows to bounds, which hold the starts but for rounding."""
+    jobs = []
+    for job, start, bound in zip(problem.jobs, starts.tolist(), bounds, strict=True):
+        within = Interval(min(bound.low, start), max(bound.high, start))
+        jobs.append(replace(job, windows=tuple(in_common(lane, [within]) for lane in job.windows)))
+    return replace(problem, jobs=tuple(jobs))
+
+
+def _with(span: Interval, start: float) -> Interval:
+    """Let a span end at a start that is at its end; one without room to speak of is the start alone."""
+    low = start if abs(span.low - start) <= AT_AN_END else span.low
+    high = start if abs(span.high - start) <= AT_AN_END else span.high
+    return Interval(start, start) if low <= start <= high and high - low < FLAT else Interval(low, high)
+
+
+def _wishing(job: Job, wish: SatisfactionFunction) -> Job:
+    """Give a job with another satisfaction function, that must not be left out."""
+    return replace(job, function=wish, weight=1.0, worst=UNWANTED, rejection=UNWANTED, over=math.inf)
+
+
+def _best(problem: Problem, starts: Floats, agents: Ints, watch: Stopwatch | None) -> Draft:
+    """Give the best timing of the order that is, and with a stopwatch that of any order."""
+    best = draft_of(problem, starts, agents)
+    reach = max(job.latest - job.earliest for job in problem.jobs)
+    again = settled(problem, starts, agents, reach + 1.0)
+    best = min(best, again, key=lambda draft: draft.cost)
+    if watch is None or watch.is_over() or best.cost <= problem.least_cost + EQUAL:
+        return best
+    return LocalSearch().search(problem, watch, best)
+
+
+def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, agents: Ints) -> Floats:
+    """Move what goes on without a pause to the roundest time near by, unless it is where it was named."""
+    if problem.lags:
+        return starts
+    rounded = starts.copy()
+    for agent, row in sequences(problem, starts, agents).items():
+        lane = lanes_of_agents(problem)[agent]
+        jobs = [problem.jobs[index] for index in row]
+        windows = nearest([job.windows[lane] for job in jobs], starts[row])
+        blocks: list[Block] = []
+        free = -math.inf
+        for place, (job, window, start) in enumerate(zip(jobs, windows, starts[row].tolist(), strict=True)):
+            follows_on = start <= free + NAMED
+            if not follows_on:
+                blocks.append(Block([], [], -math.inf, math.inf, start))
+            block = blocks[-1]
+            # Without what rounding left between two skills, or the end of the last one's window binds all.
+            offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
+            block.members.append(place)
+            block.offsets.append(offset)
+            preferred = skills[job.position].preferred
+            named = preferred is not None and abs(preferred - start) <= NAMED
+            low, high = (start, start) if named else (window.low, window.high)
+            block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
+            free = start + job.duration
+        round_blocks(jobs, blocks)
+        for block in blocks:
+            if block.low <= block.start <= block.high:
+                rounded[[row[place] for place in block.members]] = block.start + np.array(block.offsets)
+    return rounded

@@ -1,0 +1,1 @@
+"""From an order to start times: in slots, and in continuous time."""

@@ -1,0 +1,1 @@
+"""What people drew and said, as values; synthetic people; rows for other programs."""

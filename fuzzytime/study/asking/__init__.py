@@ -1,0 +1,1 @@
+"""What a study asks: its design, read from YAML, and its page's words."""

@@ -1,0 +1,1 @@
+"""From answers and ratings to a rule table that plans by them."""

@@ -1,0 +1,1 @@
+"""An analysis as numbers, figures and a page."""

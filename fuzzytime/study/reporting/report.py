@@ -1,0 +1,274 @@
+"""An analysis as one HTML file that needs nothing else: tables, figures, methods."""
+
+import html
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from fuzzytime.satisfaction import Trapezoid
+from fuzzytime.study.analysis.analyse import Analysis
+from fuzzytime.study.analysis.density import SQUARE_MINUTE
+from fuzzytime.study.analysis.described import Described
+from fuzzytime.study.analysis.fitting import Model
+from fuzzytime.study.assets import asset
+from fuzzytime.study.reporting.report_page import Page
+from fuzzytime.study.wording import between, number
+from fuzzytime.times import MINUTE, format_duration
+
+
+def report(analysis: Analysis, pictures: Mapping[str, bytes]) -> str:
+    """Write the report.
+
+    Parameters
+    ----------
+    analysis : Analysis
+        What it reports.
+    pictures : mapping of str to bytes
+        SVG by the names of `fuzzytime.study.reporting.plots.figures`; those that are missing are left out.
+    """
+    design = analysis.answers.design
+    page = Page()
+    page.heading(f"{design.title} – analysis", 1)
+    page.paragraph(design.source)
+    _participants(page, analysis)
+    _models(page, analysis, pictures)
+    _groups(page, analysis, pictures)
+    _start_times(page, analysis, pictures)
+    _each(page, analysis, pictures)
+    page.heading("Methods")
+    for text in asset("methods.txt").split("\n\n"):
+        page.paragraph(" ".join(text.split()))
+    title = html.escape(f"{design.title} – analysis")
+    return (
+        f'<!doctype html><html lang="en"><head><meta charset="utf-8"><title>{title}</title>'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<style>{asset('report.css')}</style></head><body><main>{page.html}</main></body></html>\n"
+    )
+
+
+def _participants(page: Page, analysis: Analysis) -> None:
+    answers = analysis.answers
+    page.heading("Participants")
+    page.paragraph(f"{answers.head_count} count, {len(answers.set_aside)} set aside.")
+    if answers.set_aside:
+        page.table("Participants set aside.", ("participant", "reason"), map(_pair, answers.set_aside))
+    rows = []
+    for question in answers.design.demographics:
+        given = [person.demographics.get(question.key, "") for person in answers.counted]
+        rows.append((question.key, _summary([answer for answer in given if answer]), str(given.count(""))))
+    if rows:
+        page.table("Answers about the participants who count.", ("question", "answers", "open"), rows)
+
+
+def _pair(entry: object) -> tuple[str, str]:
+    return str(getattr(entry, "name", "")), str(getattr(entry, "reason", ""))
+
+
+def _summary(answers: Sequence[str]) -> str:
+    """Give median and range of numbers, shares of texts."""
+    if not answers:
+        return "–"
+    if all(answer.isdigit() for answer in answers):
+        numbers = np.array(answers, float)
+        return f"median {np.median(numbers):g}, {numbers.min():g} to {numbers.max():g}"
+    counts = Counter(answers).most_common()
+    return ", ".join(f"{text} {count} ({count / len(answers):.1%})" for text, count in counts)
+
+
+def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+    page.heading("F1: which continuous functions model the instructions")
+    page.table(
+        "Prediction errors (sum of squared residuals over the samples) of fits to the medians, smallest to "
+        "largest over a preposition's instructions.",
+        ("function", *analysis.models),
+        (
+            (model.value, *(between(*found.errors[model], 3) for found in analysis.models.values()))
+            for model in Model
+        ),
+    )
+    page.table(
+        "The fitted trapezoids: in how many instructions their error is below the bell's and their plateau "
+        "encloses the time said, mean absolute gradients of their flanks per minute, and where the plateau "
+        "starts.",
+        ("preposition", "below bell", "encloses", "left", "right", "start of plateau − time said"),
+        (
+            (
+                found.preposition,
+                f"{found.best[0]} of {found.best[1]}",
+                f"{found.encloses} of {found.best[1]}",
+                number(found.left * MINUTE, 3),
+                number(found.right * MINUTE, 3),
+                _range_of_times(found.left_edges),
+            )
+            for found in analysis.models.values()
+        ),
+    )
+    page.figure(
+        "fits",
+        "Medians with their distribution, and trapezoid and bell fitted to them; prediction errors in grey, "
+        "the time said dotted.",
+        pictures,
+    )
+    page.table(
+        "Trapezoids fitted to the medians: corners in minutes after the instruction, and how well they fit.",
+        ("instruction", "rise start", "full start", "full end", "fall end", "SSE", "RMSE", "R²"),
+        (_trapezoid_row(entry) for entry in analysis.overall.values() if entry.fits),
+    )
+    if analysis.intervals:
+        page.table(
+            "95 % intervals of those corners, by the bootstrap over participants, in minutes.",
+            ("instruction", "rise start", "full start", "full end", "fall end"),
+            (
+                (
+                    analysis.overall[key].instruction.text,
+                    *(between(low / MINUTE, high / MINUTE, 2) for low, high in intervals),
+                )
+                for key, intervals in analysis.intervals.items()
+            ),
+        )
+    page.table(
+        "Bells 1 / (1 + |(t − centre) / width|^(2·slope)) fitted to the same medians, times in minutes.",
+        ("instruction", "centre", "width", "slope", "SSE", "RMSE", "R²"),
+        (_bell_row(entry) for entry in analysis.overall.values() if entry.fits),
+    )
+
+
+def _trapezoid_row(entry: Described) -> tuple[str, ...]:
+    fit = entry.fits[Model.TRAPEZOID]
+    corners = fit.function.corners if isinstance(fit.function, Trapezoid) else ()
+    shown = (number(corner / MINUTE, 2) for corner in corners)
+    return entry.instruction.text, *shown, f"{fit.sse:.3f}", f"{fit.rmse:.4f}", f"{fit.r_squared:.4f}"
+
+
+def _bell_row(entry: Described) -> tuple[str, ...]:
+    fit = entry.fits[Model.BELL]
+    centre, width, slope = (fit.parameters[name] for name in ("centre", "width", "slope"))
+    shown = number(centre / MINUTE, 2), number(width / MINUTE, 2), number(slope, 2)
+    return entry.instruction.text, *shown, f"{fit.sse:.3f}", f"{fit.rmse:.4f}", f"{fit.r_squared:.4f}"
+
+
+def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+    if analysis.compared is None:
+        return
+    first, second = analysis.compared
+    page.heading(f"F2: {first} against {second}")
+    found = analysis.comparison
+    if found is not None:
+        smaller = int((found.differences < 0).sum())
+        mean = number(found.mean_difference / SQUARE_MINUTE, 3)
+        page.paragraph(
+            f"The variance of the median is smaller for {first} in {smaller} of {found.differences.size} "
+            f"instructions; the mean difference {first} − {second} is {mean} min² (permutation test over all "
+            f"instructions: p = {found.p_value:.3f})."
+        )
+        page.table(
+            f"Variances of the groups' medians as densities, in min²; p-values of {found.p_values.size} "
+            "permutation tests, adjusted after Holm.",
+            ("instruction", first, second, "difference", "p"),
+            (
+                (
+                    entry.instruction.text,
+                    *(number(value / SQUARE_MINUTE, 3) for value in row[:3]),
+                    f"{row[3]:.3f}",
+                )
+                for entry, *row in zip(
+                    analysis.overall.values(),
+                    found.first,
+                    found.second,
+                    found.differences,
+                    found.p_values,
+                    strict=True,
+                )
+            ),
+        )
+    page.figure(
+        "groups",
+        "Medians and quartiles of the groups; variances of the medians in grey, the time said dotted.",
+        pictures,
+    )
+    scale = analysis.scale
+    if scale is not None:
+        modes = (", ".join(map(str, mode)) for mode in (scale.first_mode, scale.second_mode))
+        low, high = scale.interval
+        page.paragraph(
+            f"Control question: modes {first} {next(modes)}, {second} {next(modes)}; "
+            f"Mann-Whitney U = {scale.u:g}, p = {scale.p_value:.3f}; Cliff's delta {number(scale.delta, 2)} "
+            f"(95 % interval {between(low, high, 2)}), above 0 where {first} answers higher."
+        )
+        if scale.few:
+            page.paragraph(
+                "Caution: with fewer than 20 answers in a group the test misses all but large differences; "
+                "look at the interval, not at the p-value alone.",
+                "caution",
+            )
+
+
+def _start_times(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+    if not analysis.start_times:
+        return
+    page.heading("F3: the influence of the start time")
+    everybody = analysis.start_times.get(None)
+    if everybody is not None:
+        page.paragraph(
+            f"From {format_duration(float(everybody.t_spec[0]))} to "
+            f"{format_duration(float(everybody.t_spec[-1]))} ahead the variance "
+            f"{'grows throughout,' if everybody.increasing else 'changes'} from "
+            f"{everybody.variances[0] / SQUARE_MINUTE:.3f} to "
+            f"{everybody.variances[-1] / SQUARE_MINUTE:.3f} min² (by a factor of {everybody.ratio:.3f})."
+        )
+    times = next(iter(analysis.start_times.values())).t_spec
+    page.table(
+        "Variance of the median in min², by the specified start time.",
+        ("participants", *(format_duration(float(time)) for time in times)),
+        (
+            (group or "all", *(f"{value / SQUARE_MINUTE:.3f}" for value in found.variances))
+            for group, found in analysis.start_times.items()
+            if found.t_spec.size == times.size
+        ),
+    )
+    page.figure("start-times", "Variance of the median over the specified start time.", pictures)
+
+
+def _each(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
+    page.heading("Each instruction")
+    if analysis.divergent:
+        texts = "; ".join(analysis.overall[key].instruction.text for key in analysis.divergent)
+        page.paragraph(
+            f"Participants fall into two subgroups, clearly better than one, for: {texts}", "caution"
+        )
+    else:
+        page.paragraph("In no instruction do two subgroups describe participants clearly better than one.")
+    page.table(
+        "Agreement: mean pointwise standard deviation where anybody is satisfied, variance of the median in "
+        "min², gradients per minute, silhouette of the best split into two subgroups (clear from 0.7).",
+        ("instruction", "deviation", "variance", "left", "right", "silhouette", "sizes"),
+        (
+            (
+                entry.instruction.text,
+                f"{entry.characteristics.disagreement:.3f}",
+                number(entry.variance / SQUARE_MINUTE, 3),
+                number(entry.flanks.left * MINUTE, 2),
+                number(entry.flanks.right * MINUTE, 2),
+                f"{entry.subgroups.silhouette:.2f}",
+                f"{int((~entry.subgroups.second).sum())}/{int(entry.subgroups.second.sum())}",
+            )
+            for entry in analysis.overall.values()
+        ),
+    )
+    memory = analysis.memory
+    page.paragraph(
+        f"A discretised function takes {memory.sampled_bytes:,} bytes ({memory.samples} samples), a "
+        f"trapezoid {memory.fitted_bytes}: for n skills O(n·k) against O(n)."
+    )
+    for key, entry in analysis.overall.items():
+        page.figure(
+            key,
+            f"{entry.instruction.text} Curves of single participants; histogram over time and satisfaction; "
+            "median with quartiles (shaded), minimum and maximum (dotted).",
+            pictures,
+        )
+
+
+def _range_of_times(times: Sequence[float]) -> str:
+    return between(min(times), max(times), 1, "s") if times else "–"
