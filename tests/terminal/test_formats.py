@@ -104,7 +104,8 @@ def test_names_of_taken_times_do_not_cover_each_other(tmp_path: Path) -> None:
     task = tmp_path / "task.yaml"
     task.write_text(
         "now: 2026-03-04T09:00\ninstructions: [Call mum at noon]\nbusy:\n"
-        "- {from: '09:10', to: '11:00', what: Spring fair}\n- {from: '09:20', to: '11:10', what: Autumn show}\n"
+        "- {from: '09:10', to: '11:00', what: Spring fair}\n"
+        "- {from: '09:20', to: '11:10', what: Autumn show}\n"
         "- {from: '11:20', to: '11:50', what: Tea}\n"
     )
     text = written(tmp_path, "svg", str(task))
