@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.inputs.source import Source
 
+MOST_REJECTED = 20
+"""Of what is rejected, so many are said one by one on standard error."""
+
 
 @flattened
 def plan(
@@ -127,11 +130,22 @@ def request_from(
 
 
 def report_problems(made: "Plan", source: str) -> None:
-    """Say on standard error which lines were not understood, with their words underlined."""
+    """Say on standard error which lines were not understood, with their words underlined.
+
+    Of many that are rejected the first are said one by one: whatever is written tells the others.
+    """
+    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime_cli.faults import report
+
     name = "<stdin>" if source == "-" else source
-    for problem in made.problems:
-        if is_fault(problem):
+    faults = [problem for problem in made.problems if is_fault(problem)]
+    rejected = [problem for problem in faults if problem.kind is ProblemKind.REJECTED]
+    untold = frozenset(rejected[MOST_REJECTED:] if len(rejected) > MOST_REJECTED + 1 else ())
+    for problem in faults:
+        if problem not in untold:
             report_problem(problem, name)
+    if untold:
+        report(f"{'fuzzytime' if source == '-i' else name}: {len(untold)} more are rejected")
 
 
 def report_problem(problem: "Problem", source: str) -> None:
