@@ -205,3 +205,15 @@ def test_settings_count_where_a_task_file_says_nothing(tmp_path: Path) -> None:
     given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json")
     plan = json.loads(ran(*given, folder=tmp_path, FUZZYTIME_CONFIG=str(settings)).out)
     assert (plan["now"], plan["agents"]) == ("2026-03-28T20:00:00+09:00", 2)
+
+
+def test_a_misspelt_variable_of_the_environment_is_refused(tmp_path: Path) -> None:
+    done = ran(*SOUP, folder=tmp_path, FUZZYTIME_AGNTS="3")
+    said = "environment FUZZYTIME_AGNTS: unknown setting (did you mean FUZZYTIME_AGENTS?)"
+    assert (done.code, said in done.err) == (78, True)
+    assert ran(*SOUP, folder=tmp_path, FUZZYTIME_SKILL_AGENT="3", FUZZYTIME_COLOUR="red").code == 0
+
+
+def test_a_folder_is_no_settings_file(tmp_path: Path) -> None:
+    done = ran(*SOUP, folder=tmp_path, FUZZYTIME_CONFIG=str(tmp_path))
+    assert (done.code, "must be a file, and it is a folder" in done.err) == (78, True)
