@@ -71,9 +71,22 @@ Instructions = Annotated[
         help="An instruction, typed here; repeatable.",
     ),
 ]
+
+
+def unless_dash(path: Path | None) -> Path | None:
+    """Take ``-`` for standard output, as everywhere: no file."""
+    return None if path == Path("-") else path
+
+
 OutputFile = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="FILE", help="Write to a file, whole or not at all."),
+    typer.Option(
+        "--output",
+        "-o",
+        metavar="FILE",
+        callback=unless_dash,
+        help="Write to a file, whole or not at all; - is standard output.",
+    ),
 ]
 
 
@@ -147,7 +160,7 @@ class Solving:
         typer.Option(metavar="SECONDS", min=0.01, help="When to take the best found so far (default 5)."),
     ] = None
     seed: Annotated[
-        int | None, typer.Option(metavar="N", help="Repeats methods that draw at random (default 0).")
+        int | None, typer.Option(metavar="N", min=0, help="Repeats methods that draw at random (default 0).")
     ] = None
     horizon: Annotated[
         str | None,

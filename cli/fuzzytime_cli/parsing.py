@@ -1,14 +1,15 @@
 """Lines of text, or of JSON, to what was understood of them: what `fuzzytime parse` answers."""
 
-import json
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, tzinfo
 from itertools import islice
 from typing import Any, BinaryIO
 
+from fuzzytime.context import parse_fields
 from fuzzytime.errors import FuzzytimeError, InstructionError
 from fuzzytime.language import Language, Reading, RemarkKind, answer
+from fuzzytime.spelling import nearest
 from fuzzytime.times import format_duration, parse_instant
 from fuzzytime_cli.faults import underlined
 
@@ -18,6 +19,9 @@ BATCH = 256
 MAX_LINE = 1 << 20
 """Bytes of a line; what is longer is refused, and not kept."""
 
+KEYS = ("text", "now")
+"""What is read of an object."""
+
 LEFT = frozenset({RemarkKind.NOT_UNDERSTOOD, RemarkKind.UNRESOLVED})
 """Remarks on words that mean something which is not in the answer."""
 
@@ -26,11 +30,12 @@ Answer = dict[str, Any]
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """A line: its text, its moment, and what is wrong with it if anything."""
+    """A line: its text, its moment, what is wrong with it if anything, and keys that nothing is read of."""
 
     text: str
     now: datetime
     error: str = ""
+    ignored: tuple[str, ...] = ()
 
 
 def lines_of(stream: BinaryIO) -> Iterator[bytes]:
@@ -59,14 +64,20 @@ def asked_of(line: bytes, now: datetime, *, objects: bool, zone: tzinfo | None =
     if not (objects and text.lstrip().startswith("{")):
         return Asked(text, now)
     try:
-        said = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        return Asked(text, now, f"a line must be a JSON object or plain text: {error}")
+        said = parse_fields(text, longest=MAX_LINE)
+    except FuzzytimeError as error:
+        return Asked(text, now, str(error))
+    others = tuple(name for name in said if name not in KEYS)
+    missing = [key for key in KEYS if key not in said]
+    for name in others:
+        meant = nearest(name, missing)
+        if meant is not None:
+            return Asked(text, now, f"unknown key {name!r} (did you mean {meant!r}?)")
     words, moment = said.get("text"), said.get("now")
     if not isinstance(words, str) or not (moment is None or isinstance(moment, str)):
         return Asked(text, now, 'an object must have a "text", and may have a "now", both texts')
     try:
-        return Asked(words, parse_instant(moment, zone) if moment else now)
+        return Asked(words, parse_instant(moment, zone) if moment else now, ignored=others)
     except FuzzytimeError as error:
         return Asked(words, now, str(error))
 
@@ -86,7 +97,13 @@ def answers(asked: Iterable[Asked], language: Language) -> Iterator[Reply]:
         good = [(line.text, line.now) for line in batch if not line.error]
         replies = iter(_together(good, language))
         for line in batch:
-            yield _failed(line.text, line.now, line.error) if line.error else next(replies)
+            if line.error:
+                yield _failed(line.text, line.now, line.error)
+                continue
+            reply = next(replies)
+            if line.ignored:
+                reply = replace(reply, answer={**reply.answer, "ignored": list(line.ignored)})
+            yield reply
 
 
 def _together(asked: list[tuple[str, datetime]], language: Language) -> list[Reply]:

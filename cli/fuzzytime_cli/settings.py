@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.spelling import nearest
 from fuzzytime.times import parse_duration, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader
 from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
@@ -14,6 +15,9 @@ from fuzzytime_cli.faults import ConfigError, as_config
 PROJECT_FILE = "fuzzytime.yaml"
 PROJECT_RULES = "fuzzytime-rules.yaml"
 PREFIX = "FUZZYTIME_"
+OTHERS = ("config", "cache", "data", "debug", "skill_")
+"""How variables begin that are no settings: places, and what a command of a run is told."""
+
 Value = str | int | float | bool | tuple[str, ...] | None
 
 
@@ -143,6 +147,7 @@ def load_settings(
     for path in (user_file(environment), (folder or Path.cwd()) / PROJECT_FILE):
         with as_config():
             values |= _file_settings(path)
+    _check_names(environment)
     for name, kind in KINDS.items():
         text = environment.get(PREFIX + name.upper())
         if text is not None:
@@ -157,6 +162,24 @@ def load_settings(
     return Settings(values)
 
 
+def _check_names(environment: Mapping[str, str]) -> None:
+    """Refuse a variable that nothing reads and that looks like a setting's.
+
+    Raises
+    ------
+    ConfigError
+        If there is one.
+    """
+    for variable in sorted(environment):
+        name = variable.removeprefix(PREFIX).lower()
+        if variable.startswith(PREFIX) and name not in KINDS and not name.startswith(OTHERS):
+            meant = nearest(name, KINDS)
+            if meant is not None:
+                raise ConfigError(
+                    f"environment {variable}: unknown setting (did you mean {PREFIX}{meant.upper()}?)"
+                )
+
+
 def _checked(name: str, kind: Kind, text: str) -> Value:
     if name in _CHECKS and text:
         _CHECKS[name](text)
@@ -166,6 +189,8 @@ def _checked(name: str, kind: Kind, text: str) -> Value:
 def _file_settings(path: Path) -> dict[str, Setting]:
     try:
         reader = Reader.of_file(path)
+    except IsADirectoryError as error:
+        raise ConfigError(f"{path}: settings must be a file, and it is a folder") from error
     except OSError:
         return {}  # no such file, or not ours to read: the layer is empty
     if not reader.text.strip():

@@ -117,16 +117,18 @@ def reading_of(
         return admitted(reading, signals)
 
 
-def parse_fields(line: bytes | str) -> dict[str, Any]:
+def parse_fields(line: bytes | str, longest: int = LONGEST_LINE) -> dict[str, Any]:
     """Give the fields of a line that is a JSON object, with distinct keys and finite numbers.
+
+    A line may have ``longest`` bytes, or characters.
 
     Raises
     ------
     FuzzytimeError
         If it is none.
     """
-    if len(line) > LONGEST_LINE:
-        raise LineError(f"a line must not be longer than {LONGEST_LINE} bytes, got {len(line)}")
+    if len(line) > longest:
+        raise LineError(f"a line must not be longer than {longest} bytes, got {len(line)}")
     try:
         text = line.decode("utf-8") if isinstance(line, bytes) else line
         fields = json.loads(text, object_pairs_hook=_distinct, parse_constant=_no_constant)

@@ -51,12 +51,21 @@ class Plan:
 
 
 def task_of(interpretation: Interpretation, request: Request) -> FuzzyTask:
-    """Give the scheduling task of an interpreted request."""
+    """Give the scheduling task of an interpreted request, without busy times after all that it asks for."""
+    skills = tuple(interpreted.skill for interpreted in interpretation.skills)
+    over = max(
+        (
+            skill.satisfaction.support.high + skill.time_until_done
+            for skill in skills
+            if not skill.satisfaction.support.empty
+        ),
+        default=0.0,
+    )
     return FuzzyTask(
-        tuple(interpreted.skill for interpreted in interpretation.skills),
+        skills,
         request.agents,
         (*interpretation.precedences, *interpretation.order),
-        request.busy,
+        tuple(busy for busy in request.busy if busy.start < over),
     )
 
 
@@ -105,8 +114,9 @@ def understood(request: Request, interpreter: Interpreter) -> tuple[Request, Int
     interpretation = happening(interpreter.interpret(request), request.started)
     appointments = attended(interpretation, request)
     busy = (*request.busy, *(taken for _, taken in appointments))
-    clashing = clashes(appointments, request)
-    interpretation = replace(interpretation, problems=(*interpretation.problems, *clashing))
+    unread = (Problem(kind=ProblemKind.UNREADABLE, message=sentence) for sentence in request.unread)
+    problems = (*unread, *interpretation.problems, *clashes(appointments, request))
+    interpretation = replace(interpretation, problems=problems)
     over = (
         Started(identifier=one.identifier, start=0, end=0, done=0)
         for one in interpretation.skills

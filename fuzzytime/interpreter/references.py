@@ -288,7 +288,13 @@ def _without_circles(
         if before.add(precedence.first, precedence.second):
             kept.append((position, precedence))
         else:
-            message = "cannot come before what must come before it: this order is not kept"
+            first, second = (
+                f"{skills[place].skill.name!r} ({skills[place].identifier})"
+                for place in (precedence.first, precedence.second)
+            )
+            message = (
+                f"{first} cannot come before {second}, which must come before it: this order is not kept"
+            )
             wish, identifier = skills[position].wish, skills[position].identifier
             problems.append(problem_of(wish, ProblemKind.UNRESOLVED, message, identifier=identifier))
     return kept

@@ -124,6 +124,8 @@ class Request:
     in_order
         Whether wishes in words are steps, each after the one before unless words say another order. A
         numbered list is so by itself.
+    unread
+        Sentences about what of this could not be read, such as an event of a calendar: a plan's problems.
     awaits_readings
         Whether readings may still come that tell of a condition: then nothing is assumed of it.
     """
@@ -136,6 +138,7 @@ class Request:
     horizon: float | None = None
     started: tuple[Started, ...] = ()
     in_order: bool = False
+    unread: tuple[str, ...] = ()
     awaits_readings: bool = False
 
     def named(self) -> "Request":

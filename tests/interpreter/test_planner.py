@@ -13,6 +13,7 @@ from fuzzytime.scheduling import LocalSearch
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.solver import Draft
+from fuzzytime.skills import Busy
 from fuzzytime.times import HOUR
 
 NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - the tests' moment is of no zone
@@ -80,3 +81,10 @@ def test_an_appointment_gives_way_to_no_wish(interpreter: Interpreter) -> None:
     shared = plan(Request(now=NOW, wishes=wishes, agents=2), interpreter)
     assert [taken.agent for taken in shared.request.busy] == [1]
     assert not any(shared.schedule.rejected)
+
+
+def test_busy_times_after_all_that_is_asked_for_are_not_scheduled_around(interpreter: Interpreter) -> None:
+    days = tuple(Busy(day * 24 * HOUR, day * 24 * HOUR + HOUR) for day in range(365))
+    made = plan(Request(now=NOW, wishes=(wish("stir", 400),), busy=days), interpreter)
+    assert made.schedule.task.busy == days[:1]
+    assert made.request.busy == days

@@ -93,6 +93,8 @@ def test_one_who_stays_needs_no_plan_to_begin_with(tmp_path: Path) -> None:
         ((), Exit.USAGE),
         ((*STIR, "--limit", "soon"), Exit.USAGE),
         ((*STIR, "--speed", "0"), Exit.USAGE),
+        (("--simulate", "--speed", "3", *STIR), Exit.USAGE),
+        (("--simulate", "--limit", "1 min", *STIR), Exit.USAGE),
         ((*STIR, "--wait-for-done", "--exec", sys.executable), Exit.USAGE),
         ((*STIR, "--exec"), Exit.USAGE),
         ((*STIR, "--exec", sys.executable, "{nam}"), Exit.USAGE),

@@ -1,5 +1,6 @@
 """Calendars that people have are read as the times that are taken."""
 
+import json
 from datetime import datetime
 from pathlib import Path
 
@@ -7,7 +8,7 @@ import pytest
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_zone
-from fuzzytime_cli.inputs.calendar import busy_of_calendar
+from fuzzytime_cli.inputs.calendar import read_calendar
 from terminal.running import ran
 
 NOW = datetime(2026, 3, 28, 22, 50, tzinfo=parse_zone("Europe/Berlin"))
@@ -21,7 +22,7 @@ def taken(folder: Path, *events: str) -> list[str]:
     path.write_text(f"BEGIN:VCALENDAR\nVERSION:2.0\n{blocks}END:VCALENDAR\n")
     return [
         f"{instant_after(NOW, busy.start):%d. %H:%M}-{instant_after(NOW, busy.end):%d. %H:%M} {busy.what}"
-        for busy in busy_of_calendar(path, NOW)
+        for busy in read_calendar(path, NOW).busy
     ]
 
 
@@ -30,7 +31,7 @@ def test_an_event_across_the_change_of_clocks_ends_when_it_says(tmp_path: Path) 
         "DTSTART;TZID=Europe/Berlin:20260329T013000\nDTEND;TZID=Europe/Berlin:20260329T033000\nSUMMARY:Bake"
     )
     assert taken(tmp_path, at_night) == ["29. 01:30-29. 03:30 Bake"]
-    (busy,) = busy_of_calendar(tmp_path / "busy.ics", NOW)
+    (busy,) = read_calendar(tmp_path / "busy.ics", NOW).busy
     assert busy.end - busy.start == 3600.0
 
 
@@ -66,7 +67,7 @@ def test_occurrences_that_were_deleted_or_moved_take_no_time_and_added_ones_do(t
 
 def test_a_calendar_is_read_as_far_as_is_planned(tmp_path: Path) -> None:
     assert taken(tmp_path, "DTSTART:20260425T100000Z\nDURATION:PT1H\nSUMMARY:Fair") == []
-    (fair,) = busy_of_calendar(tmp_path / "busy.ics", NOW, 30 * 86400.0)
+    (fair,) = read_calendar(tmp_path / "busy.ics", NOW, 30 * 86400.0).busy
     assert fair.what == "Fair"
 
 
@@ -94,19 +95,83 @@ def test_a_day_is_taken_whole_and_a_time_without_a_zone_is_one_here(tmp_path: Pa
         "DTSTART:20260329T100000Z\nDURATION:PT1H\nTRANSP:TRANSPARENT",
         "DTSTART:20260328T100000Z\nDURATION:PT1H",
         "DTSTART:20270328T100000Z\nDURATION:PT1H",
-        "SUMMARY:at no time",
     ],
-    ids=["cancelled", "transparent", "over", "far away", "without a time"],
+    ids=["cancelled", "transparent", "over", "far away"],
 )
 def test_what_takes_no_time_of_the_next_two_weeks_is_left_out(event: str, tmp_path: Path) -> None:
     assert taken(tmp_path, event) == []
+    assert read_calendar(tmp_path / "busy.ics", NOW).unread == ()
+
+
+@pytest.mark.parametrize(
+    ("event", "said", "count"),
+    [
+        ("SUMMARY:Fair", "event 'Fair' takes no time: it has no DTSTART", 0),
+        (
+            "DTSTART:2026-03-29 10:00\nDURATION:PT1H",
+            "an event without a name takes no time: its DTSTART cannot be read",
+            0,
+        ),
+        (
+            "DTSTART:20260329T100000Z\nDTEND:later\nSUMMARY:Fair",
+            "event 'Fair' takes no time: its DTEND cannot be read",
+            0,
+        ),
+        (
+            "DTSTART:20260329T100000Z\nDURATION:PT1H\nRRULE:FREQ=OFTEN\nSUMMARY:Fair",
+            "event 'Fair' takes no time: its RRULE cannot be read",
+            0,
+        ),
+        (
+            "DTSTART:20260329T100000Z\nDURATION:PT1H\nEXDATE:never\nSUMMARY:Fair",
+            "the EXDATE of event 'Fair' cannot be read, and does not count",
+            1,
+        ),
+    ],
+)
+def test_an_event_whose_times_cannot_be_read_is_told(
+    event: str, said: str, count: int, tmp_path: Path
+) -> None:
+    assert len(taken(tmp_path, event)) == count
+    assert read_calendar(tmp_path / "busy.ics", NOW).unread == (f"busy.ics: {said}",)
+
+
+def test_of_many_events_that_cannot_be_read_five_are_named(tmp_path: Path) -> None:
+    taken(tmp_path, *[f"SUMMARY:Fair {number}" for number in range(12)])
+    unread = read_calendar(tmp_path / "busy.ics", NOW).unread
+    assert (len(unread), unread[-1]) == (6, "busy.ics: 7 more events cannot be read as they are")
+
+
+def test_a_plan_says_which_events_it_does_not_know_the_time_of(tmp_path: Path) -> None:
+    taken(tmp_path, "SUMMARY:Fair")
+    task = tmp_path / "task.yaml"
+    task.write_text("now: 2026-03-28T09:00\nbusy: busy.ics\ninstructions: [Call mum soon]\n")
+    done = ran("plan", str(task), "--format", "json", folder=tmp_path)
+    said = "busy.ics: event 'Fair' takes no time: it has no DTSTART"
+    assert (done.code, said in done.err) == (0, True)
+    assert [said, "unreadable"] in [
+        [problem["message"], problem["kind"]] for problem in json.loads(done.out)["problems"]
+    ]
+    assert ran("plan", str(task), "--strict", folder=tmp_path).code == 65
+
+
+def test_times_that_tell_only_that_somebody_is_busy_are_taken(tmp_path: Path) -> None:
+    path = tmp_path / "busy.ics"
+    path.write_text(
+        "BEGIN:VCALENDAR\nVERSION:2.0\nBEGIN:VFREEBUSY\n"
+        "FREEBUSY;FBTYPE=BUSY:20260329T080000Z/PT3H,20260330T080000Z/20260330T090000Z\n"
+        "FREEBUSY;FBTYPE=FREE:20260331T080000Z/PT3H\nEND:VFREEBUSY\nEND:VCALENDAR\n"
+    )
+    assert [busy.end - busy.start for busy in read_calendar(path, NOW).busy] == [3 * 3600.0, 3600.0]
 
 
 def test_what_repeats_every_few_seconds_for_a_lifetime_is_read_at_once(tmp_path: Path) -> None:
     taken(tmp_path, "DTSTART:19700101T000000Z\nDURATION:PT7S\nRRULE:FREQ=SECONDLY;INTERVAL=7\nSUMMARY:Tick")
-    found = busy_of_calendar(tmp_path / "busy.ics", NOW)
+    found = read_calendar(tmp_path / "busy.ics", NOW).busy
     since = (NOW - datetime.fromisoformat("1970-01-01T00:00Z")).total_seconds() % 7
     assert (found[0].start, found[0].end, len(found)) == (-since, 7 - since, 500)
+    (said,) = read_calendar(tmp_path / "busy.ics", NOW).unread
+    assert "its first 500 times count" in said
 
 
 @pytest.mark.parametrize(
@@ -131,6 +196,6 @@ def test_a_calendar_that_its_library_cannot_read_is_refused(start: str, tmp_path
 def test_what_is_no_calendar_is_refused_by_name(tmp_path: Path) -> None:
     (tmp_path / "mine.ics").write_bytes(b"\x00\xff")
     with pytest.raises(FuzzytimeError, match=r"mine\.ics must be an iCalendar file"):
-        busy_of_calendar(tmp_path / "mine.ics", NOW)
+        read_calendar(tmp_path / "mine.ics", NOW)
     with pytest.raises(FuzzytimeError, match="must be readable"):
-        busy_of_calendar(tmp_path / "missing.ics", NOW)
+        read_calendar(tmp_path / "missing.ics", NOW)

@@ -1,10 +1,14 @@
 """The conversation's commands."""
 
+import io
 from datetime import timedelta
 from pathlib import Path
 
 import pytest
 
+from fuzzytime_cli.render import Screen
+from fuzzytime_cli.repl import start
+from terminal.running import ran
 from terminal.talking import NINE, Talk
 
 
@@ -73,6 +77,12 @@ def test_a_command_takes_words_for_what_is_planned() -> None:
         (":save", "a file must follow"),
         (":save no/such/folder/x.ics", "No such file"),
         (":priority 1 much", "a priority must be a number"),
+        (":drop ²", "a number from the list must follow"),
+        (":drop -1", "such as 2, got '-1'"),
+        (":agents ²", "agents must be a number"),
+        (f":agents {'9' * 5000}", "agents must be a number"),
+        (f":drop {'9' * 5000}", "a number from the list must follow"),
+        (":plot 1 soup.png", "a picture's file must end in .svg"),
     ],
 )
 def test_a_wrong_command_is_answered_by_its_rule(line: str, rule: str) -> None:
@@ -105,7 +115,7 @@ def test_a_session_is_saved_and_loaded(tmp_path: Path) -> None:
     assert other.entries == ["Stir the soup in exactly an hour"]
     assert other.turns.conversation.state.busy[0].what == "lunch"
     third = Talk()
-    assert "1 busy times read" in third.say(f":load {tmp_path / 'dinner.ics'}")
+    assert "1 busy times read, until Wednesday 3 June 2026" in third.say(f":load {tmp_path / 'dinner.ics'}")
 
 
 def test_the_beginning_of_a_command_will_do() -> None:
@@ -230,3 +240,61 @@ def test_a_long_instruction_is_undone_in_a_line() -> None:
     talk.say("Stir the soup soon and " + 30 * "very " + "slowly")
     assert max(map(len, talk.say(":undo").splitlines())) <= 80
     assert max(map(len, talk.say(":redo").splitlines()[:1])) <= 80
+
+
+def test_a_calendar_is_loaded_for_some_months_and_only_once(tmp_path: Path) -> None:
+    file = tmp_path / "work.ics"
+    daily = "BEGIN:VEVENT\nDTSTART:20260301T080000Z\nDURATION:PT20M\nRRULE:FREQ=DAILY\nEND:VEVENT\n"
+    file.write_text(
+        f"BEGIN:VCALENDAR\nVERSION:2.0\n{daily}BEGIN:VEVENT\nSUMMARY:Fair\nEND:VEVENT\nEND:VCALENDAR\n"
+    )
+    talk = Talk()
+    answer = talk.say(f":load {file}")
+    assert "91 busy times read, until Wednesday 3 June 2026" in answer
+    assert "event 'Fair' takes no time" in answer
+    assert "91 of them known" in talk.say(f":load {file}")
+    assert len(talk.turns.conversation.state.busy) == 91
+
+
+@pytest.mark.parametrize(
+    ("options", "said", "planned"),
+    [
+        (("--ctx", "pan_temp=180"), "flip the pancakes when the pan is hot", "09:01"),
+        (("--horizon", "60 d"), "call mum on April 22 at noon", "22 Apr 12:00"),
+        (("--agents", "2"), "stir the soup right now", "by what"),
+    ],
+)
+def test_options_count_in_a_conversation(
+    options: tuple[str, str], said: str, planned: str, tmp_path: Path
+) -> None:
+    command = ("repl", "--forget", "--now", "2026-03-04T09:00")
+    lines = f"{said}\n".encode()
+    assert planned in ran(*command, *options, folder=tmp_path, stdin=lines).out
+    assert planned not in ran(*command, folder=tmp_path, stdin=lines).out
+
+
+def test_a_conversation_counts_more_than_the_agents_of_an_option(tmp_path: Path) -> None:
+    given = ("repl", "--forget", "--agents", "2", "--now", "2026-03-04T09:00")
+    done = ran(*given, folder=tmp_path, stdin=b":agents 1\nstir the soup soon\n")
+    assert "by what" not in done.out
+
+
+def test_readings_from_outside_are_listed_and_not_kept(tmp_path: Path) -> None:
+    given = ("repl", "--ctx", "pan_temp=180", "--now", "2026-03-04T09:00")
+    assert "pan_temp" in ran(*given, folder=tmp_path, stdin=b":ctx\n").out
+    assert "no readings yet" in ran("repl", folder=tmp_path, stdin=b":ctx\n").out
+
+
+def test_a_defect_costs_who_types_one_turn_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("by design")
+
+    monkeypatch.setattr("fuzzytime_cli.repl.looking.date_of", broken)
+    out = io.StringIO()
+    turns = Talk().turns
+    talk = start.Dialogue(turns, lambda: NINE, Screen.of(out, {}), bell=False)
+    assert talk.take(":now") == (True, "")
+    assert "this should not happen (ZeroDivisionError: by design)" in out.getvalue()
+    turns.asks = False
+    with pytest.raises(ZeroDivisionError):
+        talk.take(":now")

@@ -64,6 +64,22 @@ def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Pa
     assert ran("plan", "-", "--strict", *NOW, folder=tmp_path, stdin=text).code == Exit.BAD_DATA
 
 
+def test_of_many_that_are_rejected_the_first_are_said_and_the_rest_counted(tmp_path: Path) -> None:
+    lines = b"Call mum on april 22 at noon\n" * 30
+    done = ran("plan", "-", "--format", "csv", *NOW, folder=tmp_path, stdin=lines + b"Stir for a while\n")
+    assert done.err.count("beyond the horizon") == 20
+    assert "<stdin>: 10 more are rejected" in done.err
+    assert "'for a while'" in done.err
+    assert done.out.count(",true,") == 30
+
+
+def test_a_circle_says_who_cannot_come_before_whom(tmp_path: Path) -> None:
+    task = tmp_path / "task.yaml"
+    task.write_text("instructions: [{say: Stir soon, id: a, after: b}, {say: Call mum, id: b, after: a}]\n")
+    done = ran("plan", str(task), *NOW, folder=tmp_path)
+    assert "'stir' (a) cannot come before 'call mum' (b), which must come before it" in done.err
+
+
 def test_where_no_line_can_be_read_the_data_are_bad(tmp_path: Path) -> None:
     assert ran("plan", "-i", "in ten minutes", *NOW, folder=tmp_path).code == Exit.BAD_DATA
 

@@ -100,6 +100,28 @@ def test_a_picture_for_several_says_who_does_what(tmp_path: Path) -> None:
     assert ">by 2: 1.00<" in text
 
 
+def test_names_of_taken_times_do_not_cover_each_other(tmp_path: Path) -> None:
+    task = tmp_path / "task.yaml"
+    task.write_text(
+        "now: 2026-03-04T09:00\ninstructions: [Call mum at noon]\nbusy:\n"
+        "- {from: '09:10', to: '11:00', what: Spring fair}\n"
+        "- {from: '09:20', to: '11:10', what: Autumn show}\n"
+        "- {from: '11:20', to: '11:50', what: Tea}\n"
+    )
+    text = written(tmp_path, "svg", str(task))
+    assert [f">{name}</text>" in text for name in ("Spring fair", "Autumn show", "Tea")] == [
+        True,
+        False,
+        True,
+    ]
+    assert "<title>Autumn show</title>" in text
+
+
+def test_a_picture_of_nothing_says_so(tmp_path: Path) -> None:
+    done = ran("plan", "-i", "flurb at 25:99 pm", "--format", "svg", *NOW, folder=tmp_path)
+    assert "Wednesday 4 March 2026: nothing to plan" in done.out
+
+
 def _in_legend(node: minidom.Element) -> bool:
     group = node.parentNode
     return isinstance(group, minidom.Element) and group.getAttribute("class") == "legend"

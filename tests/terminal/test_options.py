@@ -7,6 +7,7 @@ from typing import get_type_hints
 
 import pytest
 
+from console import ROOT
 from fuzzytime_cli.options import Solving
 from fuzzytime_cli.settings import KINDS
 from terminal.running import ran
@@ -51,11 +52,27 @@ def test_a_format_that_is_given_counts_more_than_the_name(tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
+    "command",
+    [
+        (*SOUP, "--format", "csv"),
+        ("batch", "SOUP", "--jobs", "1"),
+    ],
+)
+def test_a_dash_is_standard_output(command: tuple[str, ...], tmp_path: Path) -> None:
+    (tmp_path / "soup.txt").write_text("Stir the soup soon\n", encoding="utf-8")
+    given = [part.replace("SOUP", str(tmp_path / "soup.txt")) for part in command]
+    done = ran(*given, "-o", "-", folder=tmp_path)
+    assert (done.code, "Stir the soup soon" in done.out or "fuzzytime-batch" in done.out) == (0, True)
+    assert not (ROOT / "-").exists()
+
+
+@pytest.mark.parametrize(
     ("arguments", "said"),
     [
         (["plan", "-i", " "], "an instruction must not be empty"),
         (["explain", ""], "an instruction must not be empty"),
         (["rules", "show", ""], "the words must not be empty"),
+        (["plan", "-i", "Stir", "--seed", "-1"], "'--seed': must be greater than or equal to 0\n"),
         (["plan", "-i", "Stir", "--agents", "two"], "'--agents': must be a valid integer\n"),
         (["plan", "-i", "Stir", "--threshold", "low"], "'--threshold': must be a valid number\n"),
     ],
@@ -112,6 +129,28 @@ def test_parse_leaves_out_comments_but_answers_every_line_of_json(tmp_path: Path
     assert len(ran("parse", "--jsonl", str(file), folder=tmp_path).out.splitlines()) == 2
 
 
+@pytest.mark.parametrize(
+    ("line", "error"),
+    [
+        ('{"text": "Stir soon", "nwo": "2026-03-04T09:00"}', "unknown key 'nwo' (did you mean 'now'?)"),
+        ('{"txt": "Stir soon"}', "unknown key 'txt' (did you mean 'text'?)"),
+        ('{"text": "Stir soon", "text": "Call"}', "keys must differ, got 'text' twice"),
+        ('{"text": "Stir soon", "weight": NaN}', "numbers must be finite, got NaN"),
+    ],
+)
+def test_parse_says_on_its_line_what_is_wrong_with_a_key(line: str, error: str, tmp_path: Path) -> None:
+    done = ran("parse", "--jsonl", "-", stdin=f"{line}\nStir soon\n".encode(), folder=tmp_path)
+    first, second = map(json.loads, done.out.splitlines())
+    assert (first["error"], second["error"], done.code) == (error, None, 0)
+
+
+def test_parse_lists_the_keys_that_it_does_not_read(tmp_path: Path) -> None:
+    lines = b'{"text": "Stir soon", "id": 7}\n{"text": "Stir soon"}\n'
+    done = ran("parse", "--jsonl", "-", stdin=lines, folder=tmp_path)
+    first, second = map(json.loads, done.out.splitlines())
+    assert (first["ignored"], "ignored" in second) == (["id"], False)
+
+
 def test_a_folder_is_not_followed(tmp_path: Path) -> None:
     done = ran("run", "-i", "Wave now", "--follow", str(tmp_path), folder=tmp_path)
     assert (done.code, "must be a file" in done.err) == (66, True)
@@ -166,3 +205,15 @@ def test_settings_count_where_a_task_file_says_nothing(tmp_path: Path) -> None:
     given = ("plan", str(task), "--now", "2026-03-28T20:00", "--format", "json")
     plan = json.loads(ran(*given, folder=tmp_path, FUZZYTIME_CONFIG=str(settings)).out)
     assert (plan["now"], plan["agents"]) == ("2026-03-28T20:00:00+09:00", 2)
+
+
+def test_a_misspelt_variable_of_the_environment_is_refused(tmp_path: Path) -> None:
+    done = ran(*SOUP, folder=tmp_path, FUZZYTIME_AGNTS="3")
+    said = "environment FUZZYTIME_AGNTS: unknown setting (did you mean FUZZYTIME_AGENTS?)"
+    assert (done.code, said in done.err) == (78, True)
+    assert ran(*SOUP, folder=tmp_path, FUZZYTIME_SKILL_AGENT="3", FUZZYTIME_COLOUR="red").code == 0
+
+
+def test_a_folder_is_no_settings_file(tmp_path: Path) -> None:
+    done = ran(*SOUP, folder=tmp_path, FUZZYTIME_CONFIG=str(tmp_path))
+    assert (done.code, "must be a file, and it is a folder" in done.err) == (78, True)

@@ -176,3 +176,36 @@ def test_a_conversation_that_is_killed_comes_back_whole(tmp_path: Path) -> None:
         command, cwd=ROOT, env=variables, input=b":list\n", capture_output=True, check=False
     )
     assert b"stir the soup" in again.stdout
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"agents": "two"}, "'agents' cannot be two"),
+        ({"agents": 1_000_000}, "at most 100 agents"),
+        ({"agents": -5}, "at most 100 agents"),
+        ({"agents": True}, "'agents' cannot be True"),
+        ({"next_number": 1}, "numbers below the next one"),
+        ({"entries": [{"number": 1, "text": 7, "given": "2026-03-04T09:00"}]}, "'text' cannot be 7"),
+        ({"entries": [{"number": 1, "text": "stir", "given": "noon"}]}, "must look like"),
+        (
+            {"entries": [{"number": 1, "text": "stir", "given": "2026-03-04T09:00", "hands_on": -1}]},
+            "at least 0",
+        ),
+        (
+            {"entries": [{"number": 1, "text": "stir", "given": "2026-03-04T09:00", "priority": 1e9}]},
+            "priorities",
+        ),
+        ({"entries": [{"number": 1, "text": "stir", "given": "2026-03-04T09:00"}] * 2}, "distinct numbers"),
+        ({"busy": [{"start": "2026-03-04T10:00", "end": "2026-03-04T09:00"}]}, "end after they start"),
+        (
+            {"readings": [{"signal": "pan_temp", "at": "2026-03-04T09:00", "value": "hot"}]},
+            "'value' cannot be hot",
+        ),
+        ({"colour": "red"}, "what is no state"),
+    ],
+)
+def test_a_session_that_no_conversation_leads_to_is_refused(change: dict[str, object], said: str) -> None:
+    document = json.loads(state_text(State().with_entry("stir", NOW)))
+    with pytest.raises(FuzzytimeError, match=said):
+        state_of(json.dumps({**document, **change}))

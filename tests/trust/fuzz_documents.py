@@ -28,8 +28,9 @@ from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.times import parse_zone
 from fuzzytime.yaml_nodes import Reader
 from fuzzytime_cli.faults import NoInputError
-from fuzzytime_cli.inputs.calendar import busy_of_calendar
+from fuzzytime_cli.inputs.calendar import read_calendar
 from fuzzytime_cli.inputs.source import source_of
+from fuzzytime_cli.inputs.surroundings import Taken
 from fuzzytime_cli.inputs.task_file import Given, Surroundings, read_task_file
 from trust.mutating import mutated
 
@@ -122,7 +123,7 @@ def use_task(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
             _must_be_satisfactions(wish.satisfaction)
 
 
-def _no_calendar(name: str, now: datetime, ahead: float) -> tuple[()]:
+def _no_calendar(name: str, now: datetime, ahead: float) -> Taken:
     raise FuzzytimeError(f"a calendar file must be readable, got {name!r} for {now} and {ahead:g} s")
 
 
@@ -132,7 +133,7 @@ def use_calendar(raw: bytes, shipped: Rulebook, chance: random.Random) -> None:
     with tempfile.NamedTemporaryFile(suffix=".ics") as file:
         file.write(raw)
         file.flush()
-        for busy in busy_of_calendar(Path(file.name), NOW):
+        for busy in read_calendar(Path(file.name), NOW).busy:
             if not busy.start <= busy.end:
                 message = f"a busy time must not end before it starts, got {busy}"
                 raise AssertionError(message)

@@ -7,7 +7,7 @@ import typer
 
 from fuzzytime_cli.choices import BatchBackend
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.options import Moment, Solving, Understanding, flattened
+from fuzzytime_cli.options import Moment, Solving, Understanding, flattened, unless_dash
 
 
 @flattened
@@ -28,7 +28,11 @@ def batch(
     output: Annotated[
         Path | None,
         typer.Option(
-            "--output", "-o", metavar="FILE", help="Write the answers to a file, as they are found."
+            "--output",
+            "-o",
+            metavar="FILE",
+            callback=unless_dash,
+            help="Write the answers to a file, as they are found; - is standard output.",
         ),
     ] = None,
     backend: Annotated[

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.inputs.source import Source
 
+MOST_REJECTED = 20
+"""Of what is rejected, so many are said one by one on standard error."""
+
 
 @flattened
 def plan(
@@ -107,7 +110,7 @@ def request_from(
     )
     if source is not None:
         if is_task_file(source):
-            from fuzzytime_cli.inputs.calendar import busy_of_calendar
+            from fuzzytime_cli.inputs.calendar import read_calendar
 
             folder = source.path.parent if source.path is not None else Path()
             surroundings = Surroundings(
@@ -115,7 +118,7 @@ def request_from(
                 assembly.given(asked=True),
                 assembly.given(asked=False),
                 now,
-                lambda name, moment, ahead: busy_of_calendar(folder / name, moment, ahead),
+                lambda name, moment, ahead: read_calendar(folder / name, moment, ahead),
                 signals,
             )
             request = read_task_file(source, surroundings)
@@ -127,11 +130,22 @@ def request_from(
 
 
 def report_problems(made: "Plan", source: str) -> None:
-    """Say on standard error which lines were not understood, with their words underlined."""
+    """Say on standard error which lines were not understood, with their words underlined.
+
+    Of many that are rejected the first are said one by one: whatever is written tells the others.
+    """
+    from fuzzytime.interpreter import ProblemKind
+    from fuzzytime_cli.faults import report
+
     name = "<stdin>" if source == "-" else source
-    for problem in made.problems:
-        if is_fault(problem):
+    faults = [problem for problem in made.problems if is_fault(problem)]
+    rejected = [problem for problem in faults if problem.kind is ProblemKind.REJECTED]
+    untold = frozenset(rejected[MOST_REJECTED:] if len(rejected) > MOST_REJECTED + 1 else ())
+    for problem in faults:
+        if problem not in untold:
             report_problem(problem, name)
+    if untold:
+        report(f"{'fuzzytime' if source == '-i' else name}: {len(untold)} more are rejected")
 
 
 def report_problem(problem: "Problem", source: str) -> None:

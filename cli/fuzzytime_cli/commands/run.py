@@ -81,6 +81,10 @@ def run(
 
     if wait_for_done and program:
         raise UsageError("--wait-for-done and --exec: a skill ends by word or with its command, not both")
+    if simulate and speed != 1:
+        raise UsageError("--simulate and --speed: a simulated run is as fast as can be")
+    if limit is not None and not program:
+        raise UsageError("--limit needs --exec PROGRAM: what it may end")
     listens = file != "-" and sys.stdin is not None and not sys.stdin.isatty()
     if wait_for_done and not listens and follow is None:
         raise UsageError("--wait-for-done needs somebody to say so: a pipe, or --follow FILE")

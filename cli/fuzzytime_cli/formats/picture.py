@@ -1,5 +1,7 @@
 """A plan as an SVG picture: a lane a skill, ψ as a filled curve, the time it takes as a bar on it."""
 
+import math
+
 import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
@@ -56,6 +58,8 @@ class _Picture:
 
     def _head(self) -> list[str]:
         date = date_of(self.plan.request.now)
+        if not self.skills:
+            date += ": nothing to plan"
         return [
             element("text", words(date), class_="small", x=8, y=TOP - 9),
             element("text", "satisfied", class_="small", x=WIDTH - 6, y=TOP - 9, text_anchor="end"),
@@ -95,15 +99,17 @@ class _Picture:
         return parts
 
     def _busy(self) -> list[str]:
-        parts = []
-        for busy in self.busy:
+        parts: list[str] = []
+        named = -math.inf  # where the last name ends: of times that overlap, names would too
+        for busy in sorted(self.busy, key=lambda taken: taken.start):
             x, end = self.across(busy.start), self.across(busy.end)
             what = plain(busy.what or "busy")
             width, height = max(1.0, end - x), self.bottom - TOP
             title = element("title", words(what))
             parts.append(element("rect", title, class_="busy", x=x, y=TOP, width=width, height=height))
-            if CHARACTER * width_of(what) <= width:
-                middle = (x + end) / 2
+            middle, half = (x + end) / 2, CHARACTER * width_of(what) / 2
+            if 2 * half <= width and named <= middle - half:
+                named = middle + half + CHARACTER
                 name = element("text", words(what), class_="small", x=middle, y=TOP - 9, text_anchor="middle")
                 parts.append(name)
         return parts

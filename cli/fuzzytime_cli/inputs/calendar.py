@@ -1,15 +1,23 @@
 """Busy times from an iCalendar file."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from datetime import date, datetime, time, timedelta
 from pathlib import Path
+from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.skills import Busy
 from fuzzytime.times import DAY, HOUR, MINUTE, seconds_between
+from fuzzytime_cli.inputs.surroundings import Taken
 
 MAX_BYTES = 4 << 20
 MAX_OCCURRENCES = 500
+MOST_UNREAD = 5
+"""Events that are named at most where they cannot be read; the rest is counted."""
+
+TIMES = ("DTSTART", "DTEND", "DURATION", "RRULE", "RDATE", "EXDATE", "RECURRENCE-ID", "FREEBUSY")
+"""What an event says of when it is."""
+
 AHEAD = 14 * DAY
 """How far ahead busy times are read at least, in seconds."""
 
@@ -28,8 +36,8 @@ _BROKEN = (
 """What the calendar's library raises where a file or an event is not as it should be."""
 
 
-def busy_of_calendar(path: Path, now: datetime, ahead: float = AHEAD) -> tuple[Busy, ...]:
-    """Give the busy times of a calendar file within the next two weeks, or longer, in seconds from now.
+def read_calendar(path: Path, now: datetime, ahead: float = AHEAD) -> Taken:
+    """Give the times that a calendar file takes within the next two weeks, or longer, in seconds from now.
 
     Events that are cancelled or transparent (they do not block time) are left out; repeating ones come with
     each occurrence that was not deleted or moved; an all-day event blocks its days. A now without a zone is
@@ -50,44 +58,90 @@ def busy_of_calendar(path: Path, now: datetime, ahead: float = AHEAD) -> tuple[B
     try:
         calendar = icalendar.Calendar.from_ical(raw)
     except _BROKEN as error:
-        reason = f": {error}" if isinstance(error, ValueError) else ""  # others are of the library's inside
+        reason = f": {str(error)[:80]}" if isinstance(error, ValueError) else ""  # others are of its inside
         raise FuzzytimeError(f"{path.name} must be an iCalendar file of at most 4 MB{reason}") from error
-    busy: list[Busy] = []
-    events = calendar.walk("VEVENT")
-    moved = {(event.get("UID"), one) for event in events for one in _moments(event, "RECURRENCE-ID", now)}
+    ahead = max(ahead, AHEAD)
+    try:
+        parts = [*_taken_by_events(calendar.walk("VEVENT"), now, ahead)]
+    except FuzzytimeError as error:
+        raise FuzzytimeError(f"{path.name}: {error}") from error
+    parts += [_taken_in_free_busy(one, now, ahead) for one in calendar.walk("VFREEBUSY")]
+    busy = sorted((one for part in parts for one in part.busy), key=lambda taken: (taken.start, taken.end))
+    unread = [f"{path.name}: {sentence}" for part in parts for sentence in part.unread]
+    if len(unread) > MOST_UNREAD + 1:
+        left = len(unread) - MOST_UNREAD
+        unread = [*unread[:MOST_UNREAD], f"{path.name}: {left} more events cannot be read as they are"]
+    return Taken(tuple(busy), tuple(unread))
+
+
+def _taken_by_events(events: "Sequence[object]", now: datetime, ahead: float) -> Iterator[Taken]:
+    """Give what each event takes, unless it is cancelled or does not block time."""
+    moved = {(_of(event, "UID"), one) for event in events for one in _moments(event, "RECURRENCE-ID", now)}
     for event in events:
         if (
-            str(event.get("STATUS", "")).upper() != "CANCELLED"
-            and str(event.get("TRANSP", "")).upper() != "TRANSPARENT"
+            str(_of(event, "STATUS") or "").upper() != "CANCELLED"
+            and str(_of(event, "TRANSP") or "").upper() != "TRANSPARENT"
         ):
-            try:
-                series = "RECURRENCE-ID" not in event
-                gone = {one for uid, one in moved if series and uid is not None and uid == event.get("UID")}
-                busy += _busy_of(event, now, max(ahead, AHEAD), gone)
-            except FuzzytimeError as error:
-                raise FuzzytimeError(f"{path.name}: {error}") from error
-    return tuple(sorted(busy, key=lambda taken: (taken.start, taken.end)))
+            own = _of(event, "UID")
+            series = _of(event, "RECURRENCE-ID") is None
+            yield _taken_by(event, now, ahead, {one for uid, one in moved if series and own and uid == own})
 
 
-def _busy_of(event: "object", now: datetime, ahead: float, moved: set[float]) -> list[Busy]:
+def _taken_by(event: "object", now: datetime, ahead: float, moved: set[float]) -> Taken:
+    """Give when an event is, and what it says of that which cannot be read."""
+    what = str(_of(event, "SUMMARY") or "")
+    name = f"event {what[:40]!r}" if what else "an event without a name"
+    broken = _broken(event)
     try:
         start = _instant(event.decoded("DTSTART"), now)  # type: ignore[attr-defined]
         length = _length(event, start, now)
         starts = _occurrences(event, start, length, now, ahead)
     except _BROKEN:
-        return []  # an event without a usable time blocks none
+        why = (
+            "it has no DTSTART"
+            if _of(event, "DTSTART") is None
+            else f"its {' and '.join(broken) or 'RRULE'} cannot be read"
+        )
+        return Taken((), (f"{name} takes no time: {why}",))
     gone = moved | _moments(event, "EXDATE", now)
-    what = str(event.get("SUMMARY", ""))  # type: ignore[attr-defined]
+    unread = [f"the {part} of {name} cannot be read, and does not count" for part in broken]
+    if len(starts) == MAX_OCCURRENCES:
+        unread.append(f"{name} repeats very often: its first {MAX_OCCURRENCES} times count")
     found = []
     for first in sorted({*(seconds_between(now, begin) for begin in starts), *_moments(event, "RDATE", now)}):
         if first + length > 0 and first < ahead and first not in gone:
             found.append(Busy(first, first + length, what))
-    return found
+    return Taken(tuple(found), tuple(unread))
+
+
+def _taken_in_free_busy(component: "object", now: datetime, ahead: float) -> Taken:
+    """Give the periods of a component that tells when somebody is busy, and not with what."""
+    given = _of(component, "FREEBUSY")
+    found, unread = [], []
+    for period in given if isinstance(given, list) else [given] if given is not None else []:
+        try:
+            if str(period.params.get("FBTYPE", "BUSY")).upper() != "FREE":
+                start, end = (seconds_between(now, _instant(one, now)) for one in (period.start, period.end))
+                if end > 0 and start < ahead:
+                    found.append(Busy(start, max(start, end)))
+        except _BROKEN:
+            unread.append("a FREEBUSY cannot be read, and takes no time")
+    return Taken(tuple(found), tuple(unread))
+
+
+def _broken(event: "object") -> list[str]:
+    """Give what an event says of its times that cannot be read."""
+    return [name for name, _ in event.errors if name in TIMES]  # type: ignore[attr-defined]
+
+
+def _of(component: "object", name: str) -> Any:  # noqa: ANN401 - whatever the calendar's library makes of it
+    """Give a property of a component; None where it has none."""
+    return component.get(name)  # type: ignore[attr-defined]
 
 
 def _moments(event: "object", name: str, now: datetime) -> set[float]:
     """Give the moments that a property lists, in seconds from now; what is no date is passed over."""
-    found = event.get(name)  # type: ignore[attr-defined]
+    found = None if name in _broken(event) else _of(event, name)
     entries = [entry for part in (found if isinstance(found, list) else [found]) for entry in _dates(part)]
     return {seconds_between(now, _instant(entry, now)) for entry in entries}
 
@@ -117,7 +171,7 @@ def _occurrences(
     event: "object", start: datetime, length: float, now: datetime, ahead: float
 ) -> list[datetime]:
     """Give the starts of an event that may still matter; dateutil comes with icalendar."""
-    rule = event.get("RRULE")  # type: ignore[attr-defined]
+    rule = _of(event, "RRULE")
     if rule is None:
         return [start]
     from dateutil.rrule import rrulestr

@@ -3,6 +3,7 @@
 import math
 import re
 from collections.abc import Callable
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from fuzzytime.errors import FuzzytimeError
@@ -10,8 +11,17 @@ from fuzzytime.skills import Busy
 from fuzzytime.times import parse_clock, parse_duration, parse_instant, seconds_between
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 
-CalendarReader = Callable[[str, datetime, float], tuple[Busy, ...]]
-"""From a calendar file's name, now, and how many seconds ahead is planned, to its busy times."""
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """Times that are taken, in seconds from now, and sentences about what of them could not be read."""
+
+    busy: tuple[Busy, ...] = ()
+    unread: tuple[str, ...] = ()
+
+
+CalendarReader = Callable[[str, datetime, float], Taken]
+"""From a calendar file's name, now, and how many seconds ahead is planned, to the times that it takes."""
 
 _CLOCK = re.compile(r"\s*\d{1,2}:\d{2}(:\d{2})?\s*")
 
@@ -47,10 +57,10 @@ def moment_of(text: str, now: datetime, since: float = -math.inf) -> float:
 
 def read_busy(
     reader: Reader, node: Node, now: datetime, agents: int, ahead: float, calendar: CalendarReader
-) -> tuple[Busy, ...]:
+) -> Taken:
     """Read a list of ``{from, to, what, agent}``, or the name of a calendar file."""
     if isinstance(node, Scalar):
-        return reader.read(node, "busy", lambda name: calendar(name, now, ahead)) or ()
+        return reader.read(node, "busy", lambda name: calendar(name, now, ahead)) or Taken()
     found = []
     for index, item in enumerate(reader.sequence(node, "busy")):
         key = f"busy[{index}]"
@@ -65,7 +75,7 @@ def read_busy(
             reader.mistake(item, key, "a busy time must not end before it starts")
         else:
             found.append(Busy(start, end, what, agent or None))
-    return tuple(found)
+    return Taken(tuple(found))
 
 
 def _moment(reader: Reader, node: Node, key: str, now: datetime, since: float = -math.inf) -> float:

@@ -13,7 +13,6 @@ from typing import Required, TypedDict, TypeVar
 from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
-from fuzzytime.skills import Busy
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
@@ -21,7 +20,7 @@ from fuzzytime.yaml_tree import Sequence as Listed
 from fuzzytime_cli.inputs.functions import read_function
 from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
-from fuzzytime_cli.inputs.surroundings import CalendarReader, read_busy
+from fuzzytime_cli.inputs.surroundings import CalendarReader, Taken, read_busy
 
 Value = TypeVar("Value")
 KEYS = ("now", "zone", "agents", "horizon", "in_order", "context", "busy", "instructions", "skills")
@@ -120,7 +119,7 @@ class _TaskFile:
         horizon = asked.horizon or own or usual.horizon
         in_order = reader.boolean(top["in_order"], "in_order") if "in_order" in top else None
         context = self._context(top["context"]) if "context" in top else Context()
-        busy = self._busy(top["busy"], horizon) if "busy" in top else ()
+        taken = self._busy(top["busy"], horizon) if "busy" in top else Taken()
         wishes = self._wishes(root, top)
         reader.finish()
         return Request(
@@ -128,7 +127,8 @@ class _TaskFile:
             wishes=wishes,
             agents=self.agents,
             context=context,
-            busy=busy,
+            busy=taken.busy,
+            unread=taken.unread,
             horizon=horizon,
             in_order=_first(asked.in_order, in_order, usual.in_order is True),
         )
@@ -136,7 +136,7 @@ class _TaskFile:
     def _context(self, node: Node) -> Context:
         return read_context_node(self.reader, node, "context", self.surroundings.signals)
 
-    def _busy(self, node: Node, horizon: float | None) -> tuple[Busy, ...]:
+    def _busy(self, node: Node, horizon: float | None) -> Taken:
         calendar = self.surroundings.calendar
         return read_busy(self.reader, node, self.now, self.agents, horizon or 0.0, calendar)
 

@@ -21,6 +21,7 @@ from fuzzytime_cli.repl.scene import (
     position_of,
     said,
     step,
+    whole,
 )
 from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
@@ -143,7 +144,9 @@ def ctx(scene: Scene, text: str) -> Reply:
     signals = scene.conversation.interpreter.rulebook.signals
     if not text.strip():
         clock = Clock(scene.now, with_seconds=True)
-        shown = tuple(_reading_line(one, clock) for one in scene.conversation.state.readings)
+        conversation = scene.conversation
+        readings = (*conversation.given, *conversation.state.readings)
+        shown = tuple(_reading_line(one, clock) for one in readings)
         known = wrapped(f"no readings yet; signals: {', '.join(sorted(signals))}", scene.width)
         return Reply(shown or tuple(known))
     reading = parse_assignment(text.strip(), signals)
@@ -152,15 +155,20 @@ def ctx(scene: Scene, text: str) -> Reply:
 
 
 def _reading_line(kept: KeptReading, clock: Clock) -> str:
-    value = "happened" if kept.value is None else f"{kept.value:g} {kept.unit or ''}".rstrip()
+    value = (
+        ("happens" if kept.at > clock.now else "happened")
+        if kept.value is None
+        else f"{kept.value:g} {kept.unit or ''}".rstrip()
+    )
     return f"{plain(kept.signal):<18} {plain(value):<12} at {clock.at(kept.at)}"
 
 
 def agents(scene: Scene, text: str) -> Reply:
     """Say how many can work at once."""
-    if not text.strip().isdigit() or not 1 <= int(text) <= 100:
-        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()!r}")
-    return step(scene, f":agents {int(text)}", lambda state: replace(state, agents=int(text)))
+    number = whole(text)
+    if number is None or not 1 <= number <= 100:
+        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()[:40]!r}")
+    return step(scene, f":agents {number}", lambda state: replace(state, agents=number))
 
 
 def in_order(scene: Scene, text: str) -> Reply:

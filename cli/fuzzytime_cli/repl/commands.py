@@ -89,7 +89,7 @@ COMMANDS: Mapping[str, Command] = {
     "load": Command("load FILE", "a saved session, a calendar, or instructions a line", saving.load),
     "now": Command("now", "the moment", looking.now),
     "help": Command("help [COMMAND]", "this list, or one command of it", _help),
-    "quit": Command("quit", "leave; everything is kept", _quit),
+    "quit": Command("quit", "leave, as Ctrl-D does", _quit),
 }
 """Every command by its name."""
 

@@ -3,6 +3,7 @@
 Nothing here reads a clock, or a keyboard, or prints: the moment is passed in, and answers are values.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
@@ -44,7 +45,8 @@ class Conversation:
     """One session in its store, with what understands and schedules it.
 
     ``interpreter`` is the population's; where ``personal`` is set, plans follow the person's ratings too.
-    ``in_order`` holds as long as the conversation says nothing else.
+    ``agents`` and ``in_order`` hold as long as the conversation says nothing else, ``horizon`` always (None
+    is as far as the last wish); ``given`` are readings from outside, which the session does not keep.
     """
 
     store: SessionStore
@@ -55,6 +57,9 @@ class Conversation:
     threshold: float
     personal: bool = True
     in_order: bool = False
+    agents: int = 1
+    horizon: float | None = None
+    given: tuple[KeptReading, ...] = ()
 
     # -- the state ------------------------------------------------------------------------------------------
 
@@ -97,18 +102,20 @@ class Conversation:
         current = state if state is not None else self.state
         known = {f"s{entry.number}" for entry in current.entries}
         started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
+        agents = self.agents if current.agents is None else current.agents
         return Request(
             now=now,
             wishes=tuple(wish_of(entry) for entry in _as_said(current.entries, now)),
-            agents=current.agents,
+            agents=agents,
+            horizon=self.horizon,
             in_order=self.in_order if current.in_order is None else current.in_order,
-            context=context_of(current.readings, now),
+            context=context_of(self.given, now, ahead=True).merged(context_of(current.readings, now)),
             busy=tuple(
                 Busy(max(0.0, seconds_between(now, kept.start)), seconds_between(now, kept.end), kept.what)
                 for kept in current.busy
                 if seconds_between(now, kept.end) > 0
             ),
-            started=tuple(_as_seen(one, now) for one in started if one.agent <= current.agents),
+            started=tuple(_as_seen(one, now) for one in started if one.agent <= agents),
         )
 
     def plan(self, now: datetime, state: State | None = None, previous: Plan | None = None) -> Plan:
@@ -208,11 +215,15 @@ def wish_of(entry: Entry) -> SpokenWish:
     )
 
 
-def context_of(readings: tuple[KeptReading, ...], now: datetime) -> Context:
-    """Give kept readings as a context seen from a moment; the future of another terminal's clock is now."""
+def context_of(readings: tuple[KeptReading, ...], now: datetime, *, ahead: bool = False) -> Context:
+    """Give kept readings as a context seen from a moment.
+
+    The future of another terminal's clock is now, unless what lies ahead is announced.
+    """
+    latest = math.inf if ahead else 0.0
     return Context(
         tuple(
-            Reading(kept.signal, min(0.0, seconds_between(now, kept.at)), kept.value, kept.unit)
+            Reading(kept.signal, min(latest, seconds_between(now, kept.at)), kept.value, kept.unit)
             for kept in readings
         )
     )
@@ -253,7 +264,7 @@ def moves(before: Plan | None, after: Plan, started: set[str]) -> list[Move]:
 
 def _by_number(identifier: str) -> tuple[int, str]:
     digits = identifier.lstrip("s").partition(".")[0]
-    return (int(digits) if digits.isdigit() else 0, identifier)
+    return (int(digits) if digits.isdecimal() else 0, identifier)
 
 
 def answered(entry: Entry, span: tuple[int, int], instant: datetime) -> Entry:

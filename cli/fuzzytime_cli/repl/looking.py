@@ -17,6 +17,7 @@ from fuzzytime_cli.repl.scene import Reply, Scene, position_of, running_lines, s
 from fuzzytime_cli.session import State
 
 MINUTE = 60.0
+SVG = ".svg"
 
 
 def show_list(scene: Scene, _: str) -> Reply:
@@ -116,15 +117,19 @@ def plot(scene: Scene, text: str) -> Reply:
     from fuzzytime_cli.formats.picture import plan_svg
 
     which, _, file = text.strip().partition(" ")
-    if which.endswith(".svg"):
-        replace_file(Path(which), plan_svg(scene.plan))
-        return said(f"written: {which}")
+    if which.lower().endswith(SVG):
+        path = Path(which).expanduser()
+        replace_file(path, plan_svg(scene.plan))
+        return said(f"written: {path}")
     position = position_of(scene, which)
     interpreted = scene.plan.skills[position]
     chart = chart_of(interpreted, scene.plan, position)
     if file.strip():
-        replace_file(Path(file.strip()), chart_svg(chart, interpreted.skill.name))
-        return said(f"written: {file.strip()}")
+        path = Path(file.strip()).expanduser()
+        if path.suffix.lower() != SVG:
+            raise FuzzytimeError(f"a picture's file must end in {SVG}, got {file.strip()!r}")
+        replace_file(path, chart_svg(chart, interpreted.skill.name))
+        return said(f"written: {path}")
     reasons = [resolution.reason for resolution in interpreted.resolutions if resolution.reason]
     why_none = [Text(f"no start satisfies: {plain(reason)}", style="yellow") for reason in reasons]
     return Reply((*chart_lines(chart, scene.width, unicode=scene.unicode), *why_none))

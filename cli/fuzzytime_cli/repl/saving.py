@@ -6,11 +6,16 @@ from pathlib import Path
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.times import instant_after
+from fuzzytime.times import WEEK, instant_after
 from fuzzytime_cli.choices import PlanFormat
+from fuzzytime_cli.formats.clock import date_of
+from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines, said, step
 from fuzzytime_cli.session import KeptBusy, State
+
+AHEAD = 13 * WEEK
+"""How far a calendar is read at least, in seconds: a conversation may go on for long."""
 
 MOST_FAULTS = 3
 """Lines of a file that are pointed at: the rest is counted."""
@@ -99,11 +104,22 @@ def _load_lines(scene: Scene, path: Path, texts: list[str]) -> Reply:
 
 
 def _load_calendar(scene: Scene, path: Path) -> Reply:
-    from fuzzytime_cli.inputs.calendar import busy_of_calendar
+    """Add the times that a calendar takes, for some months or as far as is planned."""
+    from fuzzytime_cli.inputs.calendar import read_calendar
 
+    ahead = max(AHEAD, scene.conversation.horizon or 0.0)
+    taken = read_calendar(path, scene.now, ahead)
     found = tuple(
         KeptBusy(instant_after(scene.now, busy.start), instant_after(scene.now, busy.end), busy.what)
-        for busy in busy_of_calendar(path, scene.now)
+        for busy in taken.busy
     )
-    reply = step(scene, f":load {path}", lambda state: replace(state, busy=(*state.busy, *found)))
-    return replace(reply, lines=(Text(f"{len(found)} busy times read"),))
+    known = frozenset(scene.conversation.state.busy)
+    new = tuple(one for one in found if one not in known)
+    again = f", {len(found) - len(new)} of them known" if len(new) < len(found) else ""
+    lines = [Text(plain(sentence), style="red") for sentence in taken.unread]
+    until = date_of(instant_after(scene.now, ahead))
+    lines.append(Text(f"{len(found)} busy times read, until {until}{again}"))
+    if not new:
+        return Reply(tuple(lines))
+    reply = step(scene, f":load {path}", lambda state: replace(state, busy=(*state.busy, *new)))
+    return replace(reply, lines=tuple(lines))

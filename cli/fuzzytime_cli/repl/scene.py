@@ -17,6 +17,9 @@ from fuzzytime_cli.session import Started, State
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
 
+MOST_DIGITS = 9
+"""Of a number that somebody types."""
+
 
 @dataclass(frozen=True, slots=True)
 class Reply:
@@ -56,6 +59,16 @@ def said(text: str) -> Reply:
     return Reply((Text(plain(text)),))
 
 
+def whole(text: str) -> int | None:
+    """Read a whole number that somebody may have meant; None where it is none.
+
+    >>> whole(" 12 "), whole("²"), whole("9" * 5000)
+    (12, None, None)
+    """
+    digits = text.strip()
+    return int(digits) if digits.isdecimal() and len(digits) <= MOST_DIGITS else None
+
+
 def number_of(text: str) -> int:
     """Read an instruction's number.
 
@@ -65,9 +78,10 @@ def number_of(text: str) -> int:
         If it is none.
     """
     digits = text.strip().removeprefix("s").partition(".")[0]
-    if not digits.isdigit():
-        raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()!r}")
-    return int(digits)
+    number = whole(digits)
+    if number is None:
+        raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()[:40]!r}")
+    return number
 
 
 def number_and_rest(text: str, what: str) -> tuple[int, str]:
@@ -85,8 +99,9 @@ def number_and_rest(text: str, what: str) -> tuple[int, str]:
 
 
 def identifier_of(text: str) -> str:
-    """Give a skill's identifier, of which the number will do."""
-    return text.strip() if text.strip().startswith("s") else f"s{text.strip()}"
+    """Give a skill's identifier, of which the number will do; what is neither stays as it is."""
+    said = text.strip()
+    return f"s{said}" if said[:1].isdecimal() else said
 
 
 def position_of(scene: Scene, text: str) -> int:

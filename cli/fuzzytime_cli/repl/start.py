@@ -4,7 +4,7 @@ import io
 import os
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
 from datetime import datetime
@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, TextIO
 
 from rich.text import Text
 
+from fuzzytime.context import Signal
+from fuzzytime.times import instant_after
 from fuzzytime_cli.assembly import Assembly, data_folder
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.faults import message_of, report
@@ -21,7 +23,7 @@ from fuzzytime_cli.render import Screen, plain, terminal_width
 from fuzzytime_cli.repl.conversation import Conversation
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.turn import Line, Turns
-from fuzzytime_cli.session import NotKeptError, open_store
+from fuzzytime_cli.session import KeptReading, NotKeptError, open_store
 
 if TYPE_CHECKING:
     from prompt_toolkit import PromptSession
@@ -47,15 +49,19 @@ def converse(
     store, trouble = open_store(folder / "sessions.sqlite" if kept and folder is not None else None)
     if trouble:
         report(f"this session is not kept: {trouble}")
+    interpreter = assembly.interpreter(personal=False)
     conversation = Conversation(
         store,
         session,
-        assembly.interpreter(personal=False),
+        interpreter,
         lambda name: assembly.solver(SolverChoice(name) if name else None),
         assembly.limits(),
         assembly.settings.number("threshold"),
         personal=assembly.settings.flag("personal"),
         in_order=assembly.settings.flag("in_order"),
+        agents=int(assembly.settings.number("agents")),
+        horizon=assembly.horizon(),
+        given=_given(assembly, understanding or Understanding(), clock(), interpreter.rulebook.signals),
     )
     screen = Screen.of(sys.stdout, dict(os.environ))
     turns = Turns(conversation, screen.width, unicode=screen.unicode)
@@ -69,6 +75,17 @@ def converse(
         store.close()
 
 
+def _given(
+    assembly: Assembly, understanding: Understanding, now: datetime, signals: Mapping[str, Signal]
+) -> tuple[KeptReading, ...]:
+    """Give the readings of ``--context`` and ``--ctx``, with their instants."""
+    context = assembly.context(understanding, now, signals)
+    return tuple(
+        KeptReading(reading.signal, instant_after(now, reading.at), reading.value, reading.unit)
+        for reading in context.readings
+    )
+
+
 def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
     """Give the clock: the machine's, or one that starts at ``--now`` and goes on from there."""
     begun, first = datetime.now().astimezone(), assembly.moment()
@@ -76,8 +93,6 @@ def _clock_of(assembly: Assembly) -> Callable[[], datetime]:
         return assembly.moment
 
     def shifted() -> datetime:
-        from fuzzytime.times import instant_after
-
         return instant_after(first, (datetime.now().astimezone() - begun).total_seconds())
 
     return shifted
@@ -113,6 +128,11 @@ class Dialogue:
                 if not self.turns.asks:
                     raise
                 reply = Reply((Text(plain(message_of(error)), style="red"),), edit="\n".join(lines))
+            except Exception as error:
+                # A defect of this program costs whoever types one turn, and not what they are at.
+                if not self.turns.asks or os.environ.get("FUZZYTIME_DEBUG"):
+                    raise
+                reply = Reply((Text(plain(message_of(error)), style="red"),))
             self.screen.write(*reply.lines)
         return not reply.over, reply.edit
 

@@ -16,7 +16,7 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines, running_lines
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines, running_lines, whole
 from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -124,8 +124,9 @@ class Turns:
         return reply
 
     def _answer_to(self, words: str, pending: Pending | None, now: datetime) -> Reply:
-        if pending is not None and words.isdecimal():
-            return self._answer(pending, int(words))
+        choice = whole(words)
+        if pending is not None and choice is not None:
+            return self._answer(pending, choice)
         if words[0] in ":/":
             command, rest = command_of(words)
             return command.run(self._scene(now), rest)

@@ -1,5 +1,6 @@
 """A conversation that survives: its state as a value, kept in SQLite with every step undoable."""
 
+from fuzzytime_cli.session.document import state_of, state_text
 from fuzzytime_cli.session.state import (
     Entry,
     KeptBusy,
@@ -7,8 +8,6 @@ from fuzzytime_cli.session.state import (
     KeptReading,
     Started,
     State,
-    state_of,
-    state_text,
 )
 from fuzzytime_cli.session.store import NotKeptError, SessionStore, open_store
 

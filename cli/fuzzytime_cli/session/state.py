@@ -1,14 +1,11 @@
-"""The state of a conversation as a value, and as JSON."""
+"""The state of a conversation as a value."""
 
-import json
 from collections.abc import Iterable
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
-
-SCHEMA = "fuzzytime-session/1"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,14 +72,15 @@ class KeptRating:
 class State:
     """Everything that was said in a conversation, as a value.
 
-    ``in_order`` says whether each instruction is done after the one before; None leaves that to the settings.
+    ``agents`` says how many can work at once, ``in_order`` whether each instruction is done after the one
+    before; None leaves that to the settings.
     """
 
     entries: tuple[Entry, ...] = ()
     next_number: int = 1
     readings: tuple[KeptReading, ...] = ()
     busy: tuple[KeptBusy, ...] = ()
-    agents: int = 1
+    agents: int | None = None
     in_order: bool | None = None
     solver: str = ""
     finished: tuple[str, ...] = field(default=())
@@ -137,72 +135,3 @@ class State:
         same = (kept.identifier, kept.start)
         others = (one for one in self.ratings if (one.identifier, one.start) != same)
         return replace(self, ratings=(*others, kept))
-
-
-def state_text(state: State) -> str:
-    """Write a state as JSON."""
-    return json.dumps({"schema": SCHEMA, **asdict(state)}, default=instant_text)
-
-
-def instant_text(value: object) -> str:
-    """Write an instant with its zone, as JSON is asked to write what it does not know."""
-    if isinstance(value, datetime):
-        zone = getattr(value.tzinfo, "key", "")
-        return value.isoformat() + (f"[{zone}]" if zone else "")
-    raise TypeError(type(value).__name__)
-
-
-def instant_of(text: str) -> datetime:
-    """Read an instant with its zone."""
-    from fuzzytime.times import parse_instant, parse_zone
-
-    plain, _, zone = text.partition("[")
-    return parse_instant(plain, parse_zone(zone.rstrip("]")) if zone else None)
-
-
-def state_of(text: str) -> State:
-    """Read a state from JSON.
-
-    Raises
-    ------
-    FuzzytimeError
-        If it is not one.
-    """
-    try:
-        data = json.loads(text)
-        if data.pop("schema") != SCHEMA:
-            raise FuzzytimeError(f"a session must be of the form {SCHEMA}")
-        entries = tuple(_entry_of(entry) for entry in data.pop("entries"))
-        readings = tuple(
-            KeptReading(**{**kept, "at": instant_of(kept["at"])}) for kept in data.pop("readings")
-        )
-        busy = tuple(
-            KeptBusy(instant_of(kept["start"]), instant_of(kept["end"]), str(kept["what"]))
-            for kept in data.pop("busy")
-        )
-        finished = tuple(map(str, data.pop("finished")))
-        ratings = tuple(
-            KeptRating(**{**kept, "start": instant_of(kept["start"])})
-            for kept in data.pop("ratings", ())  # sessions of earlier versions have none
-        )
-        return State(
-            entries=entries, readings=readings, busy=busy, finished=finished, ratings=ratings, **data
-        )
-    except (ValueError, TypeError, KeyError, AttributeError) as error:
-        raise FuzzytimeError(f"a session must be JSON of the form {SCHEMA}: {error}") from error
-
-
-def _entry_of(entry: dict[str, Any]) -> Entry:
-    """Read an entry; those of earlier versions were not moved."""
-    moved_to = entry.get("moved_to")
-    instants = {
-        "given": instant_of(entry["given"]),
-        "moved_to": None if moved_to is None else instant_of(moved_to),
-    }
-    return Entry(**{**entry, **instants})
-
-
-def started_of(text: str) -> Started:
-    """Read a started skill from JSON."""
-    data = json.loads(text)
-    return Started(**{**data, **{key: instant_of(data[key]) for key in ("start", "end", "done")}})

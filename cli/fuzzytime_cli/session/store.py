@@ -11,15 +11,8 @@ from pathlib import Path
 
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.session.state import (
-    KeptRating,
-    Started,
-    State,
-    instant_text,
-    started_of,
-    state_of,
-    state_text,
-)
+from fuzzytime_cli.session.document import instant_text, started_of, state_of, state_text
+from fuzzytime_cli.session.state import KeptRating, Started, State
 
 KEPT_STEPS = 1_000
 """How many steps can be undone."""
