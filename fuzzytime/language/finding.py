@@ -15,6 +15,7 @@ from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded, grounded
+from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.resources import rules_directory
@@ -102,15 +103,12 @@ def find_times(
 
 def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     """Ground phrases; those that name no time become remarks."""
-    found: list[Grounded] = []
+    found: list[tuple[Phrase, Grounded]] = []
     remarks: list[Remark] = []
     for phrase in phrases:
-        kinds = {Constraint.AT, Constraint.BETWEEN} if _is_part_alone(phrase) else {Constraint.AT}
-        # "Unplug it tonight so it's dry by morning": the morning behind that night.
-        begun = next((one.requirement for one in found if one.requirement.constraint in kinds), None)
+        begun = next((one.requirement for other, one in found if _leads(other, one, phrase)), None)
         here = moment
-        if begun is not None and phrase.said.constraint is Constraint.BEFORE and begun.earliest is not None:
-            # "At four so it's cool by six": the six behind that four.
+        if begun is not None and begun.earliest is not None:
             here = replace(moment, since=begun.earliest, carried=False, listed=False, follows=True)
         try:
             some = grounded(phrase, text, here)
@@ -118,9 +116,24 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
             said = text[phrase.span[0] : phrase.span[1]]
             remarks.append(Remark(RemarkKind.NOT_UNDERSTOOD, phrase.span, f"{said!r}: {error}"))
             continue
-        found += some
+        found += ((phrase, one) for one in some)
         remarks += [remark for one in some for remark in one.remarks]
-    return Times(tuple(found), tuple(remarks))
+    return Times(tuple(one for _, one in found), tuple(remarks))
+
+
+def _leads(first: Phrase, begun: Grounded, second: Phrase) -> bool:
+    """Whether the second of two times of one thing lies behind the first."""
+    constraint = begun.requirement.constraint
+    if second.said.constraint is not Constraint.BEFORE:
+        # "After six, preferably around seven": the seven behind that six.
+        return constraint is Constraint.AFTER
+    time = first.said.time
+    night = isinstance(time, Wall) and time.part is not None and time.part.half is Half.NIGHT
+    if constraint is Constraint.BETWEEN:
+        # "Unplug it tonight so it's dry by morning", "charge it overnight so it's ready by six"
+        return night or _is_part_alone(second)
+    # "At four so it's cool by six": the six behind that four.
+    return constraint is Constraint.AT
 
 
 def _is_part_alone(phrase: Phrase) -> bool:

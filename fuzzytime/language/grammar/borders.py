@@ -53,6 +53,9 @@ FEAST_WORDS = 3
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
+LONGEST_WISH = 4
+"""Words of a hedge such as "if at all possible"."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, particles, comparisons, nouns."""
@@ -87,6 +90,7 @@ class Borders:
             or self._is_played(piece)
             or self._divides(piece)
             or self._begins_other_bound(piece)
+            or self._hedges_what_follows(piece)
         )
 
     def _begins_other_bound(self, piece: Piece) -> bool:
@@ -97,6 +101,17 @@ class Borders:
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
         return further or not (follower in JOINING or self.around.opens(piece.start))
+
+    def _hedges_what_follows(self, piece: Piece) -> bool:
+        """Whether its last words wish for the time behind them: "after six, preferably | around seven"."""
+        led = any(said.category.startswith("preposition") for said in self.around.pieces(piece.end))
+        # "Tonight, ideally before it gets dark" wishes something else than a time.
+        place = piece.end + led
+        if not (self.around.timely(place) or self.measures.is_number(place)):
+            return False
+        starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
+        ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
+        return any(said.category == "hedge" and said.value == "about" for said in ending)
 
     def _divides(self, piece: Piece) -> bool:
         """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""

@@ -21,6 +21,9 @@ NIGHT = time(21)
 OVERNIGHT = timedelta(hours=5)
 """What lines say from then on may lie behind midnight, so long after."""
 
+HALF_DAY = timedelta(hours=12)
+"""After so long a clock time without am or pm comes again."""
+
 EARLY = time(4)
 """From here on, who speaks is up early, not late."""
 
@@ -34,7 +37,10 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
-    if here.since is not None and _is_late(here, here.since, moments):
+    morning = _of_morning(here, moments)
+    if morning is not None:
+        chosen = morning
+    elif here.since is not None and _is_late(here, here.since, moments):
         # "The interval is at 20:35", "strike the set at ten": that evening, however late.
         chosen = next(moment for moment in moments if here.since < moment)
     elif here.since is not None and chosen < here.since:
@@ -50,6 +56,20 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         chosen = next(iter(follows), chosen)
     choices = tuple(moments) if len(moments) > 1 else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _of_morning(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the moment in which a night ends that was said before: people are up early then."""
+    since = here.since
+    if since is None:
+        return None
+    if here.ends and here.follows and since.time() >= EVENING:
+        # "Charge it overnight so it's ready by six"
+        return next((moment for moment in moments if since < moment <= since + HALF_DAY), None)
+    if since.time() < here.policy.plausible_from:
+        # "Leave it on overnight and switch it off at six"
+        return next((moment for moment in moments if since <= moment <= since + CLOSE), None)
+    return None
 
 
 def _is_late(here: Standpoint, since: datetime, moments: Sequence[datetime]) -> bool:

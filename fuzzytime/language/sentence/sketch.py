@@ -166,9 +166,10 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
         return action
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
-    spends = part.tree.nodes[action.place].lemma in lexicon.doing["spent"] and not timed.isdisjoint(
-        part.tree.children(action.place, "dobj", "npadvmod")
-    )
+    taken = set(part.tree.children(action.place, "dobj"))
+    # "Take the bins out tonight to help mum": it is no time that is taken.
+    spends = part.tree.nodes[action.place].lemma in lexicon.doing["spent"] and taken <= timed
+    spends = spends and not timed.isdisjoint(taken.union(part.tree.children(action.place, "npadvmod")))
     if spends:
         verbs = (place for place in verbs if place > action.place)
     found = next(verbs, None) if spends or action.place in timed else None
