@@ -21,9 +21,6 @@ NIGHT = time(21)
 OVERNIGHT = timedelta(hours=5)
 """What lines say from then on may lie behind midnight, so long after."""
 
-HALF_DAY = timedelta(hours=12)
-"""After so long a clock time without am or pm comes again."""
-
 EARLY = time(4)
 """From here on, who speaks is up early, not late."""
 
@@ -37,7 +34,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
-    morning = _of_morning(here, moments)
+    morning = _of_morning(here, moments, clock, named=named)
     if morning is not None:
         chosen = morning
     elif here.since is not None and _is_late(here, here.since, moments):
@@ -54,18 +51,22 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
             # "On friday mow at ten and rake at six": the six of that day that follows, however late.
             follows += [moment for moment in plausible if here.since < moment]
         chosen = next(iter(follows), chosen)
-    choices = tuple(moments) if len(moments) > 1 else ()
+    choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
 
-def _of_morning(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+def _of_morning(
+    here: Standpoint, moments: Sequence[datetime], clock: Clock, *, named: bool
+) -> datetime | None:
     """Give the moment in which a night ends that was said before: people are up early then."""
     since = here.since
     if since is None:
         return None
-    if here.ends and here.follows and since.time() >= EVENING:
+    if here.ends and here.follows and not named and since.time() >= EVENING:
         # "Charge it overnight so it's ready by six"
-        return next((moment for moment in moments if since < moment <= since + HALF_DAY), None)
+        days = (midnight(since.date()) + timedelta(days=later) for later in (0, 1))
+        there = (day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates())
+        return min(moment for moment in there if moment > since)
     if since.time() < here.policy.plausible_from:
         # "Leave it on overnight and switch it off at six"
         return next((moment for moment in moments if since <= moment <= since + CLOSE), None)

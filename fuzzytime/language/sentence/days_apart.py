@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.drafts import Heading
 from fuzzytime.language.sentence.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments import ENDS
@@ -122,6 +123,12 @@ def _is_part(said: Said) -> bool:
     return isinstance(said.time, Wall) and said.time.days is None
 
 
+def _ends_night(said: Said, day: Said) -> bool:
+    """Whether it is a deadline of what goes on at night: "charge it overnight so it's ready by six"."""
+    night = isinstance(day.time, Wall) and day.time.part is not None and day.time.part.half is Half.NIGHT
+    return night and said.constraint is Constraint.BEFORE
+
+
 def _is_at_most(said: Said) -> bool:
     """Whether it is a length of time that something takes no longer than."""
     return isinstance(said.time, Duration) and said.preposition == "within"
@@ -167,7 +174,12 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
             told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
             phrases[other] = replace(phrase, said=told_length)
             continue
-        told = told_apart(phrase.said, day) if other != place and _is_open(phrase.said, day) else None
+        apart = other == place or not _is_open(phrase.said, day)
+        told = (
+            None
+            if apart or (other > place and _ends_night(phrase.said, day))
+            else told_apart(phrase.said, day)
+        )
         if told is None:
             continue
         phrases[other] = replace(phrase, said=told)
