@@ -8,9 +8,14 @@ import pytest
 
 from fuzzytime import interpreter
 from fuzzytime.language import grammar, meaning, sentence
+from fuzzytime.language.sentence import clauses, references, segments, sketches, together, trees, verbs
+
+ROOMS = (clauses, references, segments, sketches, together, trees, verbs)
 
 
-@pytest.mark.parametrize("package", [grammar, interpreter, meaning, sentence], ids=lambda one: one.__name__)
+@pytest.mark.parametrize(
+    "package", [grammar, interpreter, meaning, sentence, *ROOMS], ids=lambda one: one.__name__
+)
 def test_the_map_of_a_package_names_each_module_and_nothing_else(package: ModuleType) -> None:
     here = Path(package.__file__ or "").parent
     modules = {

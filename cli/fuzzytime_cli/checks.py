@@ -47,7 +47,7 @@ def _versions() -> Check:
 
 def _model() -> Check:
     from fuzzytime.language import installed_model, model_files
-    from fuzzytime.language.sentence.model import FileState
+    from fuzzytime.language.sentence.trees.model import FileState
 
     try:
         package = installed_model()

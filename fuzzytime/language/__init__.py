@@ -28,11 +28,11 @@ from fuzzytime.language.instruction import (
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.content_words import content_words
-from fuzzytime.language.sentence.model import ModelError, installed_model, model_files
-from fuzzytime.language.sentence.named import is_several
-from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import comes, shares_thing
+from fuzzytime.language.sentence.references.mentions import comes, shares_thing
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
+from fuzzytime.language.sentence.trees.named import is_several
+from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 
 __all__ = [
     "About",

@@ -11,15 +11,15 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
-from fuzzytime.language.sentence.clock_times import NOTHING, last_said
 from fuzzytime.language.sentence.compose import composed
-from fuzzytime.language.sentence.days_of_events import day_of
-from fuzzytime.language.sentence.drafts import Draft, drafted
-from fuzzytime.language.sentence.headings import under_headings
-from fuzzytime.language.sentence.model import ModelPackage, installed_model, parsed
-from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.references import Mentions
-from fuzzytime.language.sentence.tree import Tree
+from fuzzytime.language.sentence.references.mentions import Mentions
+from fuzzytime.language.sentence.segments.drafts import Draft, drafted
+from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said
+from fuzzytime.language.sentence.sketches.days_of_events import day_of
+from fuzzytime.language.sentence.together.headings import under_headings
+from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
+from fuzzytime.language.sentence.trees.parse_cache import ParseCache
+from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import TimeRequirement
 
 

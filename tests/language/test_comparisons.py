@@ -7,7 +7,7 @@ import pytest
 from fuzzytime.language.english import grammar
 from fuzzytime.language.finding import find_times, shipped_lexicon
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.sentence.comparisons import comparisons_in
+from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.requirement import Comparison, Side
 from fuzzytime.times import HOUR
 

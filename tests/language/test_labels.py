@@ -2,7 +2,7 @@
 
 from fuzzytime.language.finding import shipped_lexicon
 from fuzzytime.language.instruction import StrictReading
-from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.trees.labels import strict_reading
 from language.trees import PLACE_THE_PAN, tree
 
 

@@ -5,8 +5,14 @@ from pathlib import Path
 import pytest
 
 from fuzzytime.language import installed_model, model_files
-from fuzzytime.language.sentence import model
-from fuzzytime.language.sentence.model import FileState, ModelError, ModelPackage, official_hashes, parsed
+from fuzzytime.language.sentence.trees import model
+from fuzzytime.language.sentence.trees.model import (
+    FileState,
+    ModelError,
+    ModelPackage,
+    official_hashes,
+    parsed,
+)
 
 pytestmark = pytest.mark.model
 

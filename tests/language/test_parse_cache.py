@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.language.sentence.model import ModelPackage
-from fuzzytime.language.sentence.parse_cache import ParseCache
-from fuzzytime.language.sentence.tree import Node, Tree
+from fuzzytime.language.sentence.trees.model import ModelPackage
+from fuzzytime.language.sentence.trees.parse_cache import ParseCache
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 from language.trees import PLACE_THE_PAN
 
 MODEL = ModelPackage("a_model", "1.0")

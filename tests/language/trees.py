@@ -1,6 +1,6 @@
 """Dependency trees built by hand, so that tests of the sentence need no model."""
 
-from fuzzytime.language.sentence.tree import Node, Tree
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 
 def tree(*rows: str) -> Tree:

@@ -2,7 +2,7 @@
 
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
-from fuzzytime.language.sentence.content_words import content_words
+from fuzzytime.language.sentence.trees.content_words import content_words
 
 CLOCK = frozenset({"time"})
 """What "what's the time" asks for."""

@@ -3,8 +3,8 @@
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.instruction import Operation, Reading
-from fuzzytime.language.sentence.content_words import EMPTY
-from fuzzytime.language.sentence.named import PRONOUNS, SPEAKERS
+from fuzzytime.language.sentence.trees.content_words import EMPTY
+from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS
 
 PAST = frozenset({"VBN", "VBD"})
 BEING = frozenset({"is", "are", "'s", "'re"})

@@ -9,7 +9,7 @@ from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS
-from fuzzytime.language.sentence.content_words import content_words
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 
 Form = tuple[str, ...]

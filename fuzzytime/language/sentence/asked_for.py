@@ -5,13 +5,13 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Remark
-from fuzzytime.language.sentence.anchors import Anchors
-from fuzzytime.language.sentence.doubts import doubts_of, nothing_to_do, unasked, unused_orders
-from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.pronouns import resolved_object, thing_of_clause_in_front
-from fuzzytime.language.sentence.references import Mentions
-from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.language.sentence.waiting import INVERTING
+from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.mentions import Mentions
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.waiting import INVERTING
+from fuzzytime.language.sentence.sketches.pronouns import resolved_object, thing_of_clause_in_front
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.doubts import doubts_of, nothing_to_do, unasked, unused_orders
 
 
 def asked_of(

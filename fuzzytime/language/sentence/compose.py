@@ -17,23 +17,29 @@ from fuzzytime.language.instruction import (
     Span,
 )
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.sentence.anchors import Anchors
 from fuzzytime.language.sentence.asked_for import asked_of
-from fuzzytime.language.sentence.at_events import at_events
-from fuzzytime.language.sentence.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.clock_times import NOTHING, LastSaid, last_said
-from fuzzytime.language.sentence.connectives import (
+from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.mentions import Mentions
+from fuzzytime.language.sentence.references.phrase_anchors import ORDERING, counts_from_nothing, of_phrase
+from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     follows_nothing,
     led_by_nothing,
     within_after,
 )
-from fuzzytime.language.sentence.contradictions import contradictions
-from fuzzytime.language.sentence.days_of_events import day_of, on_days_of_events
-from fuzzytime.language.sentence.doubts import unused_words
-from fuzzytime.language.sentence.drafts import HEADED, Draft
-from fuzzytime.language.sentence.headings import day_above, read_heading
-from fuzzytime.language.sentence.lengths import (
+from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
+from fuzzytime.language.sentence.sketches.at_events import at_events
+from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
+from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
+from fuzzytime.language.sentence.sketches.contradictions import contradictions
+from fuzzytime.language.sentence.sketches.days_of_events import day_of, on_days_of_events
+from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
+from fuzzytime.language.sentence.sketches.prepared import due_of
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
+from fuzzytime.language.sentence.together.doubts import unused_words
+from fuzzytime.language.sentence.together.headings import day_above, read_heading
+from fuzzytime.language.sentence.together.lengths import (
     due_when_needed,
     length_of,
     lengths_in_front,
@@ -41,16 +47,10 @@ from fuzzytime.language.sentence.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.negations import awaiting, without_denial
-from fuzzytime.language.sentence.pairs import leads_to
-from fuzzytime.language.sentence.phrase_anchors import ORDERING, counts_from_nothing, of_phrase
-from fuzzytime.language.sentence.prepared import due_of
-from fuzzytime.language.sentence.references import Mentions
-from fuzzytime.language.sentence.sketch import Sketch
-from fuzzytime.language.sentence.sketches import sketches_of
+from fuzzytime.language.sentence.together.pairs import leads_to
+from fuzzytime.language.sentence.together.sketches import sketches_of
+from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
-from fuzzytime.language.sentence.usual_hours import at_usual_hours
-from fuzzytime.language.sentence.waited import waited
 from fuzzytime.requirement import TimeRequirement
 
 

@@ -4,8 +4,8 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import StrictReading, Token
-from fuzzytime.language.sentence.drafts import Draft
-from fuzzytime.language.sentence.labels import strict_reading
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.trees.labels import strict_reading
 
 
 def tokens_of(draft: Draft, lexicon: Lexicon) -> tuple[tuple[Token, ...], StrictReading]:

@@ -1,0 +1,149 @@
+"""What a clause says: that something is done ("you serve") or so ("it is hot"), or an event ("dinner")."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.conditions import being, condition_of, happening, state
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Tree
+
+STATED = frozenset({"when", "if", "until"})
+"""Clauses that say what must be so."""
+
+NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
+"""Clauses that may name an event."""
+
+REFLEXIVE = ("self", "selves")
+"""How pronouns end that are no event: "clean up after yourselves"."""
+
+FINISHING = frozenset({"finish", "stop", "complete"})
+"""Verbs that say of what is done that it is over."""
+
+CONJUNCTIONS = frozenset({"while", "whilst", "as"})
+"""Markers behind which something goes on: "during the film" names it."""
+
+"""Tags of words behind which a noun stands: "the ward round", whatever a tree makes of it."""
+
+NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
+
+
+@dataclass(frozen=True, slots=True)
+class Contents:
+    """Reads what clauses of a tree say; ``phrases`` are the times, at which a noun ends."""
+
+    tree: Tree
+    phrases: Sequence[Phrase]
+    lexicon: Lexicon
+
+    def told(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
+        """Give a clause with what it says: that something is done, or so, or an event."""
+        said = self.tree.text[slice(*clause.span)]
+        verb = self._verb(clause, nodes)
+        if verb is not None:
+            done = self._finished(verb, nodes)
+            return replace(
+                clause,
+                verb=self.tree.nodes[done].lemma,
+                object=self._object(done, nodes) or self._object(verb, nodes),
+                condition=condition_of(self.tree, verb, nodes, said),
+            )
+        if clause.kind in STATED:
+            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
+            if condition is None and clause.marker.startswith("the "):
+                # "The minute steak"
+                return None
+            condition = condition or state(self.tree, nodes, said)
+            if condition is not None:
+                return replace(clause, condition=condition)
+        return self.event(clause, nodes)
+
+    def _verb(self, clause: Clause, nodes: Sequence[int]) -> int | None:
+        """Give the clause's own verb: the highest in it."""
+        verbs = [p for p in nodes if self.tree.nodes[p].is_verb and not self._describes(p, clause, nodes)]
+        if not verbs:
+            return None
+        inside = set(nodes)
+        tops = [p for p in verbs if not any(a in inside and a in verbs for a in self.tree.above(p))]
+        return tops[0] if tops else verbs[0]
+
+    def _finished(self, verb: int, nodes: Sequence[int]) -> int:
+        """Give what is done that a verb says to be over: "once it has finished welding"."""
+        if self.tree.nodes[verb].lemma not in FINISHING:
+            return verb
+        below = (
+            p for p in self.tree.children(verb, "xcomp") if p in nodes and self.tree.nodes[p].tag == "VBG"
+        )
+        return next(below, verb)
+
+    def _describes(self, place: int, clause: Clause, nodes: Sequence[int]) -> bool:
+        """Whether a verb is a part of another word; in "the moment it boils" that word is the marker's."""
+        node = self.tree.nodes[place]
+        if node.relation in {"relcl", "acl"}:
+            return node.head in nodes
+        if node.relation == "xcomp" and node.head not in nodes and place != nodes[0]:
+            # "Remind me the day before the exam to print my notes"
+            return True
+        led = clause.kind in NAMING and self.tree.nodes[nodes[0]].tag.startswith(("NN", *DETERMINERS))
+        if led and place != nodes[0] and any(self.tree.nodes[p].lower == "to" for p in self._before(place)):
+            # "Stay behind after class to tidy up"
+            return not self.tree.children(place, "nsubj")
+        return node.relation in {"aux", "auxpass", "amod", "compound"}
+
+    def _before(self, place: int) -> list[int]:
+        """Give the verbs that help one, and its "to"."""
+        return [p for p in self.tree.children(place, "aux") if p < place]
+
+    def _object(self, verb: int, nodes: Sequence[int]) -> str | None:
+        inside = set(nodes)
+        for place in (
+            *self.tree.children(verb, "dobj", "nsubjpass"),
+            *self.tree.children(verb, "nsubj", "attr"),
+        ):
+            if place in inside:
+                text = " ".join(
+                    self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
+                )
+                if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
+                    return text
+        return None
+
+    def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
+        """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
+        together = clause.kind == "while" and clause.marker not in CONJUNCTIONS
+        named = clause.edge is not None or clause.kind in NAMING or clause.marker == "by"
+        if not (together or named) or not self.tree.nodes[nodes[-1]].tag:
+            return None
+        head = next((p for p in nodes if self.tree.nodes[p].tag.startswith(NOUNS)), None)
+        if head is None or self.tree.nodes[head].lower.endswith(REFLEXIVE):
+            return None
+        noun = self._noun_end(nodes)
+        if self.tree.nodes[noun].lower in self.lexicon.landmarks:
+            # "Turn left after the second crossing"
+            return None
+        end = self.tree.nodes[noun].end
+        return replace(
+            clause,
+            span=(clause.span[0], end),
+            content=(clause.content[0], end),
+            object=self.tree.text[clause.content[0] : end],
+            is_event=True,
+        )
+
+    def _noun_end(self, nodes: Sequence[int]) -> int:
+        """Give the last word of the noun: up to a preposition, a verb, or a time."""
+        last = nodes[0]
+        for place in nodes:
+            node = self.tree.nodes[place]
+            timed = any(a <= node.start < b for a, b in (phrase.span for phrase in self.phrases))
+            if place > nodes[0] and (
+                timed
+                or node.tag in {"IN", "TO", "CC", ",", ".", ":", "WDT", "WP", "MD"}
+                or node.is_verb
+                or (node.relation == "nsubj" and self.tree.nodes[last].tag not in DETERMINERS)
+            ):
+                break
+            last = place
+        return last

@@ -1,0 +1,127 @@
+"""What a clause says must be so: "the pan is very hot", "the timer rings", "golden brown"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Condition
+
+BE = frozenset(
+    {"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go", "sound", "smell", "taste"}
+)
+GOING = frozenset({"go", "run", "turn", "stay", "look"})
+"""Verbs that say that something is so, and alone that it is done: "when you go"."""
+
+SHORT_BE = frozenset({"m", "re", "s", "'m", "'re", "'s"})
+"""How "am", "are" and "is" are often typed: "when im back"."""
+
+STARTING = frozenset({"start", "begin", "stop", "cease"})
+"""What goes on is what matters: "when it starts to rain"."""
+
+UNLESS = "unless"
+"""The marker whose clause must not hold."""
+
+IF = "if"
+"""The marker whose clause may have a bare verb: "if the bell ring", as in "should the bell ring"."""
+
+LONGEST_STATE = 3
+"""Words that say how something is, at most: "until light and fluffy"."""
+
+POSSESSIVE = "POS"
+ITS = "its"
+"""How "it's" is often typed."""
+
+SHORTEST_BEING = 2
+"""Words of "its dark"."""
+
+ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
+
+
+def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
+    """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
+    inside = set(nodes)
+    subjects = [p for p in tree.children(verb, *GRAMMATICAL_SUBJECTS) if p in inside]
+    if not subjects:
+        # "Until it thickens": a pronoun right before the verb was taken for what the marker governs.
+        subjects = [p for p in nodes if p == verb - 1 and tree.nodes[p].tag in {"PRP", "PRP$"}]
+    negated = any(p in inside for p in tree.children(verb, "neg"))
+    negated ^= text.lower().startswith(UNLESS)
+    if not subjects:
+        return Condition(text=text, negated=negated)
+    subject = " ".join(
+        tree.nodes[p].lower
+        for p in sorted(tree.below(subjects[0]))
+        if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
+    )
+    if subjects and tree.nodes[subjects[0]].lower == ITS:
+        subject = "it"
+    node = tree.nodes[verb]
+    predicates = ("acomp", "oprd", "advmod", "attr", "prt", "xcomp")
+    said = [p for p in tree.children(verb, *predicates) if p in inside and p > verb]
+    # "When it is over": what governs nothing is no preposition.
+    said = said or [
+        p
+        for p in nodes
+        if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
+    ]
+    if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
+        starts = node.lemma in STARTING
+        below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
+        below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]
+        acts = node.lemma not in BE or node.lemma in GOING
+        action = tree.nodes[below[0]].lower if below else node.lower if acts else None
+        return Condition(text=text, subject=subject or None, word=action, negated=negated)
+    last = said[-1]
+    hedges = tuple(tree.nodes[p].lower for p in sorted(tree.below(last)) if p < last)
+    return Condition(
+        text=text,
+        subject=subject or None,
+        word=tree.nodes[last].lower,
+        hedges=hedges,
+        negated=negated,
+    )
+
+
+def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "the timer rings", where the tree takes the verb for a plural: a noun, then a word in -s."""
+    # "Every time the doorbell rings after dark"
+    end = next((position for position, p in enumerate(nodes) if position and tree.nodes[p].tag == "IN"), None)
+    *before, last = (tree.nodes[p] for p in nodes[:end])
+    named = [node.lower for node in before if node.tag not in ANY_DETERMINERS]
+    bare = named and last.tag in {"NN", "JJ"} and last.may_act
+    if bare and (before[-1].tag == "NNS" or text.lower().startswith(IF)):
+        # "When the edges brown", "should the bell ring"
+        return Condition(text=text, subject=" ".join(named), word=last.lower)
+    if (
+        last.tag != "NNS"
+        or len(named) == len(before)
+        or not named
+        or not before[-1].tag.startswith(("NN", "JJ"))
+    ):
+        return None
+    return Condition(text=text, subject=" ".join(named), word=last.lower)
+
+
+def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "everyone's asleep", where the tree takes the verb for a possessive."""
+    said = [tree.nodes[p] for p in nodes]
+    if len(said) == SHORTEST_BEING and said[0].lower == ITS:
+        # "When its dark"
+        return Condition(text=text, subject="it", word=said[-1].lower)
+    subject = [node.lower for node in said[:-2] if node.tag not in ANY_DETERMINERS]
+    if not subject or said[-2].tag != POSSESSIVE:
+        return None
+    return Condition(text=text, subject=" ".join(subject), word=said[-1].lower)
+
+
+def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "until golden brown", "once tender": what becomes so is not said."""
+    said = [tree.nodes[place] for place in nodes]
+    words = [node.lower for node in said if node.tag not in {"CC", ","}]
+    again = words[:1] in (["more"], ["again"])
+    named = again or any(
+        node.tag in ANY_DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said
+    )
+    if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
+        return None
+    return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))

@@ -1,0 +1,257 @@
+"""Times that depend on another instruction: "five minutes before you serve", "ten minutes later", "then"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import chain
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import HALFWAY
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.clause_sides import FIRST, side_of
+from fuzzytime.language.sentence.references.mentions import (
+    BE,
+    Mentions,
+    best_of,
+    comes,
+    is_done_with,
+)
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS_AND_ASKED
+from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+
+HOME = frozenset({"back", "home"})
+"""Where who speaks comes to: "I'll be back about six"."""
+
+BACK = frozenset({"it", "that", "this"})
+"""Words for an event that is the instruction before."""
+
+END = frozenset({"the end", "the very end"})
+"""Words for the end of what goes on."""
+
+COMING_BACK = frozenset({"they", "he", "she", "it"})
+
+NEAR = 50
+"""How many instructions back somebody's coming is looked for."""
+
+
+@dataclass(frozen=True, slots=True)
+class Anchors:
+    """What one instruction's words may refer to: the operations of all others.
+
+    ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
+    operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
+    where nothing said before is meant. ``day`` is that of a line above.
+    """
+
+    position: int
+    first: int
+    own: Sequence[Operation | None]
+    mentions: Mentions
+    lexicon: Lexicon
+    awaits: bool = False
+    day: Calendar | None = None
+
+    def about(self, clause: Clause) -> str | None:
+        """Give what an instruction before is about that a clause is about too; None where there is none."""
+        target = self.target_of(clause)
+        if target is None or target >= self.position:
+            return None
+        operation = self.operation_at(target)
+        return None if operation is None else operation.object
+
+    def target_of(self, clause: Clause) -> int | None:
+        """Give the position of the instruction that a clause is about, None where there is none."""
+        here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
+        beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
+        # Of equals the nearest: among those before it the last, among those behind the first.
+        last = self.position - 1
+        condition = clause.condition
+        if condition is not None and condition.subject == "you" and condition.word in self.lexicon.results:
+            # "Text me when you are finished"
+            return last if last >= 0 and not condition.negated else None
+        if self._is_done_soon(clause):
+            # "Add the carrots an hour before it's done"
+            return self.going_on()
+        over = condition is not None and condition.word in self.lexicon.results
+        over = over and condition is not None and condition.subject in BACK
+        phases = self.lexicon.doing["beginning"] | self.lexicon.doing["ending"]
+        happens = (over or clause.verb in phases) and last >= 0 and self._is_stated(last)
+        if (clause.is_event or happens) and (over or (clause.object or "").lower() in BACK) and last >= 0:
+            # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
+            return last
+        if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
+            # "Add the hops 15 minutes before the end"
+            return self.going_on()
+        target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
+        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS_AND_ASKED:
+            target = self._arrival(clause)
+        if target is not None or not self.awaits:
+            return target
+        return best_of(clause, self._coming(clause), self.lexicon)
+
+    def _is_done_soon(self, clause: Clause) -> bool:
+        """Whether a distance counts back from the end of what goes on: "five minutes before it is ready"."""
+        condition = clause.condition
+        if (
+            clause.kind not in FIRST
+            or clause.distance is None
+            or condition is None
+            or not self.mentions.lasting
+        ):
+            return False
+        return condition.subject in BACK and condition.word in self.lexicon.results
+
+    def _arrival(self, clause: Clause) -> int | None:
+        """Give the latest that comes, of whoever "they" are: "before they arrive".
+
+        Who speaks comes where the latest journey leads: "when we get there".
+        """
+        if clause.verb not in self.lexicon.doing["arriving"] and not clause.is_there:
+            return None
+        if clause.condition is not None and clause.condition.subject in SPEAKERS_AND_ASKED:
+            here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
+            back = (place for place, one in (*here, *self.just_before()) if _comes_back(one))
+            known = next(back, None)
+            if known is not None:
+                return known
+            leaving = self.lexicon.doing["leaving"]
+            goes = ((place, one.lemma) for place, one in self.just_before())
+            return next((place for place, lemma in goes if lemma in leaving), None)
+        coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
+        return next(coming, None)
+
+    def just_before(self) -> Iterator[tuple[int, Operation]]:
+        """Give the instructions before it, the latest first, that are not long ago."""
+        for place in range(self.position - 1, max(-1, self.position - NEAR), -1):
+            operation = self.operation_at(place)
+            if operation is not None:
+                yield place, operation
+
+    def _given(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
+        for place in self.mentions.named_by(clause, range(self.first), backwards=True):
+            yield place, self.mentions.operations[place]
+
+    def _coming(self, clause: Clause) -> Iterator[tuple[int, Operation | None]]:
+        coming = range(self.first + len(self.own), len(self.mentions.operations))
+        for place in self.mentions.named_by(clause, coming, backwards=False):
+            yield place, self.mentions.operations[place]
+
+    def done_with(self, thing: str | None) -> int | None:
+        """Give the latest instruction before it that is about a thing; None for none, and for a person."""
+        words = content_words(thing.split()[-1] if thing else None) - PRONOUNS
+        if not words or words & self.lexicon.persons:
+            return None
+        for place in range(self.position - 1, self.first - 1, -1):
+            if is_done_with(self.operation_at(place), words):
+                return place
+        return self.mentions.touching(words, self.first)
+
+    def done_with_it(self, pronoun: str) -> int | None:
+        """Give the instruction right before it, where that is about what the same pronoun stands for."""
+        before = self.operation_at(self.position - 1) if self.position else None
+        same = before is not None and not before.negated and (before.object or "").lower() == pronoun
+        return self.position - 1 if same else None
+
+    def lasting(self, thing: str | None, text: str) -> Anchor:
+        """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
+        words = content_words(thing)
+        if words and not words <= PRONOUNS:
+            named = Clause("length", "", (0, 0), (0, 0), object=thing, is_event=True)
+            return Anchor(text=text, object=thing, target=self.target_of(named))
+        return Anchor(text=text, target=self.position - 1 if self.position else None)
+
+    def of_clause(self, clause: Clause, text: str, what: str, target: int | None) -> TimeRequirement:
+        """Give the requirement of a clause that names another instruction, or an event."""
+        before = clause.kind in FIRST
+        together = clause.kind == "while"
+        distance = clause.distance
+        lag = 0.0 if distance is None else distance.seconds * (-1 if before else 1)
+        if clause.takes is not None and not before:
+            lag += clause.takes.seconds
+        edge = Edge.START if before or together or clause.kind == "into" else Edge.END
+        edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
+        if clause.edge is not None:
+            edge = clause.edge
+        elif (clause.object or "").lower() in END or self._is_done_soon(clause):
+            edge = Edge.END
+        elif target is not None and self._is_stated(target):
+            # "When the meeting starts", "before the film ends"
+            edge = self._edge_of_phase(clause.verb) or edge
+        anchor = Anchor(
+            text=what,
+            verb=clause.verb,
+            object=clause.object,
+            target=target,
+            edge=edge,
+            lag=lag,
+            exact=clause.kind == HALFWAY
+            or clause.beside is not None
+            or (distance is not None and clause.kind != "within" and clause.side is None),
+            share=0.5 if clause.kind == HALFWAY else None,
+        )
+        return TimeRequirement(
+            text=text,
+            span=clause.span,
+            constraint=side_of(clause),
+            preposition=clause.marker,
+            fuzziness=(clause.beside,) if clause.beside else () if distance is None else distance.hedges,
+            number=None if distance is None else distance.number,
+            unit=None if distance is None else distance.unit,
+            anchor=anchor,
+        )
+
+    def _edge_of_phase(self, verb: str | None) -> Edge | None:
+        """Give the edge of what happens that a verb is about; None where it is about neither."""
+        if verb in self.lexicon.doing["beginning"]:
+            return Edge.START
+        return Edge.END if verb in self.lexicon.doing["ending"] else None
+
+    def is_asked(self, target: int) -> bool:
+        """Whether an instruction asks for something to be done."""
+        operation = self.operation_at(target)
+        return operation is not None and not operation.stated
+
+    def is_same_as_before(self, operation: Operation) -> bool:
+        """Whether the instruction before asks for the very same."""
+        before = self.operation_at(self.position - 1) if self.position else None
+        same = before is not None and not before.stated and before.lemma == operation.lemma
+        return same and before is not None and before.object == operation.object
+
+    def goes_on(self, operation: Operation) -> bool:
+        """Whether what is told is what something with a time does then, told right before in its text."""
+        before = self.operation_at(self.position - 1) if self.position > self.first else None
+        beginning = self.lexicon.doing["beginning"] | {BE}
+        begins = before is not None and before.stated and before.lemma in beginning
+        return begins and before is not None and before.object == operation.object
+
+    def operation_at(self, target: int) -> Operation | None:
+        """Give the operation of an instruction by its position."""
+        place = target - self.first
+        return self.own[place] if 0 <= place < len(self.own) else self.mentions.operations[target]
+
+    def _is_stated(self, target: int) -> bool:
+        operation = self.operation_at(target)
+        return operation is not None and operation.stated
+
+    def before_list(self) -> int:
+        """Give the instruction before all that the same words ask for, as a list of times does; or -1."""
+        own, before = self.operation_at(self.position), self.position - 1
+        while before >= self.first and own is not None:
+            other = self.operation_at(before)
+            if other is None or other.span != own.span:
+                break
+            before -= 1
+        return before
+
+    def going_on(self) -> int:
+        """Give the latest instruction that was said to go on for some time, or that right before."""
+        before = [place for place in self.mentions.lasting if place < self.first]
+        return self.position - 1 if self.position > self.first or not before else before[-1]
+
+
+def _comes_back(operation: Operation) -> bool:
+    """Whether somebody who speaks is said to be back then: "we'll be home by six"."""
+    said = {operation.particle, operation.place, operation.complement, operation.object}
+    return operation.stated and operation.lemma in {BE, "get", "come"} and not HOME.isdisjoint(said)

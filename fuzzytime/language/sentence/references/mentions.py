@@ -1,0 +1,227 @@
+"""Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
+
+import heapq
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from datetime import date
+from itertools import groupby
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.trees.content_words import content_words, stems
+from fuzzytime.language.sentence.trees.named import PRONOUNS, is_several, may_be_it, names_person
+
+ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
+"""Words for all that is meant, whatever that is."""
+
+BE = "be"
+SAME_VERB = 2.0
+"""The worth of the very verb of a clause, to which words that are shared add 1 each."""
+
+ALIKE = 0.5
+"""The worth of a word that is only alike."""
+
+
+def shares_thing(one: Operation, other: Operation) -> bool:
+    """Whether two operations name the same thing, as what they are about or as its place."""
+    named = (content_words(part.object) | content_words(part.place) for part in (one, other))
+    return not frozenset.intersection(*named).isdisjoint(content_words(one.object))
+
+
+def comes(happening: Operation, lexicon: Lexicon) -> bool:
+    """Whether somebody or something is said to come, and is not there before."""
+    return happening.stated and happening.lemma in lexicon.doing["arriving"]
+
+
+def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:
+    """Whether something can be done only when what comes is there: "the truck arrives at ten. Unload it"."""
+    return comes(happening, lexicon) and not operation.stated and shares_thing(happening, operation)
+
+
+@dataclass(slots=True)
+class Mentions:
+    """The operations of all texts in order, and where each word and each verb names one.
+
+    What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
+    those that were said to go on for some time, ``days`` the days that those are on of which that is known.
+    """
+
+    lexicon: Lexicon
+    operations: list[Operation | None] = field(default_factory=list)
+    lasting: list[int] = field(default_factory=list)
+    days: dict[int, date] = field(default_factory=dict)
+    _by_word: dict[str, list[int]] = field(default_factory=dict)
+    _by_verb: dict[str, list[int]] = field(default_factory=dict)
+    _bare: dict[str, list[int]] = field(default_factory=dict)
+    _things: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+    _people: tuple[list[int], list[int]] = field(default_factory=lambda: ([], []))
+
+    def add(self, operation: Operation | None) -> None:
+        """Add the next operation, None for an instruction without one."""
+        position = len(self.operations)
+        self.operations.append(operation)
+        if operation is None:
+            return
+        named = operation.object
+        if named is not None and names_person(named, self.lexicon):
+            self._people[is_several(named)].append(position)
+        if may_be_it(operation, self.lexicon):
+            self._things[is_several(operation.object or "")].append(position)
+        if operation.negated:
+            return
+        words = content_words(operation.object)
+        for noun in _nouns(operation.lemma)[1:]:
+            self._by_verb.setdefault(noun, []).append(position)
+        known = words | content_words(operation.place)
+        for word in known | stems(known | {operation.lemma}):
+            self._by_word.setdefault(word, []).append(position)
+        self._by_verb.setdefault(operation.lemma, []).append(position)
+        if not words | content_words(operation.place):
+            self._bare.setdefault(operation.lemma, []).append(position)
+
+    def thing(self, before: int, *, several: bool, strictly: bool = False) -> str | None:
+        """Give the latest object that "it" or "them" may be, of either number unless ``strictly``."""
+        one, many = (positions[: bisect_left(positions, before)][-1:] for positions in self._things)
+        found = (many if several else one) or ([] if strictly else sorted(one + many)[-1:])
+        operation = self.operations[found[0]] if found else None
+        return None if operation is None else operation.object
+
+    def person(self, before: int, *, several: bool) -> str | None:
+        """Give the latest person who was named in an object, or the latest persons."""
+        found = self._people[several]
+        place = bisect_left(found, before) - 1
+        operation = self.operations[found[place]] if place >= 0 else None
+        return None if operation is None else operation.object
+
+    def about(self, words: frozenset[str], before: int) -> int | None:
+        """Give the latest position before one whose object has all of some words."""
+        runs = sorted((self._by_word.get(word, []) for word in words), key=len)
+        for position in reversed(runs[0][: bisect_left(runs[0], before)] if runs else []):
+            operation = self.operations[position]
+            if operation is not None and words <= content_words(operation.object):
+                return position
+        return None
+
+    def touching(self, words: frozenset[str], before: int) -> int | None:
+        """Give the latest position before one of what is to be done with something that words name."""
+        stretch = range(before)
+        runs = [_within(by.get(word, []), stretch) for word in words for by in (self._by_word, self._by_verb)]
+        for position in heapq.merge(*(reversed(run) for run in runs), reverse=True):
+            if is_done_with(self.operations[position], words):
+                return position
+        return None
+
+    def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
+        """Give the positions in a stretch that a clause may be about, the nearest end first."""
+        named, words = _names_of(clause)
+        # Of operations that only the verb names, the nearest is as good as any.
+        single = [self._bare.get(clause.verb or "", [])]
+        single += [self._by_verb.get(noun, []) for noun in words]
+        if not named or named <= PRONOUNS | ALL:
+            single.append(self._by_verb.get(clause.verb or "", []))
+        end = slice(-1, None) if backwards else slice(1)
+        runs = [_within(run, stretch)[end] for run in single]
+        runs += [_within(self._by_word.get(word, []), stretch) for word in words | stems(words)]
+        ordered = (reversed(run) if backwards else iter(run) for run in runs)
+        for position, _ in groupby(heapq.merge(*ordered, reverse=backwards)):
+            yield position
+
+
+def _nouns(verb: str) -> tuple[str, ...]:
+    """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
+    bare = verb.removesuffix("e")
+    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+
+
+def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:
+    """Give a verb as it is said of now and of before: come, coming, came; of one or several."""
+    bare, last = verb.removesuffix("e"), verb[-1:]
+    regular = {verb, f"{bare}ing", f"{verb}{last}ing", f"{bare}ed", f"{verb}{last}ed"}
+    return frozenset(regular | lexicon.past.get(verb, frozenset()))
+
+
+def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
+    """Whether an operation asks for something to be done with what words name, which may be its verb."""
+    if operation is None or operation.stated or operation.negated:
+        return False
+    known = content_words(operation.object) | content_words(operation.place)
+    return not words.isdisjoint(known.union(_nouns(operation.lemma)))
+
+
+def _within(positions: list[int], stretch: range) -> list[int]:
+    return positions[bisect_left(positions, stretch.start) : bisect_left(positions, stretch.stop)]
+
+
+def _names_of(clause: Clause) -> tuple[frozenset[str], frozenset[str]]:
+    """Give the words of a clause's object, and with them those of its subject."""
+    named = content_words(clause.object)
+    subject = None if clause.condition is None else clause.condition.subject
+    return named, named | content_words(subject)
+
+
+def best_of(
+    clause: Clause, candidates: Iterable[tuple[int, Operation | None]], lexicon: Lexicon
+) -> int | None:
+    """Give the position of the operation that a clause refers to, the first of the best; None for none."""
+    best, found = 0.0, None
+    named, words = _names_of(clause)
+    most = SAME_VERB + max(len(named), len(words) - 1)
+    for position, operation in candidates:
+        if operation is None or operation.negated:
+            continue
+        worth = _likeness(clause, operation, lexicon)
+        if worth > best:
+            best, found = worth, position
+        if best >= most:
+            break
+    return found
+
+
+def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
+    """How well an operation fits a clause: 0 where it does not."""
+    named, doing = content_words(clause.object), lexicon.doing
+    known = content_words(operation.object) | content_words(operation.place)
+    shared = len(named & content_words(operation.object))
+    if clause.is_event:
+        # "Before the walk", where the dog is walked; "into the roast", where the meat is roasted.
+        if clause.kind == "length":
+            # "We are at swimming by four. Swimming lasts an hour"
+            shared = len(named & known)
+        same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
+        return same or _named_after(named, operation)
+    word = None if clause.condition is None else clause.condition.word
+    if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
+        # "Half an hour before we're on"
+        return SAME_VERB
+    # "While she is there" names no dinner that is at seven.
+    same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
+    if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
+        return SAME_VERB + shared
+    goes_on = clause.verb == BE and word in doing["going on"] and clause.kind == "while"
+    if operation.stated and shared and (goes_on or clause.verb in doing["beginning"] | doing["ending"]):
+        # "Five minutes before the meeting starts", where the meeting is at three.
+        return SAME_VERB + shared
+    if shared and clause.verb == "go" and operation.lemma in doing["putting"]:
+        # "20 minutes before the cake goes in", where it is baked.
+        return SAME_VERB + shared
+    condition = clause.condition
+    if condition is not None and condition.word is not None:
+        # "When the rice is done", "once the table is set": its result.
+        subject = content_words(condition.subject)
+        finished = condition.word in lexicon.results or clause.verb in doing["finished"]
+        if finished and not subject.isdisjoint(_nouns(operation.lemma)):
+            # "Once the print is done", where the bracket is printed.
+            return SAME_VERB
+        if finished and subject & content_words(operation.object):
+            return 1.0 + len(subject & content_words(operation.object))
+        if finished:
+            return _named_after(subject, operation)
+    return 0.0
+
+
+def _named_after(words: frozenset[str], operation: Operation) -> float:
+    """How well a noun for what is done fits an operation: the incubation, where the incubator is used."""
+    known = content_words(operation.object) | content_words(operation.place)
+    return ALIKE * (not stems(words).isdisjoint(stems(known | {operation.lemma})))

@@ -1,0 +1,147 @@
+"""Times that count from another instruction without a clause: "before dinner", "ten minutes later"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Edge as Bound
+from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.mentions import waits_for
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+AT_THE_END = "at the end"
+"""The time word that is about the end of what goes on."""
+
+ORDERING = {
+    "afterwards": Constraint.AFTER,
+    AT_THE_END: Constraint.AFTER,
+    "beforehand": Constraint.BEFORE,
+    "then": Constraint.AT,
+    "meanwhile": Constraint.AT,
+}
+"""The time words that are about the instruction before it."""
+
+BESIDE = frozenset({"during", "over", "with", "at"})
+"""Prepositions of what goes on: "during lunch"."""
+
+HOUR = "time"
+"""The end of the name of when a meal is: "lunchtime"."""
+
+WITHIN = "within"
+INSIDE = frozenset({LEFT, HALFWAY})
+"""The prepositions of times that are inside something else, and nothing without that."""
+
+EARLIER = "earlier"
+"""The preposition of times that count back from what was said before."""
+
+COUNTED: dict[str | None, Constraint] = {
+    "later": Constraint.AFTER,
+    EARLIER: Constraint.BEFORE,
+    INTO: Constraint.AFTER,
+    LEFT: Constraint.AFTER,
+}
+"""The prepositions that count from the instruction before: "ten minutes later", "ten minutes before that"."""
+
+
+def counts_from_nothing(
+    requirement: TimeRequirement, said: Said, operation: Operation | None, position: int
+) -> bool:
+    """Whether a time is inside something, or before it, and nothing was said: "remind me a day before"."""
+    if requirement.anchor is not None:
+        return False
+    asked = operation is not None and not operation.stated
+    days = said.time.days if isinstance(said.time, Wall) else None
+    # "Bake it the day before"
+    day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
+    return requirement.preposition in INSIDE or (asked and (day_before or requirement.preposition == EARLIER))
+
+
+def of_phrase(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
+    """Give a requirement of the grammar as a reference, where it is one."""
+    found = _meal(anchors, phrase, requirement) or _later(anchors, phrase, requirement)
+    return found or _upon_arrival(anchors, requirement) or requirement
+
+
+def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequirement | None:
+    """Count "within an hour" from when that comes which it is about: "the truck comes at ten, …"."""
+    operation = anchors.operation_at(anchors.position)
+    if requirement.preposition != WITHIN or requirement.t_spec is None or operation is None:
+        return None
+    for place, happening in anchors.just_before():
+        if waits_for(operation, happening, anchors.lexicon):
+            anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
+            return _counted_from(requirement, anchor, Constraint.BETWEEN)
+    return None
+
+
+def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
+    """Read "before dinner", "an hour before dinner" as a reference where another makes that dinner."""
+    time, constraint, lag = phrase.said.time, phrase.said.constraint, 0.0
+    if isinstance(time, Offset) and time.anchor is not None:
+        lag = time.direction * time.duration.seconds
+        time, constraint = time.anchor, Constraint.BEFORE if lag < 0 else Constraint.AFTER
+    part = time.part if isinstance(time, Wall) and time.days in {None, anchors.day} else None
+    if part is not None and not part.meal and part.name.endswith(HOUR):
+        # "Call her at lunchtime"
+        part = replace(part, name=part.name.removesuffix(HOUR), meal=True)
+    beside = requirement.text.split()[0].lower() in BESIDE
+    if phrase.said.beside:
+        constraint = Constraint.BEFORE if phrase.said.edge is Bound.START else Constraint.AFTER
+    if part is None or not part.meal or part.place:
+        return None
+    if not beside and constraint not in {Constraint.BEFORE, Constraint.AFTER}:
+        return None
+    words = content_words(part.name)
+    own = [
+        anchors.first + place
+        for place, operation in enumerate(anchors.own)
+        if operation is not None and words <= content_words(operation.object)
+    ]
+    targets = [place for place in own if place != anchors.position]
+    target = targets[-1] if targets else anchors.mentions.about(words, anchors.first)
+    if target is None:
+        return None
+    constraint = Constraint.AT if beside or constraint is None else constraint
+    edge = Edge.END if constraint is Constraint.AFTER else Edge.START
+    just = phrase.said.beside and constraint is Constraint.BEFORE
+    anchor = Anchor(
+        text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
+    )
+    return _counted_from(requirement, anchor, constraint)
+
+
+def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
+    """Read "ten minutes later" as a distance from the instruction before, in the same text or another.
+
+    "Afterwards" is after it and "before that" before it, at whatever distance.
+    """
+    time = phrase.said.time
+    if isinstance(time, TimeWord) and time.word in ORDERING and anchors.position > 0:
+        constraint = ORDERING[time.word]
+        edge = Edge.END if constraint is Constraint.AFTER else Edge.START
+        target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
+        anchor = Anchor(text=requirement.text, target=target, edge=edge)
+        return _counted_from(replace(requirement, word=None), anchor, constraint)
+    if phrase.said.preposition == HALFWAY and anchors.position > 0:
+        anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
+        return _counted_from(requirement, anchor, Constraint.AFTER)
+    side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
+    before = anchors.position - 1
+    if phrase.said.preposition == INTO:
+        before = anchors.before_list()
+    if side is None or before < 0:
+        return None
+    edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
+    lag = requirement.t_spec or 0.0
+    target = anchors.going_on() if phrase.said.preposition == LEFT else before
+    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
+    return _counted_from(requirement, anchor, side)
+
+
+def _counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
+    """Give a requirement that counts from another instruction alone."""
+    return replace(
+        requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
+    )

@@ -1,0 +1,63 @@
+"""Orders that a connective says: "then", "meanwhile"; how soon after another: "then, within ten minutes"."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from fuzzytime.language.instruction import Remark, RemarkKind, Span
+from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+
+WITHIN = "within"
+ORDERING = frozenset({"then", "meanwhile"})
+
+
+def follows_nothing(said: str, span: Span) -> Remark:
+    """Point at words that order an instruction beside another, where it is the first."""
+    message = f"{said!r} is about an instruction before it, and none was given so far"
+    return Remark(RemarkKind.UNRESOLVED, span, message)
+
+
+def led_by_nothing(segment: Segment, text: str) -> Iterator[Remark]:
+    """Point at the connective of what is the first instruction of all."""
+    if segment.connective in ORDERING:
+        said = text[slice(*segment.connective_span)].rstrip(" ,:")
+        yield follows_nothing(said, segment.connective_span)
+
+
+def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
+    """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
+    if segment.connective not in ORDERING or position == 0:
+        return None
+    first, end = segment.connective_span
+    said = text[first:end].rstrip(" ,:") or text[first:end]
+    follows = segment.connective == "then"
+    return TimeRequirement(
+        text=said,
+        span=(first, first + len(said)),
+        constraint=Constraint.AFTER if follows else Constraint.AT,
+        preposition=segment.connective,
+        anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
+    )
+
+
+def within_after(requirements: Sequence[TimeRequirement]) -> list[TimeRequirement]:
+    """Let a length that something is to be done within count from what it is to be done after.
+
+    "Then mount the cover within five minutes" counts from what was done before.
+    """
+    within = [part for part in requirements if part.preposition == WITHIN and part.anchor is None]
+    after = [part for part in requirements if _is_after(part)]
+    if len(within) != 1 or len(after) != 1:
+        return list(requirements)
+    (length,), (behind,) = within, after
+    if length.t_spec is None or behind.anchor is None:
+        return list(requirements)
+    anchor = replace(behind.anchor, lag=behind.anchor.lag + length.t_spec)
+    both = replace(length, constraint=Constraint.BETWEEN, anchor=anchor, t_spec=None, latest=None)
+    return [both if part is length else part for part in requirements if part is not behind]
+
+
+def _is_after(part: TimeRequirement) -> bool:
+    anchor = part.anchor
+    behind = anchor is not None and anchor.target is not None and not anchor.exact
+    return behind and part.constraint is Constraint.AFTER

@@ -1,0 +1,273 @@
+"""Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
+
+import re
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord
+from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
+from fuzzytime.language.sentence.segments.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node
+from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.language.sentence.verbs.statements import second_statement
+from fuzzytime.requirement import Constraint
+
+CHAIN = re.compile(r",?w(?:,w)*,?&")
+"""Words (w), commas and "and" (&) before the last of some verbs that share an object."""
+
+SHORTEST_CALL = 3
+"""Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
+
+REMEMBERING = frozenset({"remember", "note", "mind"})
+"""Verbs that ask for nothing more than the one below them, beside those of forgetting."""
+
+AGAIN = frozenset({"back", "again", "then"})
+"""Words beside the other particle of a verb that is left out."""
+
+THEREAFTER = (
+    ["thereafter"],
+    ["afterwards"],
+    ["after", "that"],
+    ["from", "then", "on"],
+    ["from", "there", "on"],
+)
+"""Ends of a repetition that goes on from where the one before it is over."""
+
+SHORTEST_GAP = 2
+"""Words at least between two times of which the second is another thing's: "and lunch"."""
+
+THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
+"""Tags of words that name a thing, or what is called out: "goodbye"."""
+
+NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
+"""Tags of what names something, where a sentence has no verb."""
+
+MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
+"""How times bind that say when."""
+
+SIDES = MOMENTS | {Constraint.BEFORE, Constraint.AFTER}
+"""How times bind of which each is another thing's: "shirts before lunch and trousers after dinner"."""
+
+
+def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the segment without the name before its first comma, or behind its last, of who is asked.
+
+    A name begins with a capital, and is no verb: "Wash, peel and slice the apples" asks nobody by name.
+    """
+    nodes = part.tree.nodes
+    if one.segment.addressee is not None or len(nodes) < SHORTEST_CALL:
+        return []
+    first, last = one.segment.span
+    # As in "Robot 3: dock at noon", with a number behind it.
+    mark = 1 + (nodes[1].tag == "CD")
+    for name, rest in ((nodes[:mark], nodes[mark + 1 :]), (nodes[-1:], nodes[:-2])):
+        separator = nodes[mark] if name[0] is nodes[0] else nodes[-2]
+        dash = separator.text == "-" and mark == 2
+        if (dash or separator.text in {",", ":"}) and rest and _is_name(one, part, name, lexicon):
+            span = (rest[0].start + part.offset, rest[-1].end + part.offset)
+            span = (span[0], last) if name[0] is nodes[0] else (first, span[1])
+            called = " ".join(node.text for node in name)
+            segment = replace(one.segment, span=span, addressee=called)
+            if Waiting.of(one.position, one.source, segment, lexicon).text:
+                return [segment]
+    return []
+
+
+def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
+    root = part.tree.root
+    if root is None or part.tree.nodes[root].lemma not in lexicon.forgetting | REMEMBERING:
+        return []
+    if part.tree.children(root, "nsubj", "nsubjpass"):
+        return []
+    for told in part.tree.children(root, "ccomp"):
+        subjects = [p for p in part.tree.children(told, "nsubj", "nsubjpass", "expl") if root < p < told]
+        if not subjects or part.tree.nodes[told].tag == "VB" or part.tree.nodes[subjects[0]].lower == "you":
+            continue
+        first = min(part.tree.below(subjects[0]))
+        if first == root + 1 or (first == root + 2 and part.tree.nodes[root + 1].lower == "that"):
+            start = part.tree.nodes[first].start + part.offset
+            return [replace(one.segment, span=(start, one.segment.span[1]))]
+    return []
+
+
+def _is_name(one: Waiting, part: Part, nodes: Sequence[Node], lexicon: Lexicon) -> bool:
+    """Whether words call somebody, or a machine by its number."""
+    name = nodes[0]
+    places = one.source.places(name.start + part.offset, nodes[-1].end + part.offset)
+    known = name.text[0].isupper() or name.lower in lexicon.persons | lexicon.machines
+    machine = len(nodes) > 1 and name.lower in lexicon.machines
+    return (
+        known
+        and name.text.isalpha()
+        and (machine or not name.may_act)
+        and one.source.covered.isdisjoint(places)
+    )
+
+
+def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
+    """Give the pieces of a segment around its first further verb; none where there is none."""
+    root = part.tree.root
+    if root is None:
+        return
+    first, last = one.segment.span
+    onward = _onward(one, part)
+    if onward is not None:
+        yield replace(one.segment, span=(first, onward[0]))
+        yield onward[1]
+        return
+    times = [(a - part.offset, b - part.offset) for a, b in (phrase.span for phrase in one.source.phrases)]
+    starts = [
+        part.tree.nodes[place].start for place in sorted(further_verbs(part.tree, root, lexicon, times))
+    ]
+    starts = [start + part.offset for start in starts if not any(a < start < b for a, b in times)]
+    for start in starts:
+        chain = _chain(one, part, start)
+        if chain:
+            yield from chain
+            return
+    timed = {place for span in times for place in part.tree.at(*span)}
+    told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
+    statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
+    gaps = set(_gaps(one, part, lexicon)) - statements
+    starts += sorted(gaps)
+    for start in starts:
+        end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
+        if end > part.offset:
+            yield replace(one.segment, span=(first, end))
+            yield Segment((start, last), addressee=one.segment.addressee, verbless=start in gaps)
+            return
+
+
+def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
+    """Give where the first of two repetitions ends, and the second: "… and every minute after that"."""
+    words, last = one.source.scanned.words, one.segment.span[1]
+    own = [p for p in one.source.phrases if part.offset <= p.span[0] and p.span[1] <= last]
+    for old, new in pairwise(own):
+        if not isinstance(old.said.time, Repeat) or not isinstance(new.said.time, Repeat):
+            continue
+        between = {word.text for word in words[old.end : new.first]}
+        said = [word.text for word in words[new.first : new.end]]
+        behind = next((form for form in THEREAFTER if said[-len(form) :] == form), None)
+        if behind is not None and between and between <= {"and", ",", "but", "&"}:
+            joint = (words[new.end - len(behind)].start, new.span[1])
+            return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)
+    return None
+
+
+def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
+    texts = [word.text for word in between]
+    said = [text for text in texts[1:] if text not in AGAIN]
+    # "And back up to 37 degrees"
+    numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
+    alone = len(said) == 1 or numbered
+    return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
+
+
+def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+    """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
+    words, phrases = one.source.scanned.words, one.source.phrases
+    own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
+    found = []
+    for old, new in pairwise(own):
+        between = words[old.end : new.first]
+        if _turns_to_particle(between, lexicon):
+            found.append(between[1].start)
+            continue
+        if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
+            between = between[1:]
+        elif not between or between[0].text not in {"and", ","}:
+            continue
+        if len(between) >= SHORTEST_GAP and (
+            _names_another(one, part, between, lexicon, old, new)
+            or _is_elsewhere(words, between, lexicon, old, new)
+        ):
+            found.append(between[1].start)
+    return found
+
+
+def _names_another(
+    one: Waiting, part: Part, between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
+    root = part.tree.root
+    objects = part.tree.children(root, "dobj") if root is not None else ()
+    things = {part.tree.nodes[p].lower for p in objects}
+    nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+    others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
+    if listed and not happens:
+        # "Story at seven, lights out by half past": one word says what becomes of the thing.
+        return all(tag == "RP" for tag in others[1:])
+    if not _binds_alike(old, new, happens=happens):
+        return False
+    places = part.tree.children(root, "prep") if root is not None else ()
+    # "Stop for a brew at ten and for lunch at noon"
+    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
+    led = between[1].text in prepositions
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
+    named = led or between[1].text in OWNING or (has_object and between[0].text in {"and", ","})
+    return named and not others
+
+
+def _is_elsewhere(
+    words: Sequence[Word], between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether the same is done elsewhere: "hoover downstairs in the morning and upstairs after lunch"."""
+    where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
+    where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    return where and _binds_alike(old, new, happens=happens)
+
+
+def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
+    """Whether two times may be of two things to do, or of two that happen."""
+    kinds = {old.said.constraint, new.said.constraint}
+    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
+    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
+
+
+def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
+    """Whether a word names a thing, or is said of one; a tree takes some plurals for verbs: "colours"."""
+    node = part.tree.nodes[place]
+    plural = node.tag == "VBZ" and part.tree.root is not None and not part.tree.children(place, *SUBJECTS)
+    ordered = plural and not part.tree.children(part.tree.root or 0, *SUBJECTS)
+    return node.tag in THINGS or node.lower in things or ordered
+
+
+def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:
+    """Give the segments of verbs alone before one with an object: "wash, peel and slice the apples".
+
+    The tree often has the further ones for nouns; what counts is that the first is its root.
+    """
+    words, covered = one.source.scanned.words, one.source.covered
+    places = [place for place in one.source.places(part.offset, start) if place not in covered]
+    shape = "".join({",": ",", "and": "&"}.get(words[place].text, "w") for place in places)
+    verbs = [place for place, mark in zip(places, shape, strict=True) if mark == "w"]
+    if not CHAIN.fullmatch(shape) or not all(words[place].is_letters for place in verbs):
+        return []
+    if places[-1] - verbs[0] >= len(places):
+        # "Wait two minutes, and paint it": the first has a time of its own.
+        return []
+    if part.tree.nodes[part.tree.root or 0].start + part.offset != words[verbs[0]].start:
+        return []
+    ends = [words[place].end for place in verbs]
+    begins = [*(words[place].start for place in verbs[1:]), start]
+    joints = [(words[place - 1].start, words[place - 1].end) for place in (*verbs[1:], places[-1] + 1)]
+    spans = zip(begins, (*ends[1:], one.segment.span[1]), strict=True)
+    return [
+        replace(one.segment, span=(one.segment.span[0], ends[0])),
+        *(
+            Segment(span, "then", joint, one.segment.addressee)
+            for span, joint in zip(spans, joints, strict=True)
+        ),
+    ]

@@ -1,0 +1,265 @@
+"""The first pass over texts: times by the grammar, instructions apart, a tree for each, in a few batches."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.spans import Scanned, phrases_of
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.instruction import Order, Remark, Span
+from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.segments.corrections import corrected
+from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
+from fuzzytime.language.sentence.segments.fronts import fronts_of
+from fuzzytime.language.sentence.segments.gaps import with_gaps
+from fuzzytime.language.sentence.segments.in_between import said_apart
+from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
+from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.order_words import order_words
+from fuzzytime.language.sentence.segments.segment import Segment, segments_of
+from fuzzytime.language.sentence.segments.told_lengths import told_lengths
+from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.called import with_called, with_worker
+from fuzzytime.language.sentence.verbs.statement_trees import as_statement
+
+CARRIERS = ("", "please ", "you should ")
+"""Words that make a parser see the verb behind them, tried in this order."""
+
+NAMING = "name"
+"""The rule of a clock time that names an event."""
+
+LEAST_DONE = 3
+"""Words of "do ward 7"."""
+
+ROUNDS = 12
+"""How often a segment may be cut again: instructions joined by "and" in one sentence."""
+
+
+HEADED = "heading"
+"""The rule of a time that a line above says."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """A time on a line of its own: its name, the line, and the times and clauses in it.
+
+    ``addressee`` is who is called there instead: "Robot 2:".
+    """
+
+    name: str
+    text: str
+    scanned: Scanned
+    phrases: tuple[Phrase, ...] = ()
+    clauses: tuple[Clause, ...] = ()
+    addressee: str | None = None
+
+    @property
+    def day(self) -> Phrase | None:
+        """The day, part of a day or repetition of days that it says first, if any."""
+        return next((phrase for phrase in self.phrases if phrase.said.is_day), None)
+
+    @property
+    def is_day(self) -> bool:
+        """Whether it says which day is meant."""
+        time = None if self.day is None else self.day.said.time
+        return isinstance(time, Repeat) or (isinstance(time, Wall) and time.days is not None)
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A text with its times and its parts, before anything is grounded.
+
+    ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
+    of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
+    lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
+    words that say where something comes among others.
+    """
+
+    text: str
+    now: datetime | None
+    scanned: Scanned
+    phrases: tuple[Phrase, ...]
+    parts: tuple[Part, ...]
+    remarks: tuple[Remark, ...]
+    step: int | None = None
+    asides: tuple[Aside, ...] = ()
+    heading: Heading | None = None
+    leads: bool = False
+    instances: Instances = NONE
+    orders: tuple[tuple[Span, Order], ...] = ()
+
+    @property
+    def unfinished(self) -> tuple[Span, ...]:
+        """The stretches that begin a time and do not end it: "at half past"."""
+        words = self.scanned.words
+        covered = {place for phrase in self.phrases for place in range(phrase.first, phrase.end)}
+        found = (p for p in self.scanned.pieces("unfinished") if covered.isdisjoint(range(p.start, p.end)))
+        return tuple((words[piece.start].start, words[piece.end - 1].end) for piece in found)
+
+    @property
+    def naming(self) -> tuple[Phrase, ...]:
+        """The clock times that name an event behind them, and so are no times: "my four o'clock meeting"."""
+        words = self.scanned.words
+        walls = (p for p in self.scanned.pieces("wall") if p.value.clock is not None and not p.value.bare)
+        owned = (p for p in walls if p.start and words[p.start - 1].text in OWNING)
+        return tuple(
+            Phrase(Said(p.value), p.start, p.end, (words[p.start].start, words[p.end - 1].end), NAMING)
+            for p in sorted(owned, key=lambda piece: -piece.end)
+        )
+
+
+def drafted(
+    texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
+) -> list[Draft]:
+    """Draft texts; ``trees`` parses."""
+    sources, steps, asides, several = [], [], [], []
+    for text, now in texts:
+        marks = list_marks(text, lexicon)
+        steps.append(marks[0].number if marks else None)
+        scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
+        if asides[-1]:
+            scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
+        for said in (with_gaps, said_apart):
+            instead = said(scanned, lexicon)
+            if instead != scanned.text:
+                scanned = Scanned.of(instead, grammar, lexicon)
+        scanned, instances = instances_of(scanned, grammar, lexicon)
+        several.append(instances)
+        phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
+        source = Source(now, scanned, tuple(phrases), tuple(remarks))
+        orders = tuple(order_words(scanned.words, source.covered, lexicon))
+        sources.append(replace(source, orders=orders))
+    parts = _parted(sources, lexicon, trees)
+    return [
+        Draft(
+            text,
+            s.now,
+            s.scanned,
+            s.phrases,
+            tuple(own),
+            s.remarks,
+            step,
+            aside,
+            instances=each,
+            orders=s.orders,
+        )
+        for (text, _), s, own, step, aside, each in zip(
+            texts, sources, parts, steps, asides, several, strict=True
+        )
+    ]
+
+
+def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[list[Part]]:
+    """Parse every segment, and cut it again where its tree shows a further instruction."""
+    done: list[dict[int, Part]] = [{} for _ in sources]
+    waiting = [
+        Waiting.of(position, source, segment, lexicon)
+        for position, source in enumerate(sources)
+        for segment in segments_of(
+            source.scanned.text,
+            source.scanned.words,
+            source.phrases,
+            lexicon,
+            [remark.span for remark in source.remarks],
+        )
+    ]
+    for last_round in (False,) * ROUNDS + (True,):
+        if not waiting:
+            break
+        found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
+        led = {} if last_round else fronts_of(waiting, found, trees, lexicon)
+        following: list[Waiting] = []
+        for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
+            if place in led:
+                following += one.cut_at(led[place].start, led[place].main, lexicon)
+                continue
+            part = Part(one.segment, tree, one.main, front if front.nodes else None)
+            cut: list[Segment] = []
+            if not last_round:
+                cut = addressed(one, part, lexicon) or reminded(one, part, lexicon)
+                cut = cut or list(pieces_of(one, part, lexicon))
+            following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
+            if not cut:
+                done[one.position][one.segment.span[0]] = part
+        waiting = following
+    return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
+    """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
+    texts = [one.text for one in waiting]
+    found = [_as_done(tree, lexicon) for tree in _uncapitalised(texts, trees)]
+    led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
+    blanked = trees([_without_root(found[place]) for place in led_astray])
+    for place, tree in zip(led_astray, blanked, strict=True):
+        # "The ferry leaves at 10:45 sharp": a word about time is never what is to be done.
+        if tree.root not in waiting[place].timed(tree):
+            found[place] = replace(tree, text=texts[place])
+    for carrier in CARRIERS:
+        again = [
+            (place, waiting[place].behind_time)
+            for place, tree in enumerate(found)
+            if waiting[place].doubts(tree, lexicon) and (carrier or waiting[place].behind_time)
+        ]
+        carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
+        for (place, skipped), tree in zip(again, carried, strict=True):
+            bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
+            if bare.nodes and not waiting[place].doubts(bare, lexicon):
+                found[place] = bare
+    found = [
+        with_called(with_worker(tree, lexicon), one.timed(tree), lexicon)
+        for one, tree in zip(waiting, found, strict=True)
+    ]
+    travelling = lexicon.travelling
+    return [as_statement(tree, one.timed(tree), travelling) for one, tree in zip(waiting, found, strict=True)]
+
+
+def _without_root(tree: Tree) -> str:
+    """Give the text of a tree with spaces for its root."""
+    node = tree.nodes[tree.root or 0]
+    return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
+
+
+def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "do ward 7" its verb, where what is called by a number was taken for it."""
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return tree
+    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
+        return tree
+    moved = [
+        replace(node, head=0) if node.head == 1 and place > LEAST_DONE else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
+    moved[2] = replace(moved[2], relation="nummod", head=1)
+    return Tree(tree.text, tuple(moved))
+
+
+def _as_order(tree: Tree) -> Tree:
+    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    root = tree.root
+    first = tree.nodes[0] if tree.nodes else None
+    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
+        return tree
+    return Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+
+
+def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:
+    """Parse texts as if they began with a small letter: a capital makes a verb look like a name ("Chop")."""
+    asked = [_lowered(text) if text[1:2].islower() else text for text in texts]
+    return [
+        tree.without_carrier("", text, 0) if text != said else tree
+        for text, said, tree in zip(texts, asked, trees(asked), strict=True)
+    ]
+
+
+def _lowered(text: str) -> str:
+    """Give a text whose first letter is no capital, as behind other words."""
+    return text[:1].lower() + text[1:] if len(text[:1].lower()) == 1 else text

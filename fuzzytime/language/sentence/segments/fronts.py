@@ -1,0 +1,127 @@
+"""Clauses in front without a comma: "once the glue is dry sand the edges".
+
+One tree of the whole mostly goes wrong, and no word says where the clause ends. So it is tried: wherever a
+word may be an order, the words before it are parsed as a clause, and those from it on as what is to be done.
+"""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.clauses.conditions import BE, being, happening
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.verbs.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.statement_trees import as_statement
+
+CARRIER = "please "
+"""Words behind which a parser sees an order."""
+
+BINDING = frozenset({"DT", "PRP$", "TO", "MD", "IN", "CC", "PDT", "WDT", "EX"})
+"""Tags of words that do not end a clause, and that no order follows."""
+
+OPENING = frozenset({"DT", "PRP", "PRP$"})
+"""Tags of words that begin what an order is about."""
+
+COMPARED = frozenset({"JJR", "RBR"})
+"""Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
+
+COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
+EVENTFUL = frozenset({"after", "before", "until", "into"})
+"""Clauses that may be a noun: "after the meeting"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Front:
+    """Where a clause in front begins, and where what is to be done does."""
+
+    start: int
+    main: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which what is to be done may begin, with the clause before it."""
+
+    one: int
+    kind: str
+    front: Front
+    clause: str
+    order: str
+
+
+def fronts_of(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> dict[int, Front]:
+    """Give the clauses in front of those that wait, by their places; ``found`` are their trees."""
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    clauses = trees([attempt.clause for attempt in tries])
+    orders = trees([CARRIER + attempt.order for attempt in tries])
+    fronts: dict[int, Front] = {}
+    for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
+        order = carried.without_carrier(CARRIER, attempt.order, 0)
+        if attempt.one not in fronts and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
+            fronts[attempt.one] = attempt.front
+    return fronts
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    """Give the places behind the first marker at which a bare verb may stand."""
+    words, source = one.source.scanned.words, one.source
+    marker = next((marker for marker in one.markers(lexicon) if marker.end < len(words)), None)
+    if marker is None:
+        return
+    first, end = words[marker.end].start, one.segment.span[1]
+    for here, node in enumerate(tree.nodes):
+        start = node.start + one.main
+        bare = node.lower == node.lemma or node.tag in COMPARED
+        if start <= first or here == 0 or not node.may_act or not bare:
+            continue
+        timed = one.timed(tree)
+        if here in timed or _is_counted(tree, here) or _binds(tree, here - 1, lexicon):
+            continue
+        clause = source.sound[first:start].strip(" ,")
+        yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+
+
+def _is_counted(tree: Tree, place: int) -> bool:
+    """Whether a noun is what a number counts: "below 2 bar"; but "by five ring the depot"."""
+    behind = tree.nodes[place + 1].tag if place + 1 < len(tree.nodes) else ""
+    return tree.nodes[place - 1].tag == "CD" and tree.nodes[place].tag == "NN" and behind not in OPENING
+
+
+def _is_order(tree: Tree) -> bool:
+    """Whether words begin with what is to be done."""
+    return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
+
+
+def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
+    node = tree.nodes[place]
+    apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    # "If the parcel hasn't come"
+    helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
+    return helps or (node.tag in BINDING and not apart)
+
+
+def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
+    """Whether words say all that a clause says: that something is so, or done, or an event."""
+    root = tree.root
+    if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
+        return False
+    tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
+    node = tree.nodes[root]
+    if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
+        return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))
+    if node.tag in {"VBG", "VBN", "JJ"}:
+        return True
+    if kind in EVENTFUL:
+        # "Before the guests get here": a plural has its verb behind it; but "after three rings".
+        return node.tag in {"NN", "NNP"} or (node.tag == "NNS" and bool(tree.children(root, "nummod")))
+    whole = range(len(tree.nodes))
+    return any(read(tree, whole, tree.text) is not None for read in (happening, being))

@@ -1,0 +1,195 @@
+"""Where further instructions of one sentence begin, by its tree: at bare verbs beside the first."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    JOINTS,
+    is_led_by_time,
+)
+from fuzzytime.language.sentence.segments.orders_in_front import (
+    ANY_SUBJECTS,
+    COORDINATE,
+    first_of,
+    order_behind_order,
+)
+from fuzzytime.language.sentence.segments.overlooked_orders import THEM, is_overlooked
+from fuzzytime.language.sentence.trees.tags import IMPERATIVE
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.actions import gone_to_do
+from fuzzytime.language.sentence.verbs.statements import (
+    FUTURE,
+    being_behind_order,
+    goes_on,
+    order_behind_statement,
+    result_behind_statement,
+    second_statement,
+)
+
+SHORTEST = 2
+"""Words of an order at least, before a participle that goes on beside it."""
+
+PAST_ALIKE = frozenset({"lay", "saw"})
+"""Bare verbs that are the past of another."""
+
+FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
+
+
+def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span] = ()) -> list[int]:
+    """Give the words at which further instructions of one sentence begin: imperatives beside the first.
+
+    "Chop the onions, fry them and serve": the tree calls them conjuncts, or mistakes them for something
+    else; what counts is a bare verb without a subject behind "and" or a comma.
+    """
+    timed = {place for span in times for place in tree.at(*span)}
+    first = (order_behind_order(tree, root), order_behind_statement(tree, root, timed))
+    found = [start for start in first if start is not None]
+    for place in range(len(tree.nodes)):
+        if place in timed and place != root:
+            continue
+        start = _start_at(tree, place, root, timed, lexicon)
+        if start is not None:
+            found.append(start)
+    return found
+
+
+def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give where the further instruction of a word begins; None where it has none."""
+    told = result_behind_statement(tree, place, root, timed)
+    told = second_statement(tree, place, timed) if told is None else told
+    told = being_behind_order(tree, place, timed) if told is None else told
+    if told is not None:
+        return told
+    if _goes_on(tree, place, timed, lexicon) or _is_second_statement(tree, place, root):
+        return place
+    if goes_on(tree, place, root, timed):
+        return place
+    if place > 1 and place != root:
+        if _follows_so(tree, place, timed):
+            return place
+        if is_overlooked(tree, place, timed, lexicon):
+            return place
+        if is_led_by_time(tree, place, timed, lexicon):
+            return _behind_joint(tree, place, timed)
+    if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+        return place
+    return _start_of_coordinate(tree, place, root, timed, lexicon)
+
+
+def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether a bare verb follows what has a time and "so": "guests are coming at 8, so hoover at 7"."""
+    node, before = tree.nodes[place], place - 2
+    if before > 0 and tree.nodes[before].text == ",":
+        before -= 1
+    bare = node.may_act and node.lower == node.lemma
+    return bare and tree.nodes[place - 1].lower == "so" and before in timed
+
+
+def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
+    node = tree.nodes[place]
+    if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
+        return None
+    denied = _denied_from(tree, place)
+    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and tree.children(place, "aux")):
+        return None
+    if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
+        # "Weld seam 3 at 11 and seam 4 at 12"
+        return None
+    start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
+    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+        return None
+    if gone_to_do(tree, root, lexicon) == place:
+        return None
+    return start if place > root or _leads(tree, place, root) else None
+
+
+def _denied_from(tree: Tree, place: int) -> int | None:
+    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
+    helping = tree.children(place, "aux")
+    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
+    return helping[0] if denied else None
+
+
+def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether a participle with its own time goes on beside an order: "simmer it, stirring every ten"."""
+    node = tree.nodes[place]
+    if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
+        return False
+    behind = next(
+        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in JOINTS), len(tree.nodes)
+    )
+    apart = place - 1 in timed or tree.nodes[place - 1].text == ","
+    before = any(earlier in timed for earlier in range(place))
+    return (
+        place >= SHORTEST and apart and before and any(later in timed for later in range(place + 1, behind))
+    )
+
+
+def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
+    """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
+    node = tree.nodes[place]
+    beside = node.relation == "conj" and node.head == root and tree.nodes[place - 1].lower in JOINTS
+    named = bool(tree.children(root, *ANY_SUBJECTS))
+    told = tree.nodes[root].tag == node.tag == "VBZ" and named
+    # "The show will last an hour and start at eight"
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
+    told = told or (named and bool(helping) and helping <= FUTURE | {"should"} and node.tag == "VB")
+    return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
+
+
+def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
+    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
+    first = start
+    while first and first - 1 in timed:
+        first -= 1
+    behind = first
+    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
+        behind -= 1
+    # "Boil it, and before that, wash it"
+    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
+    return behind if led else first
+
+
+def _is_passive_order(tree: Tree, place: int) -> bool:
+    """Whether it is the "get" of "get dressed", beside another order."""
+    node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
+    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
+    return bare and over.relation in COORDINATE and not tree.children(node.head, *ANY_SUBJECTS)
+
+
+def _is_bare(node: Node) -> bool:
+    """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
+    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in PAST_ALIKE)
+    # "Deburr it": what ends in no -s has no other person.
+    bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
+    return bare or past
+
+
+def _leads(tree: Tree, place: int, root: int) -> bool:
+    return root in tree.below(place)
+
+
+def _behind_place(tree: Tree, place: int) -> int:
+    """Give where it begins with what is said in front of where: "…, and on the way back drop the cheque"."""
+    start = first_of(tree, place)
+    led = (p for p in tree.children(place, "prep") if p < start and tree.reach(p)[1] == start)
+    return next(led, start)
+
+
+def _is_embedded(tree: Tree, place: int, root: int) -> bool:
+    """Whether a verb is joined to one that the instruction is about: "remind me to call mum and buy milk"."""
+    for above in tree.above(place):
+        if above == root:
+            return False
+        node = tree.nodes[above]
+        # "Leave the dough covered and shape it": a bare verb is no second participle.
+        apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
+        # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
+        acts = any(tree.nodes[p].lower in THEM for p in tree.children(place, "dobj"))
+        apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
+        if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
+            return True
+    return False

@@ -1,0 +1,76 @@
+"""Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tree import Tree
+
+JOINTS = frozenset({"and", "but", ",", ";", "&", "then", "please", "also", "so"})
+
+OBJECTS = frozenset({"it", "them", "me", "us", "him"})
+
+
+def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
+    """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
+
+    The tree may have it for a thing.
+    """
+    node = tree.nodes[place]
+    if place + 1 not in timed or tree.nodes[place - 1].text != "," or not node.may_act:
+        return False
+    # "Open in two seconds, close in five"
+    listed = place - 2 in timed
+    lasts = tree.nodes[place + 1].lower == "for"
+    return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
+
+
+def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    first = place
+    while first and first - 1 in timed:
+        first -= 1
+    led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
+    bare = node.may_act and node.lower == node.lemma
+    called = node.lower in lexicon.addressing and behind in lexicon.persons
+    return led and bare and (called or behind in OWNING | OBJECTS)
+
+
+def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    node = tree.nodes[place]
+    behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
+    bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
+
+
+def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a first word taken for a noun is an order: "order sushi for seven", "text karen at two"."""
+    if tree.root != 1 or not tree.nodes[0].tag.startswith("NN"):
+        return False
+    orders = lexicon.ordering | (lexicon.addressing if _is_called(tree, 1, lexicon) else frozenset())
+    return tree.nodes[0].lower in orders
+
+
+def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
+    """Whether a bare verb with an object stands behind a time: "tomorrow at nine call the insurance".
+
+    ``behind_time`` is where the words behind a time in front begin, 0 where there is none.
+    """
+    first = next(iter(tree.at(behind_time, behind_time + 1)), None) if behind_time else None
+    if first is None or first + 1 >= len(tree.nodes):
+        return False
+    node, behind = tree.nodes[first], tree.nodes[first + 1]
+    owning = behind.tag in DETERMINERS and node.may_act
+    called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
+    return node.tag.startswith("NN") and node.lower == node.lemma and (owning or called)
+
+
+def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a noun may be somebody: not "interview" in "phone interview at two"."""
+    node = tree.nodes[place]
+    event = node.may_act or node.lower in lexicon.happening | lexicon.taken
+    return node.lower in lexicon.persons or (node.tag.startswith("NN") and not event)

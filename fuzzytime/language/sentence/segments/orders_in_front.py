@@ -1,0 +1,83 @@
+"""Where the root of a tree is no first order: "weld it, wait" has its first below the second."""
+
+from fuzzytime.language.sentence.segments.orders_beside_times import JOINTS
+from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.actions import ARE
+
+TELLING = frozenset({"should", "will", "'ll", "must"})
+"""Helping verbs of what is told behind an order: "watch the rice, it should be done in ten minutes"."""
+
+ANY_SUBJECTS = (*GRAMMATICAL_SUBJECTS, "csubj")
+COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
+"""Relations of what stands beside an order and may be another."""
+
+
+def order_behind_order(tree: Tree, root: int) -> int | None:
+    """Give where the root begins, if it is a second order: "weld it, wait" has its first below it.
+
+    So has a statement behind an order: "bring my coat, we leave at three".
+    """
+    subjects = tree.children(root, *ANY_SUBJECTS)
+    start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
+    brought = [p for p in tree.children(root, "aux") if p == start - 1 and tree.nodes[p].lower == "have"]
+    # "Scrub the potatoes, have them peeled"
+    start = min([start, *brought])
+    joint = tree.nodes[start - 1].lower if start else ""
+    helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
+    telling = TELLING | ARE if tree.nodes[root].tag == "VBG" else TELLING
+    if joint not in JOINTS or (subjects and joint != ",") or not helping <= telling:
+        return None
+    orders = _orders_before(tree, root, start, joint)
+    if subjects and not brought:
+        bare = (p for p in orders if tree.nodes[p].tag == "VB" and first_of(tree, p) == 0)
+        orders = [*bare, *(p for p in orders if _is_passive(tree, p))]
+    ordered = any(
+        not tree.children(p, *ANY_SUBJECTS, "aux", "mark") and all(a > p for a in tree.children(p, "advmod"))
+        for p in orders
+    )
+    return start if ordered else None
+
+
+def _orders_before(tree: Tree, root: int, start: int, joint: str) -> list[int]:
+    """Give what may be orders below a root, before where it begins behind a joint."""
+    before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
+    # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
+    # "Using a fork, mash them" says how.
+    verbs = [p for p in before if p == 0 and _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
+    orders = [*(p for p in before if tree.nodes[p].tag == "VB"), *verbs]
+    # "Get dressed, we start in ten minutes"
+    orders += [p for p in before if _is_passive(tree, p)]
+    if joint == ",":
+        # "Deglaze with wine, reduce it": a verb that the model does not know.
+        orders += [p for p in tree.children(root, "advmod", "nsubj") if _is_unknown(tree, p, start)]
+    return orders
+
+
+def _is_passive(tree: Tree, place: int) -> bool:
+    """Whether a participle stands behind a "get" that begins an order: "get dressed"."""
+    helping = tree.children(place, "auxpass")
+    return tree.nodes[place].tag == "VBN" and 0 in helping and tree.nodes[0].lemma == "get"
+
+
+def _is_verb(tree: Tree, place: int) -> bool:
+    """Whether a word is a verb, or has an object: "lower the hook"."""
+    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(tree.children(place, "dobj")))
+
+
+def _is_unknown(tree: Tree, place: int, end: int) -> bool:
+    """Whether the first word of some before a comma is an order that was taken for a thing."""
+    said = tree.reach(place)
+    return place == 0 and tree.nodes[0].tag == "NN" and 1 < said[1] <= end and bool(tree.children(0, "prep"))
+
+
+def first_of(tree: Tree, place: int) -> int:
+    """Give where the instruction of a verb begins: adverbs right before it belong to it."""
+    start = place
+    while start and _is_own_adverb(tree.nodes[start - 1], place):
+        start -= 1
+    return start
+
+
+def _is_own_adverb(node: Node, verb: int) -> bool:
+    return node.tag in {"RB", "UH"} and node.head == verb and node.lower != "so"

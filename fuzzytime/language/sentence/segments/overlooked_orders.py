@@ -1,0 +1,52 @@
+"""Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.sentence.segments.orders_beside_times import (
+    JOINTS,
+    is_order_before_time,
+    stands_alone,
+)
+from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
+from fuzzytime.language.sentence.trees.tree import Tree
+
+THEM = frozenset({"it", "them"})
+
+
+def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether it is an order that a tree took for something else: "wipe the rug and empty the bins"."""
+    alone = tree.nodes[place].lower in lexicon.alone
+    return (
+        (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
+        or is_order_before_time(tree, place, timed)
+        or (
+            place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
+        )
+    )
+
+
+def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb stands before what is called by a number: "…, clear bay 3"."""
+    behind = tree.nodes[place + 1 : place + 3]
+    called = len(behind) > 1 and behind[0].lower in lexicon.machines and behind[1].tag == "CD"
+    return called and tree.nodes[place].may_act and tree.nodes[place - 1].text == ","
+
+
+def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
+        return True
+    if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+        return False
+    behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
+    if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    if bare and (behind in THEM or (tree.nodes[place + 1].tag == "IN" and further in THEM)):
+        # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
+        return True
+    if node.relation in COORDINATE and node.may_act and behind in OWNING and tree.children(place, "dobj"):
+        # "The painters come at nine, clear the room"
+        return True
+    return node.relation == "conj" and before in {"and", "&"} and behind in OWNING

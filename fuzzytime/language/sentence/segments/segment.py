@@ -1,0 +1,276 @@
+"""A text cut into instructions: at the ends of sentences, at "then" and its kind, before a further verb."""
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.surroundings import ASKING, OWNING
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
+
+ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
+TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
+"""Words that are typed with a full stop which ends nothing."""
+
+ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
+"""Connectives that open an instruction only where it begins."""
+
+MEANWHILE = "meanwhile"
+SERIES = frozenset({"every", "each"})
+"""Words behind "at the same time" that make it a time of day."""
+
+OPENED = frozenset({"and", "but", "please", "then"})
+BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
+"""Words behind which "then" is a time: "by then"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Segment:
+    """A stretch of the text that holds one instruction, and the connective that led to it, with its span.
+
+    ``addressee`` is who was asked by name, before a comma or behind one; ``verbless`` says that its verb was
+    said before: "the cat at eight and the dog at nine".
+    """
+
+    span: Span
+    connective: str = ""
+    connective_span: Span = (0, 0)
+    addressee: str | None = None
+    verbless: bool = False
+
+    def shares(self, text: str) -> bool:
+        """Whether it shares object and time with the verb alone before it: "peel and chop the onions"."""
+        return text[slice(*self.connective_span)].lower() in {"and", ","}
+
+    @property
+    def empty(self) -> bool:
+        """Whether nothing is left."""
+        return self.span[0] >= self.span[1]
+
+
+def segments_of(
+    text: str,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    taken_back: Sequence[Span] = (),
+) -> list[Segment]:
+    """Cut a text at what always ends an instruction: full stops and connectives, outside of times.
+
+    ``taken_back`` are stretches that later words correct: nothing ends there.
+    """
+    inside = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    inside |= {place for place, word in enumerate(words) if any(a <= word.start < b for a, b in taken_back)}
+    cuts: list[tuple[int, int, str]] = []
+    place = 0
+    vague = {phrase.first for phrase in phrases if isinstance(phrase.said.time, TimeWord)}
+    following = {phrase.first for phrase in phrases if _follows(phrase, words)}
+    following |= {phrase.end for phrase in phrases if _stops(phrase, words, lexicon)}
+    following |= set(_listed(phrases))
+    following |= set(_behind_happening(phrases, words, lexicon))
+    following |= set(beside(phrases, words, lexicon))
+    following |= {phrase.end for phrase in phrases[:1] if heads(phrase, words)}
+    while place < len(words):
+        if place in following:
+            cuts.append((place, place, ""))
+        if place in inside and place not in vague:
+            place += 1
+            continue
+        opens = _opens(words, place, vague) and not counts_event(words, place, phrases, lexicon)
+        found = longest_match(words, place, lexicon.connectives) if opens else None
+        end = 0 if found is None else _end_of(words, place, len(found))
+        if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
+            # "At the same time every evening"
+            found = None if words[end].text in SERIES else found
+        # "Do it when you're done": nothing follows.
+        if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
+            cuts.append((place, end, lexicon.connectives[found]))
+            place = end
+            continue
+        if words[place].text in ENDS and _is_end(text, words, place):
+            cuts.append((place, place + 1, ""))
+        place += 1
+    return list(_between(text, words, cuts, {phrase.first for phrase in phrases}, lexicon))
+
+
+def _listed(phrases: Sequence[Phrase]) -> Iterator[int]:
+    """Give where the lines of a timetable begin: "10:00 stretch, 10:15 walk"; not "10:00, 10:15"."""
+    clocks = [phrase for phrase in phrases if _is_clock(phrase)]
+    if not clocks or clocks[0].first > 0:
+        return
+    for before, clock in pairwise(clocks):
+        between = [other for other in phrases if before.end <= other.first < clock.first]
+        if clock.first - before.end > 1 and not between:
+            yield clock.first
+
+
+def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon) -> Iterator[int]:
+    """Give where an order begins behind what happens: "lunch at noon, cook it beforehand"."""
+    first = next(iter(phrases), None)
+    if first is None or not first.first or longest_match(words, 0, lexicon.clauses) is not None:
+        # "After the wedding on the 21st, call mum"
+        return
+    # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
+    named = all(word.text in OWNING | lexicon.taken for word in words[: first.first]) and first.first > 1
+    if not named and words[first.first - 1].text not in lexicon.happening:
+        return
+    behind = first.end + 1
+    if behind < len(words) and words[first.end].text in {",", "-", ":"}:
+        taken = lexicon.function_words | lexicon.places
+        if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
+            yield behind
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time alone, without a preposition."""
+    time = phrase.said.time
+    return phrase.said.preposition is None and isinstance(time, Wall) and time.clock is not None
+
+
+def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a time in front of an order counts from the order before: "…, five minutes later serve"."""
+    later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
+    joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
+    return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
+
+
+def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether the full stop of an abbreviation ends a sentence too: "at 6 p.m. Add the salt"."""
+    if words[phrase.end - 1].text != "." or phrase.end + 1 >= len(words):
+        return False
+    word, object_ = words[phrase.end], words[phrase.end + 1].text
+    inside = word.text in lexicon.function_words | lexicon.places
+    acts = not inside and object_ in OWNING | {"it", "them"}
+    return word.capital or (acts and not _leads(phrase, words, lexicon))
+
+
+def _leads(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether a time stands in front of its sentence: "hey robot, at 6 p.m. add the salt"."""
+    ends = (place + 1 for place in range(phrase.first) if words[place].text in ENDS)
+    begin = max(ends, default=0)
+    return _behind_opening(words, begin, phrase.end, {phrase.first}, lexicon) == phrase.first
+
+
+def _end_of(words: Sequence[Word], place: int, length: int) -> int:
+    """Give the place behind a connective, and the comma that may follow it."""
+    end = place + length
+    return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
+
+
+def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
+    """Whether a connective here opens an instruction, and is no word inside one ("the next step").
+
+    A vague time does where an instruction begins: "wipe the table; afterwards sweep the floor".
+    """
+    if place + 1 >= len(words):
+        return False
+    before = words[place - 1].text if place else ","
+    if words[place].text == "then" and before in BOUND:
+        return False
+    if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
+        return False
+    return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
+
+
+def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
+    """Whether a mark ends a sentence: it is no part of a number or an abbreviation."""
+    word = words[place]
+    if word.text != ".":
+        return True
+    after = text[word.end : word.end + 1]
+    if after and not after.isspace():
+        return False
+    before = words[place - 1] if place else None
+    if before is not None and before.glued and words[place - 2].is_digits:
+        # "On the 21st": no saint.
+        return True
+    return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
+
+
+def _between(
+    text: str,
+    words: Sequence[Word],
+    cuts: Sequence[tuple[int, int, str]],
+    times: AbstractSet[int],
+    lexicon: Lexicon,
+) -> Iterator[Segment]:
+    start, connective, said = 0, "", (0, 0)
+    for first, end, name in (*cuts, (len(words), len(words), "")):
+        begin = _behind_opening(words, start, first, times, lexicon)
+        last = _before_courtesies(words, begin, first, lexicon)
+        segment = _segment(text, words, begin, last, connective, said)
+        if segment is not None:
+            yield segment
+            connective, said = "", (0, 0)
+        start = end
+        if name:
+            connective, said = name, (words[first].start, words[end - 1].end)
+
+
+def _behind_opening(
+    words: Sequence[Word], start: int, end: int, times: AbstractSet[int], lexicon: Lexicon
+) -> int:
+    """Give where an order begins: "hey robot, please" and "why don't you" are no part of it.
+
+    Nor is "could you please", where a time stands behind it, at one of ``times``.
+    """
+    begin = start
+    while begin < end - 1:
+        suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
+        if suggestion is not None and begin + len(suggestion) < end:
+            begin += len(suggestion)
+        elif (asked := _asked_before(words, begin, times)) is not None:
+            begin = asked
+        elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
+            break
+        elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
+            begin += 1
+        else:
+            break
+    return begin
+
+
+def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int]) -> int | None:
+    """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
+    first, *behind = (word.text for word in words[place : place + 3])
+    time = place + 2 + (behind[1:] == ["please"])
+    return time if first in ASKING and behind[:1] == ["you"] and time in times else None
+
+
+def _counts(word: Word, lexicon: Lexicon) -> bool:
+    return word.is_digits or word.text in lexicon.numbers
+
+
+def _before_courtesies(words: Sequence[Word], start: int, end: int, lexicon: Lexicon) -> int:
+    """Give where an order ends: "thanks" and "pls" behind it are no part of it."""
+    while end > start + 1:
+        said = next((f for f in lexicon.courtesies if _ends_with(words, start, end, f)), None)
+        if said is None and words[end - 1].text != ",":
+            break
+        end -= 1 if said is None else len(said)
+    return end
+
+
+def _ends_with(words: Sequence[Word], start: int, end: int, form: tuple[str, ...]) -> bool:
+    """Whether a stretch of words ends with a form, and holds more."""
+    first = end - len(form)
+    return first > start and tuple(word.text for word in words[first:end]) == form
+
+
+def _segment(
+    text: str, words: Sequence[Word], start: int, end: int, connective: str, said: Span
+) -> Segment | None:
+    while start < end and words[start].text in {",", "and", ":", "-"}:
+        start += 1
+    while end > start and words[end - 1].text in {",", "and", ":"}:
+        end -= 1
+    if start >= end:
+        return None
+    span = (words[start].start, words[end - 1].end)
+    if not any(character.isalnum() for character in text[span[0] : span[1]]):
+        return None
+    return Segment(span, connective, said)

@@ -1,0 +1,293 @@
+"""Segments that wait for their trees, and the parts that they become."""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import datetime
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.spans import Scanned
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Order, Remark, Span
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.clauses.conditions import IF
+from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, leads_to_order
+from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.actions import is_doubtful
+from fuzzytime.language.sentence.verbs.happenings import happens, may_be_ordered
+from fuzzytime.language.sentence.verbs.statement_trees import leaves
+
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
+"""What stands between two instructions."""
+
+JOINING = (["and"], ["&"], ["then"], ["but"])
+"""Words behind which a clause in front leads a further instruction."""
+
+
+AT = "at"
+"""The preposition of clock times, which holds for the one that corrects them too."""
+
+STATED = frozenset({"when", "if", "while"})
+"""Kinds of clauses that say what must be so."""
+
+SUBJECTS_OF = frozenset(
+    {"the", "a", "my", "our", "your", "his", "her", "their", "it", "it's", "he", "she", "they", "we", "i"}
+    | {"you", "there", "nobody", "no", "nothing", "none", "everyone", "everybody", "everything", "someone"}
+)
+"""Words that begin what is so."""
+
+LEAST_SAID = 3
+"""Words of "and nobody calls"."""
+
+INVERTING = frozenset({"should", "had"})
+"""Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """What begins a clause: its kind, the character where the clause begins, the place behind the marker."""
+
+    kind: str
+    start: int
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One instruction: its stretch, and the tree of its words from ``offset`` on.
+
+    A clause in front ("before you serve the soup, …") has a tree of its own: in one tree with the rest, it is
+    often taken for the main clause.
+    """
+
+    segment: Segment
+    tree: Tree
+    offset: int
+    front: Tree | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A text, scanned for times, and the words that say where something comes among others."""
+
+    now: datetime | None
+    scanned: Scanned
+    phrases: tuple[Phrase, ...]
+    remarks: tuple[Remark, ...]
+    orders: tuple[tuple[Span, Order], ...] = ()
+
+    @property
+    def sound(self) -> str:
+        """The text with spaces for words taken back ("at five, I mean six") and words of order ("last")."""
+        text = self.scanned.text
+        for (start, end), _ in self.orders:
+            text = text[:start] + " " * (end - start) + text[end:]
+        for start, end in (remark.span for remark in self.remarks):
+            first = self._behind_preposition(start, end)
+            text = text[:first] + " " * (end - first) + text[end:]
+        return text
+
+    def _behind_preposition(self, start: int, end: int) -> int:
+        """Give where words begin that are taken back: the "at" in front of them stays."""
+        words = {word.start: word for word in self.scanned.words}
+        kept = start in words and end in words and words[start].text == AT != words[end].text
+        return words[start].end if kept else start
+
+    @property
+    def covered(self) -> frozenset[int]:
+        """The places of the words that are about time."""
+        return frozenset(place for phrase in self.phrases for place in range(phrase.first, phrase.end))
+
+    def places(self, first: int, end: int) -> list[int]:
+        """Give the places of the words in a stretch of characters."""
+        return [place for place, word in enumerate(self.scanned.words) if first <= word.start < end]
+
+
+@dataclass(frozen=True, slots=True)
+class Waiting:
+    """A segment of a text that waits for its tree; its main words begin at ``main``."""
+
+    position: int
+    source: Source
+    segment: Segment
+    main: int
+
+    @classmethod
+    def of(cls, position: int, source: Source, segment: Segment, lexicon: Lexicon) -> "Waiting":
+        """Give a segment of the source at a position."""
+        return cls(position, source, segment, _main(source, segment, lexicon))
+
+    @property
+    def text(self) -> str:
+        """The main words, or nothing where they are all time: such a fragment needs no tree."""
+        covered = self.source.covered
+        words = self.source.scanned.words
+        places = self.source.places(self.main, self.segment.span[1])
+        said = [words[place] for place in places if place not in covered]
+        wanted = any((word.is_letters or word.is_digits) and word.text != "please" for word in said)
+        return self.source.sound[self.main : self.segment.span[1]] if wanted else ""
+
+    @property
+    def front(self) -> str:
+        """The clause in front, nothing where there is none; one without its "if" as if it had one."""
+        text = self.source.sound[self.segment.span[0] : self.main]
+        first = text.partition(" ")[0]
+        return IF.ljust(len(first)) + text[len(first) :] if first.lower() in INVERTING else text
+
+    def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
+        """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
+        words = self.source.scanned.words
+        for position, place in enumerate(self.source.places(*self.segment.span)):
+            before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
+            leads = self.main == self.segment.span[0] if position == 0 else before[-1:] in JOINING
+            leads = leads and (position == 0 or words[place].start >= self.main)
+            marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
+            if marker is not None:
+                yield marker
+
+    def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+        """Give what stands before a clause in front, and what it leads from ``main`` on."""
+        first, end = self.segment.span
+        before = self.source.scanned.text[first:start]
+        kept = first + len(JOINT.sub("", before))
+        if kept > first:
+            yield Waiting.of(self.position, self.source, replace(self.segment, span=(first, kept)), lexicon)
+            led = Segment((start, end), addressee=self.segment.addressee)
+        else:
+            led = self.segment
+        yield Waiting(self.position, self.source, led, main)
+
+    @property
+    def _phrases(self) -> list[Phrase]:
+        first, end = self.segment.span
+        return [phrase for phrase in self.source.phrases if first <= phrase.span[0] < end]
+
+    @property
+    def behind_time(self) -> int:
+        """Where the main words begin behind a time in front of them, from ``main``."""
+        places = self.source.places(self.main, self.segment.span[1])
+        words = self.source.scanned.words
+        while places:
+            leading = next((p for p in self.source.phrases if p.first == places[0]), None)
+            if leading is None and words[places[0]].text not in {",", ":", "-"}:
+                return words[places[0]].start - self.main
+            end = leading.end if leading is not None else places[0] + 1
+            places = [place for place in places if place >= end]
+        return 0
+
+    def timed(self, tree: Tree) -> frozenset[int]:
+        """Give the words of its tree that are about time."""
+        spans = (phrase.span for phrase in self.source.phrases)
+        return frozenset(place for a, b in spans for place in tree.at(a - self.main, b - self.main))
+
+    def _overlooks_order(self, tree: Tree, lexicon: Lexicon) -> bool:
+        """Whether a bare verb right behind a time in front is not its root: "from now on keep it shut"."""
+        first = next(iter(tree.at(self.behind_time, self.behind_time + 1)), None)
+        if first is None or first == tree.root or tree.root is None:
+            return False
+        if leads_to_order(tree, self.behind_time, lexicon):
+            return True
+        node = tree.nodes[first]
+        if not node.may_act or node.lower != node.lemma:
+            return False
+        if self.behind_time:
+            # "On Tuesday hand in the forms and at eleven pick up the keys": a noun, and an order behind it.
+            joined = any(tree.nodes[place].lower == "and" for place in range(first, tree.root))
+            return node.tag in {"VB", "VBP"} or (joined and tree.nodes[tree.root].tag == "VB")
+        if first == 0 and len(tree.nodes) > 1 and tree.nodes[1].lower in {"it", "them"}:
+            # "Pat it dry"
+            return True
+        if first == 0 and node.lower in lexicon.particles.get(tree.nodes[1].lower, ()):
+            # "Top up the water troughs"
+            return True
+        if first == 0 and node.tag.startswith("NN") and tree.nodes[1].tag in {"DT", "PRP$"}:
+            # "Print the boarding passes tonight"
+            return True
+        # "Fetch crate 4, bring it here": the first order is taken for who does the second.
+        subjects = tree.children(tree.root, *SUBJECTS)
+        taken = any(first in tree.below(place) for place in subjects)
+        return taken and tree.root > 0 and tree.nodes[tree.root - 1].lower in {",", "and", ";"}
+
+    def doubts(self, tree: Tree, lexicon: Lexicon) -> bool:
+        """Whether a tree is hardly right: it has no order at its root, or has one of a clause for it."""
+        if self._phrases and happens(tree, self._phrases, lexicon):
+            return (
+                may_be_ordered(tree)
+                or begins_order(tree, lexicon)
+                or leads_to_order(tree, self.behind_time, lexicon)
+            )
+        if tree.root is not None and leaves(tree, tree.root, lexicon.travelling):
+            return False
+        if not tree.nodes or is_doubtful(tree):
+            return bool(tree.nodes)
+        words, covered = self.source.scanned.words, self.source.covered
+        if _is_numbered(tree, lexicon):
+            return True
+        places = self.source.places(self.main, self.segment.span[1])
+        timed = {words[place].start - self.main for place in places if place in covered}
+        first = tree.nodes[tree.root or 0].start
+        if self._overlooks_order(tree, lexicon) or begins_order(tree, lexicon) or first in timed:
+            return True
+        root = self.main + first
+        before = [p for p in self.source.places(self.main, root) if p not in covered]
+        if not before or longest_match(words, before[0], lexicon.clauses) is not None:
+            return False
+        return any(longest_match(words, place, lexicon.clauses) is not None for place in before[1:])
+
+
+def _is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a tree has what is called by a number for what is to be done: "close valve 3"."""
+    root = tree.root or 0
+    named = root > 0 and tree.nodes[root].lower in lexicon.machines
+    return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
+
+
+def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
+    """Give the marker of a clause at a place; a length of time may stand before it."""
+    words = source.scanned.words
+    first = next((phrase.end for phrase in source.phrases if phrase.first == place), place)
+    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
+    if first >= len(words) or words[first].start >= end or inside:
+        return None
+    form = longest_match(words, first, lexicon.clauses)
+    return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
+
+
+def goes_on_behind(words: Sequence[Word], comma: int, following: int) -> bool:
+    """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
+    said = [word.text for word in words[comma + 1 : following]]
+    return len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in SUBJECTS_OF
+
+
+def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
+    """Give the marker of a further clause in front, behind the comma of the one before it."""
+    words = source.scanned.words
+    place += words[place].text in {"and", "but", "or"} if place < end else 0
+    marker = _marker_at(source, place, words[end].start, lexicon) if place < end else None
+    return marker if marker is not None and marker.end < end else None
+
+
+def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
+    """Give where the words behind a clause in front begin; the segment's start where there is none.
+
+    The clause ends at a comma.
+    """
+    words = source.scanned.words
+    places = source.places(*segment.span)
+    marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
+    inverted = bool(places) and words[places[0]].text in INVERTING
+    if marker is None and not inverted:
+        return segment.span[0]
+    behind = places[0] + 1 if marker is None else marker.end
+    commas = [place for place in places if place >= behind and words[place].text == ","]
+    comma = next(iter(commas), None)
+    for following in commas[1:]:
+        # "After the museum, but before it gets dark, find a place to eat"
+        leads = None if comma is None else _second_marker(source, comma + 1, following, lexicon)
+        stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
+        if leads is None and not (stated and comma is not None and goes_on_behind(words, comma, following)):
+            break
+        comma = following
+    return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

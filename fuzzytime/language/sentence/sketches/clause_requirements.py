@@ -1,0 +1,148 @@
+"""What the clauses of an instruction require: that something is so, or is done, before it or after it."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
+from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.sketches.at_events import untold
+from fuzzytime.language.sentence.sketches.pronouns import resolved_object
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.content_words import content_words
+from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS_AND_ASKED
+from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
+
+"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
+
+RESULTING = frozenset({"when", "if", "after"})
+"""Clauses about what another instruction does: "when it is done"; "until it is done" is about its own."""
+
+STATING = frozenset({"when", "if", "until", "while"})
+"""Clauses that may say what must be so."""
+
+BECOMING = frozenset({"when", "after"})
+"""Clauses that wait for what becomes so: how long that takes is no length of what is to be done."""
+
+LASTING = frozenset({"until", "through"})
+
+
+def of_clause(
+    clause: Clause, anchors: Anchors, sketch: Sketch, draft: Draft
+) -> tuple[TimeRequirement, list[Remark]]:
+    """Give what a clause requires: a condition, or where another instruction lies; and remarks on it."""
+    lexicon = anchors.lexicon
+    text = draft.text[slice(*clause.span)]
+    remarks: list[Remark] = []
+    numbers = comparisons_in(draft.scanned, clause.content, lexicon)
+    target = anchors.target_of(clause)
+    said = clause.condition
+    if target is None and said and said.word in lexicon.results and clause.kind in RESULTING:
+        # "Boil the pasta. Drain it when it is done": when it is boiled.
+        named = _named(said, _meant_by_pronoun(clause, anchors, sketch), lexicon)
+        target = anchors.target_of(replace(clause, condition=named))
+    if target is None and said is not None and clause.kind in STATING:
+        condition = replace(said, text=text, comparisons=numbers)
+        return _of_condition(clause, condition, anchors, sketch), []
+    what = draft.text[slice(*clause.content)]
+    if target is None:
+        subject = None if said is None else said.subject
+        if clause.is_event or (subject is not None and subject not in SPEAKERS_AND_ASKED):
+            remarks.append(untold(text, clause.span))
+        else:
+            message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
+            remarks.append(Remark(RemarkKind.UNRESOLVED, clause.span, message))
+    requirement = anchors.of_clause(clause, text, what, target)
+    if clause.reference is Reference.FINISH and target is not None:
+        requirement = _ending(requirement, clause, anchors)
+    if target is None and requirement.anchor is not None:
+        requirement = replace(requirement, anchor=replace(requirement.anchor, comparisons=numbers))
+    return referred(requirement, sketch.reference), remarks
+
+
+def _ending(requirement: TimeRequirement, clause: Clause, anchors: Anchors) -> TimeRequirement:
+    """Let what is to be done be over when another begins, or is done: "have it ready when they come"."""
+    anchor = requirement.anchor
+    if anchor is None:
+        return requirement
+    if clause.kind in RESULTING and clause.distance is None and anchor.target is not None:
+        word = None if clause.condition is None else clause.condition.word
+        ends = anchor.edge is Edge.END and (
+            word in anchors.lexicon.results or not anchors.is_asked(anchor.target)
+        )
+        anchor = replace(anchor, edge=Edge.END if ends else Edge.START, exact=True)
+        requirement = replace(requirement, constraint=Constraint.BEFORE, anchor=anchor)
+    return (
+        replace(requirement, reference=Reference.FINISH, reference_said=True) if anchor.exact else requirement
+    )
+
+
+def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Sketch) -> TimeRequirement:
+    """Give the requirement that something is so, which another instruction may bring about."""
+    condition = _named(said, _meant_by_pronoun(clause, anchors, sketch), anchors.lexicon)
+    if clause.kind in RESULTING and not condition.negated:
+        # "Warm up the printer. Once it is warm, print"
+        made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
+        condition = replace(condition, target=anchors.target_of(made))
+        if clause.kind in BECOMING and clause.verb not in anchors.lexicon.doing["arriving"]:
+            # "Paint the door. Once the paint is dry, which takes two hours, sand it"
+            takes = None if clause.takes is None else clause.takes.seconds
+            about = anchors.done_with(condition.subject)
+            if about is None and condition.subject in PRONOUNS:
+                about = anchors.done_with_it(condition.subject)
+            condition = replace(condition, about=about, takes=takes)
+    return TimeRequirement(
+        text=said.text,
+        span=clause.span,
+        constraint=Constraint.WHEN,
+        preposition=clause.marker,
+        condition=condition,
+        reference=Reference.FINISH if clause.kind == "until" else Reference.START,
+    )
+
+
+def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
+    """Give a requirement the moment of the execution that its verb is about."""
+    if reference is None or requirement.constraint in {
+        Constraint.FOR,
+        Constraint.EVERY,
+        Constraint.WHEN,
+    }:
+        return requirement
+    lasting = requirement.preposition in LASTING or requirement.constraint is Constraint.BETWEEN
+    if reference is Reference.THROUGHOUT and not lasting:
+        return requirement
+    return replace(requirement, reference=reference, reference_said=True)
+
+
+def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str | None:
+    """Give what a pronoun in a clause stands for: in front of the verb, it is something said before.
+
+    "Warm the milk and, once it is warm, add the yeast": the milk.
+    """
+    operation = sketch.operation
+    if operation is not None and clause.span[0] < operation.span[0] and clause.condition is not None:
+        pronoun = replace(operation, object=clause.condition.subject)
+        own = anchors.own[: anchors.position - anchors.first]
+        earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
+        before = anchors.operation_at(anchors.position - 1) if anchors.position else None
+        if earlier is not None and (earlier.lower() not in PRONOUNS or earlier == (before and before.object)):
+            # "Let it run; as soon as it stops, check the oil": nothing names it, but it is the same.
+            return earlier
+    if operation is None:
+        return None
+    person = not anchors.lexicon.persons.isdisjoint((operation.object or "").lower().split())
+    # "Move mum to the other room once it is clean"
+    return operation.place if person and operation.place else operation.object
+
+
+def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
+    """Put a name for a pronoun: "stir the sauce until it thickens"."""
+    if condition.subject not in PRONOUNS or thing is None:
+        return condition
+    if condition.subject == "it" and condition.word in lexicon.impersonal:
+        return condition
+    words = [word for word in thing.lower().split() if content_words(word)]
+    return replace(condition, subject=" ".join(words) or condition.subject)

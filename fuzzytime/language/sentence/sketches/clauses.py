@@ -1,0 +1,311 @@
+"""Where clauses about time stand: markers, distances, ends, own times; "five minutes before you serve"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.borders import NAMED
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.beside import joined
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Offset,
+    Phrase,
+    Wall,
+)
+from fuzzytime.language.sentence.clauses.before_markers import BeforeMarker
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.clause_contents import Contents
+from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
+from fuzzytime.language.sentence.clauses.conditions import IF
+from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
+from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
+from fuzzytime.language.sentence.segments.waiting import INVERTING, goes_on_behind
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.requirement import Edge, Unit
+
+BEFORE = "before"
+OTHER = frozenset({"the", "another"})
+BY_THEN = "by the time"
+EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
+"""Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
+
+AFTER = ("after",)
+DAYS_APART = ((BEFORE,), AFTER)
+"""Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
+
+A_DAY = Duration(((1, Unit.DAY),))
+
+WITHIN = (("of",), ("after",))
+"""Markers behind which a bound counts from what they name: "within an hour of calling"."""
+
+EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
+"""Words before a marker whose clause says when not to do something, or that it is done all the same."""
+
+OFF = (("before",), ("after",))
+"""Markers of what a distance counts from."""
+
+EVEN = "even"
+ENDS = frozenset({",", "(", ")"})
+"""Marks at which a clause ends: "until golden (about ten minutes)"."""
+
+
+def clauses_of(
+    tree: Tree,
+    words: Sequence[Word],
+    phrases: Sequence[Phrase],
+    lexicon: Lexicon,
+    named: Sequence[Phrase] = (),
+) -> list[Clause]:
+    """Find the clauses of one instruction.
+
+    A marker inside a time ("before noon") begins none. ``named`` are times that name events: "before my four
+    o'clock meeting" is before four.
+    """
+    found: list[Clause] = []
+    covered = {place for phrase in phrases for place in range(phrase.first, phrase.end)}
+    reader = _Clauses(tree, words, phrases, lexicon, covered, named)
+    place = 0
+    while place < len(words):
+        is_name = place > 0 and words[place - 1].text in NAMED
+        form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
+        leads = form is not None and (
+            _leads_nowhere(form, words, place) or reader.leads_to_distance(place, form)
+        )
+        if form is not None and (is_length(form, words, place) or leads):
+            # "Rest it for half as long as you cooked it"
+            place += len(form)
+            continue
+        form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
+        form = form or reader.edged(place)
+        clause = None if form is None else reader.denied(place, form) or reader.read(place, form)
+        if form is None or clause is None:
+            place += 1
+            continue
+        found.append(clause)
+        place = next((p for p, word in enumerate(words) if word.start >= clause.span[1]), len(words))
+    return found
+
+
+def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
+    """Give an event its clock time, and the day behind it: "before the 6 am flight on saturday"."""
+    if day is None or not isinstance(day.said.time, Wall) or not isinstance(named.said.time, Wall):
+        return replace(event, time=named)
+    both = joined(named.said.time, day.said.time)
+    if both is None:
+        return replace(event, time=named)
+    dated = replace(named, said=replace(named.said, time=both))
+    return replace(event, time=dated, span=(event.span[0], day.span[1]))
+
+
+def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
+    """Whether a marker stands alone: "mow the front before and the back after"."""
+    behind = place + len(form)
+    return behind < len(words) and words[behind].text in {"and", "or"}
+
+
+class _Clauses:
+    def __init__(
+        self,
+        tree: Tree,
+        words: Sequence[Word],
+        phrases: Sequence[Phrase],
+        lexicon: Lexicon,
+        covered: set[int],
+        named: Sequence[Phrase],
+    ) -> None:
+        self.tree = tree
+        self.words = words
+        self.phrases = phrases
+        self.lexicon = lexicon
+        self.covered = covered
+        self.named = named
+        self.contents = Contents(tree, phrases, lexicon)
+        self.before = BeforeMarker(words, phrases, lexicon, covered)
+
+    def awaited(self, place: int) -> tuple[str, ...] | None:
+        """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
+        before = self.words[place - 1].text if place else ""
+        if (
+            self.words[place].text != "for"
+            or before not in self.lexicon.doing["waiting"]
+            or place in self.covered
+        ):
+            return None
+        tree = self.tree
+        marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
+        return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
+
+    def bounded(self, place: int) -> tuple[str, ...] | None:
+        """Give the "of" of "within an hour of calling" as what begins a clause."""
+        return ("of",) if self.words[place].text == "of" and self.before.bound(place) is not None else None
+
+    def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""
+        if self.lexicon.clauses[form] != "until" or self.denied(place, form) is not None:
+            return False
+        behind = place + len(form)
+        ends = (p.end for p in self.phrases if p.first == behind and isinstance(p.said.time, Duration))
+        return any(
+            longest_match(self.words, end, self.lexicon.clauses) in OFF
+            for end in ends
+            if end < len(self.words)
+        )
+
+    def inverted(self, place: int) -> tuple[str, ...] | None:
+        """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
+        word, node = self.words[place], next(iter(self.tree.nodes), None)
+        leads = place == 0 and node is not None and node.lower == IF != word.text
+        return (word.text,) if leads and word.text in INVERTING else None
+
+    def edged(self, place: int) -> tuple[str, ...] | None:
+        """Give the "by" of "by the end of the lesson" as what begins a clause."""
+        text = self.words[place].text
+        known = text in OF_EDGES and place not in self.covered
+        if (
+            known
+            and text == "by"
+            and is_event(self.words, place + 1, self._end(place + 1), self.covered, self.lexicon)
+        ):
+            # "By kick-off", "by knocking-off time"
+            return BY
+        return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
+
+    def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
+        """Give the kind of the clause that a marker begins."""
+        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
+        if edge is not None:
+            return OF_EDGES.get(form[0], {}).get(edge, kind)
+        if bound is not None:
+            return "within"
+        return "by the time" if form == BY else kind
+
+    def denied(self, place: int, form: tuple[str, ...]) -> Clause | None:
+        """Read what begins so long after something: "don't start it until ten minutes after the bell"."""
+        behind = self.before.behind_denied(place, form)
+        clause = None if behind is None else self.read(behind, AFTER)
+        return clause and replace(
+            clause, kind="until", side=None, span=(self.words[place].start, clause.span[1])
+        )
+
+    def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
+        """Read the clause that a marker at a place begins; None where it begins none."""
+        bound = self.before.bound(place) if form in WITHIN else None
+        edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
+        if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
+            # "One after the other"
+            return None
+        kind = self._kind(form, bound, edge)
+        if edge is None and bound is not None and isinstance(bound.said.time, Coming):
+            edge = Edge.START
+        end = self._end(first)
+        last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
+        time = next((phrase for phrase in last if is_apart(phrase, kind)), None)
+        said_end = end if time is None else time.first
+        time = self.before.aside(end) if time is None else time
+        if said_end <= first or self.covered.issuperset(range(first, said_end)):
+            # "Once today"
+            return None
+        content = (self.words[first].start, self.words[said_end - 1].end)
+        nodes = list(self.tree.at(*content))
+        if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
+            return None
+        start = self.words[place].start
+        distance = bound or self.before.distance(place)
+        duration, side = None, None
+        if distance is not None:
+            side, distance = sided(distance, self.words, self.lexicon)
+            start, time_before = distance.span[0], distance.said.time
+            if isinstance(time_before, (Offset, Coming)):
+                time_before = time_before.duration
+            if isinstance(time_before, Duration):
+                hedges = (*distance.said.hedges, *time_before.hedges)
+                duration = replace(time_before, hedges=hedges)
+                side = side or at_most_after(kind, duration)
+        day_part = self.before.part_of_day(place) if distance is None and form in DAYS_APART else None
+        if day_part is not None:
+            start, duration = day_part.span[0], A_DAY
+        if kind == "into" and duration is None:
+            return None
+        clause = Clause(
+            kind=kind,
+            marker=" ".join(form) if bound is None else bound.said.preposition or kind,
+            span=(start, content[1]),
+            content=content,
+            distance=duration,
+            beside=self._beside(form) if kind == BEFORE else None,
+            edge=edge,
+            side=side,
+            day_part=day_part,
+        )
+        named = next((phrase for phrase in self.named if phrase.first == first + 1), None)
+        if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
+            event = self.contents.event(clause, nodes)
+            return event and _named_at(event, named, time)
+        named_event = edge is not None or form == BY
+        told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
+        # "By the time the night shift clocks off at six", where a tree finds no verb.
+        told = clause if told is None and kind == BY_THEN and time is not None else told
+        found = self._denied(told, place)
+        occurs = found is not None and (happens(found) or self._is_over(found))
+        eventful = kind in EVENTFUL or (kind == "when" and occurs)
+        # "During the interval, which starts at eight"
+        eventful = eventful or (kind == "while" and found is not None and found.is_event)
+        if found is None or time is None or not eventful or not dates(time, duration, kind):
+            return found
+        return replace(found, time=time, span=(start, time.span[1]))
+
+    def _beside(self, form: tuple[str, ...]) -> str | None:
+        """Give the hedge that a marker is: "just before"."""
+        entries = self.lexicon.entries.get(form[0], ())
+        return next(
+            (entry.value for entry in entries if entry.category == "beside" and entry.words == form), None
+        )
+
+    def _is_over(self, clause: Clause) -> bool:
+        """Whether it says of something that it is done: "when the show is over"."""
+        condition = clause.condition
+        return condition is not None and not condition.negated and condition.word in self.lexicon.results
+
+    def _denied(self, clause: Clause | None, place: int) -> Clause | None:
+        """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""
+        before = [word.text for word in self.words[max(0, place - 2) : place]]
+        if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
+            return clause
+        if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
+            return replace(clause, excepted=True)
+        condition = replace(clause.condition, negated=not clause.condition.negated)
+        return replace(
+            clause, kind="when", condition=condition, span=(self.words[place - 1].start, clause.span[1])
+        )
+
+    def _is_counted(self, place: int) -> bool:
+        """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
+        return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
+
+    def _end(self, first: int) -> int:
+        """Give where the clause ends: at a mark, or at "and" and a time."""
+        return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
+
+    def _is_mark(self, place: int) -> bool:
+        """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
+        text = self.words[place].text
+        if text == "," and (self._is_inside_number(place) or self._goes_on(place)):
+            return False
+        if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
+            return text in ENDS
+        # "Before you leave and again when you get back"
+        behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
+        clause = longest_match(self.words, behind, self.lexicon.clauses)
+        bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
+        return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _goes_on(self, place: int) -> bool:
+        """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
+        return self.words[-1].text == "," and goes_on_behind(self.words, place, len(self.words) - 1)
+
+    def _is_inside_number(self, place: int) -> bool:
+        """Whether a mark joins digits: "below 1,200"."""
+        around = self.words[place - 1 : place + 2]
+        return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits

@@ -1,0 +1,136 @@
+"""Times of something else than what is to be done: of what is told, and of things described by them.
+
+"Remind me at six that the oven is cleaned at seven", "print the tickets for the film that starts at eight".
+"""
+
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.trees.named import PRONOUNS
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.verbs.actions import FINITE, Action
+
+RELATIVE = frozenset({"which", "that", "who", "whose", "where"})
+"""Words that begin what describes a thing."""
+
+PERSONS = ("NN", "PRP")
+SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
+"""How tags begin of words in front of what is told, and of its first."""
+
+DROPPING = frozenset({"cancel", "drop", "skip", "scrap"})
+"""Verbs of what is not to be: "cancel all meetings after three"."""
+
+ALL = frozenset({"all", "every", "any", "each", "both"})
+"""Words for all that are so."""
+
+REASONS = frozenset({"because", "cos", "'cause", "cause"})
+"""Words that begin why something is to be done."""
+
+RECALLING = "remind"
+"""Somebody is reminded at the only time that is said, whatever it is of."""
+
+
+def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
+    """Give the times that are no times of what is to be done."""
+    starts = {phrase.span: next(part.tree.at(*_local(part, phrase)), None) for phrase in phrases}
+    timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
+    told = _told_from(part, action, timed, lexicon)
+    own = told is not None and any(place is None or place < told for place in starts.values())
+    if part.tree.nodes[action.place].lemma == RECALLING and not own:
+        told = None
+    found = _of_moved(part, phrases, action, lexicon)
+    for phrase in phrases:
+        place = starts[phrase.span]
+        if place is not None and ((told is not None and place > told) or _is_described(part, place, action)):
+            found.append(phrase)
+    return found
+
+
+def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
+    """Give the stretch that says how something else is then: "light it at five so the room is warm by six".
+
+    What is to be done has a time of its own before it, so that the one behind is none of that.
+    """
+    nodes = part.tree.nodes
+    for verb in range(action.place + 2, len(nodes)):
+        subjects = [p for p in part.tree.children(verb, *SUBJECTS) if action.place < p < verb]
+        helped = bool(part.tree.children(verb, "aux"))
+        if not subjects or not (nodes[verb].tag in FINITE or (nodes[verb].tag == "VB" and helped)):
+            continue
+        first = min(part.tree.below(subjects[0]))
+        so = first - 1 - (nodes[first - 1].lower == "that")
+        if nodes[so].lower != "so" or nodes[subjects[0]].lower in PRONOUNS:
+            continue
+        start, end = nodes[so].start + part.offset, nodes[-1].end + part.offset
+        own = any(phrase.span[1] <= start for phrase in phrases)
+        behind = any(phrase.span[0] >= start for phrase in phrases)
+        thing = {nodes[p].lower for p in part.tree.children(action.place, "dobj")}
+        if own and behind and nodes[subjects[0]].lower not in thing:
+            return start, end
+    return None
+
+
+def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
+    """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
+    nodes = part.tree.nodes
+    for place in range(action.place + 1, len(nodes)):
+        if nodes[place].lower in REASONS and nodes[place].relation == "mark":
+            reach = part.tree.reach(nodes[place].head)
+            start, end = nodes[place].start + part.offset, nodes[reach[1] - 1].end + part.offset
+            if any(start <= phrase.span[0] < end for phrase in phrases):
+                return start, end
+    return None
+
+
+def _local(part: Part, phrase: Phrase) -> tuple[int, int]:
+    first, end = phrase.span
+    return first - part.offset, end - part.offset
+
+
+def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexicon) -> int | None:
+    """Give the "that" behind which is what somebody is told; None where nothing is."""
+    nodes = part.tree.nodes
+    if nodes[action.place].lemma not in lexicon.addressing:
+        return None
+    for place in range(action.place + 2, len(nodes) - 1):
+        behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
+        if nodes[place].lower == "that" and behind_whom and nodes[place + 1].tag.startswith(SAID):
+            return place
+    for below in part.tree.children(action.place, "ccomp"):
+        # "Tell Sam the shop closes at six"
+        subjects = [p for p in part.tree.children(below, "nsubj") if action.place + 1 < p < below]
+        if subjects and nodes[below].tag in FINITE:
+            return min(part.tree.below(subjects[0]))
+    return None
+
+
+def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
+    """Give when what is moved or cancelled would have been: "move the meetings on friday to monday".
+
+    The new time stands right behind it; of what is cancelled, all that are so are meant.
+    """
+    nodes = part.tree.nodes
+    lemma = nodes[action.place].lemma
+    if lemma in lexicon.moving:
+        pairs = pairwise(phrases)
+        return [old for old, new in pairs if new.said.preposition == "to" and old.end == new.first]
+    objects = part.tree.children(action.place, "dobj")
+    several = [thing for thing in objects for p in part.tree.children(thing, "det") if nodes[p].lower in ALL]
+    if lemma not in DROPPING or not several:
+        return []
+    behind = nodes[several[-1]].end + part.offset
+    return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
+
+
+def _is_described(part: Part, place: int, action: Action) -> bool:
+    """Whether a time stands right behind the verb of a relative clause: "the film that starts at eight"."""
+    tree, verb = part.tree, place - 1
+    if verb <= action.place or not tree.nodes[verb].is_verb:
+        return False
+    # "The meeting I have tomorrow" is what is counted from.
+    before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
+    return any(tree.nodes[p].lower in RELATIVE for p in before)

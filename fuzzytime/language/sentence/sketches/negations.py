@@ -1,0 +1,105 @@
+"""What negations ask for: "don't open it before six" is not before six, "don't … until" when it is so."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint, TimeRequirement
+
+TURNED = {
+    Constraint.BEFORE: Constraint.AFTER,
+    Constraint.AFTER: Constraint.BEFORE,
+    Constraint.FOR: Constraint.AFTER,
+}
+"""What "don't … before", "don't … after" and "don't … for" ask for."""
+
+LONGER = "more than"
+"""The hedge of a length of time that is not to be exceeded."""
+
+NEVER = "never"
+"""What denies for good."""
+
+
+def awaiting(sketch: Sketch) -> Sketch:
+    """Read "don't serve it until the guests arrive" as: serve it, when they do."""
+    operation = sketch.operation
+    if operation is None or not operation.negated or all(c.kind != "until" for c in sketch.clauses):
+        return sketch
+    clauses = tuple(
+        clause
+        if clause.kind != "until"
+        else replace(clause, kind="when", marker="when")
+        if clause.distance is None
+        else replace(clause, kind="after", marker="after")
+        for clause in sketch.clauses
+    )
+    return replace(sketch, operation=replace(operation, negated=False), clauses=clauses)
+
+
+def without_denial(
+    operation: Operation | None,
+    requirements: list[TimeRequirement],
+    duration: float | None,
+    connected: TimeRequirement | None,
+    said: str,
+) -> tuple[Operation | None, list[TimeRequirement], float | None]:
+    """Read what is not to be done at some time as what is to be done at another: "don't open it before six".
+
+    Parameters
+    ----------
+    operation, requirements, duration
+        What is asked for, when, and how long it goes on, in seconds; given back as they are to be read.
+    connected
+        What the word requires that joins it to what was said before.
+    said
+        The words of the instruction.
+    """
+    denied = _denied_times(requirements, connected, said)
+    if operation is None or not operation.negated or not denied:
+        return operation, requirements, duration
+    lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
+    turned = [_turned(r, duration) if r.span in denied else r for r in requirements]
+    return replace(operation, negated=False), turned, duration if lasting else None
+
+
+def _denied_times(
+    requirements: Iterable[TimeRequirement], connected: TimeRequirement | None, said: str
+) -> set[tuple[int, int]]:
+    """Give the spans of the times at which something is not to be done, as it is to be done at others.
+
+    "Never leave it open for more than a minute" asks for nothing; nor does "then don't serve it", where the
+    word that connects it only goes on telling.
+    """
+    if NEVER in said.lower().split():
+        return set()
+    joining = None if connected is None else connected.span
+    return {one.span for one in requirements if one.span != joining and _is_turned(one)}
+
+
+def _is_turned(requirement: TimeRequirement) -> bool:
+    """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
+    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
+    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+
+
+def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
+    """Read "don't open it before six" as: open it, not before six."""
+    if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
+        # "Don't boil it for more than a minute": for a minute at most.
+        return replace(requirement, fuzziness=("at most",))
+    constraint = TURNED.get(requirement.constraint, Constraint.AFTER)
+    time = duration if requirement.constraint is Constraint.FOR else requirement.t_spec
+    if requirement.constraint is Constraint.BETWEEN:
+        # "Don't stir it for the first ten minutes": after them.
+        time = requirement.latest
+    after = constraint is Constraint.AFTER
+    return replace(
+        requirement,
+        denied=True,
+        constraint=constraint,
+        preposition="not before" if after else "no later than",
+        t_spec=time,
+        earliest=time if after else None,
+        latest=None if after else time,
+    )

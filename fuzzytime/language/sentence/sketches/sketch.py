@@ -1,0 +1,208 @@
+"""One instruction before it is grounded: its part of a draft, its times and clauses, what is to be done."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Wall
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
+from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
+from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
+from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
+from fuzzytime.language.sentence.trees.named import PRONOUNS
+from fuzzytime.language.sentence.verbs.actions import (
+    DENYING,
+    Action,
+    action_of,
+    reference_of,
+    says_how_things_are,
+)
+from fuzzytime.language.sentence.verbs.amounts import parameters_of
+from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
+from fuzzytime.language.sentence.verbs.operations import Reader
+from fuzzytime.requirement import Constraint, Reference
+
+if TYPE_CHECKING:
+    from fuzzytime.skills import FuzzyParameter
+
+
+WHEN = frozenset({None, Constraint.AT})
+"""How a day binds on which something is."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """One instruction: its part of the draft, its times and clauses, what is to be done.
+
+    ``references`` gives, for each of its times, which moment of the execution the words say it is about;
+    ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
+    above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
+    others of the same thing.
+    """
+
+    part: Part
+    phrases: tuple[Phrase, ...]
+    clauses: tuple[Clause, ...]
+    references: tuple[Reference | None, ...]
+    operation: Operation | None = None
+    parameters: tuple["FuzzyParameter", ...] = ()
+    remarks: tuple[Remark, ...] = ()
+    headed: tuple[Clause, ...] = ()
+    way: Duration | None = None
+    joints: tuple[Span, ...] = ()
+
+    @property
+    def heard(self) -> list[Span]:
+        """The stretches of its times and clauses."""
+        return [*(phrase.span for phrase in self.phrases), *(clause.span for clause in self.clauses)]
+
+    @property
+    def reference(self) -> Reference | None:
+        """What its clauses are about, where its times say so."""
+        return self.references[0] if self.references else None
+
+
+def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
+    """Sketch one part of a draft."""
+    first, end = part.segment.span
+    phrases = [phrase for phrase in draft.phrases if first <= phrase.span[0] and phrase.span[1] <= end]
+    said = said_of_time(draft, part, phrases, lexicon)
+    kept, clauses, left_out, excepted = said.phrases, said.clauses, said.left_out, said.remarks
+    named = Sketch(
+        part=part,
+        phrases=tuple(kept),
+        clauses=tuple(clauses),
+        references=(None,) * len(kept),
+        operation=_happening(draft, part, kept, clauses, lexicon),
+        remarks=tuple(excepted),
+    )
+    if named.operation is not None or part.segment.verbless:
+        return named
+    action = _untimed(part, action_of(part.tree, lexicon), kept, lexicon)
+    if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
+        return named
+    others = elsewhere(part, kept, action, lexicon)
+    aims = {aim_of(part, kept, action): "what it is for", reason_of(part, kept, action): "why"}
+    for aim, what in aims.items():
+        if aim is not None:
+            others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+            kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
+            clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
+            message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
+            excepted.append(Remark(RemarkKind.POLICY, aim, message))
+    kept = [phrase for phrase in kept if phrase not in others]
+    heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim in aims if aim is not None))
+    reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    operation = reader.operation(action)
+    clauses = [
+        replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
+    ]
+    a, b = operation.span
+    if not operation.negated:
+        kept = [_by_that_day(phrase, clauses) for phrase in kept]
+    return Sketch(
+        part=part,
+        phrases=tuple(kept),
+        clauses=tuple(clauses),
+        references=tuple(_reference(part, phrase, action, lexicon, clauses) for phrase in kept),
+        operation=replace(
+            operation,
+            span=(a + part.offset, b + part.offset),
+            addressee=part.segment.addressee or operation.addressee,
+        ),
+        parameters=parameters_of(reader, action),
+        remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
+    )
+
+
+def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
+    """Bind what is to be done before an event by the end of its day: "before the show on Saturday"."""
+    said, time = phrase.said, phrase.said.time
+    ahead = (c for c in clauses if c.kind in AHEAD and c.distance is None and c.span[1] + 1 == phrase.span[0])
+    day = isinstance(time, Wall) and time.clock is None and time.part is None and said.constraint in WHEN
+    if not day or next(ahead, None) is None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
+
+
+def order_of(draft: Draft, part: Part) -> Order | None:
+    """Give where an instruction comes among all: "first, open the windows", "make the coffee last"."""
+    if part.segment.connective == Order.FIRST:
+        return Order.FIRST
+    first, end = part.segment.span
+    return next((order for span, order in draft.orders if first <= span[0] < end), None)
+
+
+def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
+    message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
+    return Remark(RemarkKind.POLICY, phrase.span, message)
+
+
+def _happening(
+    draft: Draft, part: Part, phrases: Sequence[Phrase], clauses: Sequence[Clause], lexicon: Lexicon
+) -> Operation | None:
+    """Give what happens at a time, or after something else, where no verb says what is to be done."""
+    root = part.tree.root
+    timed = phrases or clauses
+    if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
+        return None
+    spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
+    names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
+    found = happening_at(root, part.tree, phrases, names, lexicon)
+    return replace(found, span=(found.span[0] + part.offset, found.span[1] + part.offset))
+
+
+def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:
+    """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
+    if action is None:
+        return None
+    timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
+    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in DENYING}
+    if denying and denying <= timed:
+        # "Not until next week call the plumber": it is the time that is denied.
+        action = replace(action, negated=False)
+    if any(part.tree.nodes[p].lower in PRONOUNS for p in part.tree.children(action.place, "nsubj", "expl")):
+        # "It takes twenty minutes to get there"
+        return action
+    nodes = enumerate(part.tree.nodes)
+    verbs = (place for place, node in nodes if node.is_verb and place not in timed)
+    taken = set(part.tree.children(action.place, "dobj"))
+    # "Take the bins out tonight to help mum": it is no time that is taken.
+    spends = part.tree.nodes[action.place].lemma in lexicon.doing["spent"] and taken <= timed
+    spends = spends and not timed.isdisjoint(taken.union(part.tree.children(action.place, "npadvmod")))
+    if spends:
+        verbs = (place for place in verbs if place > action.place)
+    found = next(verbs, None) if spends or action.place in timed else None
+    return action if found is None else replace(action, place=found)
+
+
+def _reference(
+    part: Part, phrase: Phrase, action: Action, lexicon: Lexicon, clauses: Sequence[Clause]
+) -> Reference | None:
+    """Give which moment a time is about, by the verb nearest above it: "so that it finishes by noon"."""
+    if phrase.rule in {DATED, DEADLINE}:
+        # What its clause is about starts or ends then, not what is to be done.
+        return action.reference
+    if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
+        # "Lock up when everyone has left on friday"
+        return action.reference
+    return _reference_at(part, phrase.span, action, lexicon)
+
+
+def _reference_at(part: Part, span: Span, action: Action, lexicon: Lexicon) -> Reference | None:
+    """Give which moment words in a stretch are about, by the verb nearest above them."""
+    first, end = (place - part.offset for place in span)
+    for place in part.tree.at(first, end):
+        for above in part.tree.above(place):
+            if above == action.place:
+                return action.reference
+            inside = first <= part.tree.nodes[above].start < end
+            if part.tree.nodes[above].is_verb and not inside:
+                return reference_of(part.tree, above, lexicon) or action.reference
+    return action.reference

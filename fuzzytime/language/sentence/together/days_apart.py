@@ -1,0 +1,220 @@
+"""Days said apart from their clock times: "tomorrow open the blinds at seven".
+
+A day in front of an order holds for all that is joined to it; a day with a clock time for the clock times
+behind it; any other for the times of its own instruction.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from fuzzytime.language.meaning.beside import told_apart
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Offset,
+    Phrase,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
+from fuzzytime.language.sentence.segments.drafts import Heading
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint, Unit
+
+
+@dataclass(frozen=True, slots=True)
+class _Day:
+    """A day that holds for instructions behind; ``phrase`` where it holds for those without a time too."""
+
+    said: Said
+    phrase: Phrase | None = None
+
+    @property
+    def days(self) -> tuple[Said, ...]:
+        """As said, and without the part of the day in it: "tomorrow morning and evening"."""
+        said = self.said.sure
+        time = said.time
+        parted = isinstance(time, Wall) and time.days is not None and time.part is not None
+        return (said, Said(Wall(time.days))) if parted and isinstance(time, Wall) else (said,)
+
+
+def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None = None) -> list[Sketch]:
+    """Put each time of some instructions on the day that was said for it elsewhere.
+
+    That is in the same sentence, or on a line above, as a heading; what has no time has that of its heading.
+    """
+    placed: list[Sketch] = []
+    day = None if heading is None else heading.day
+    above = None if day is None else _Day(day.said)
+    held = above
+    for sketch in sketches:
+        if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
+            held = above
+        named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
+        told = sketch
+        if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
+            # "Sunday:", then "assemble the bed in the morning"
+            told = _on_day(sketch, held)
+        if named:
+            told = _on_own_day(told, named[0])
+        # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
+        heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
+        held = _day_of(sketch, heads=heads) or held
+        placed.append(told)
+    return placed if heading is None else [_under(sketch, heading) for sketch in placed]
+
+
+def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Let a day on the first line hold for all lines below it: "Saturday:", "school trip on the 12th:"."""
+    first, mark, rest = text.partition(":")
+    if not mark or not sketches or not rest.lstrip(" \t\r").startswith("\n"):
+        return sketches
+    days = [phrase for phrase in sketches[0].phrases if phrase.span[1] <= len(first) and phrase.said.is_day]
+    if not days or first[days[-1].span[1] :].strip():
+        return sketches
+    days = [replace(day, said=day.said.sure) for day in days]
+    return [sketches[0], *(_with_days(sketch, days) for sketch in sketches[1:])]
+
+
+def _with_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
+    """Give a sketch on some days, unless it has one of its own."""
+    if any(phrase.said.is_day for phrase in sketch.phrases):
+        return sketch
+    references = (*(None for _ in days), *sketch.references)
+    return replace(sketch, phrases=(*days, *sketch.phrases), references=references)
+
+
+def _under(sketch: Sketch, heading: Heading) -> Sketch:
+    """Give an instruction the times of a line above, where its own do not say when something is done."""
+    operation = sketch.operation
+    if operation is not None and operation.addressee is None and not operation.stated:
+        operation = replace(operation, addressee=heading.addressee)
+        sketch = replace(sketch, operation=operation)
+    if operation is None or any(_tells_when(phrase) for phrase in sketch.phrases):
+        return sketch
+    if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
+        # "It takes an hour"
+        return sketch
+    if sketch.part.segment.connective not in {"", "and"} and not sketch.phrases:
+        # What comes "then" comes on the day of what it follows.
+        return sketch
+    references = (*((None,) * len(heading.phrases)), *sketch.references)
+    return replace(
+        sketch, phrases=(*heading.phrases, *sketch.phrases), references=references, headed=heading.clauses
+    )
+
+
+def _tells_when(phrase: Phrase) -> bool:
+    """Whether a time is more than a bound, a length, or a place in an order."""
+    said = phrase.said
+    if isinstance(said.time, (Duration, TimeWord)):
+        return isinstance(said.time, TimeWord) and said.time.word not in ORDERING
+    return said.constraint not in {Constraint.BEFORE, Constraint.AFTER, Constraint.FOR}
+
+
+def _is_part(said: Said) -> bool:
+    """Whether it is a part of a day that is not said."""
+    return isinstance(said.time, Wall) and said.time.days is None
+
+
+def _ends_night(said: Said, day: Said) -> bool:
+    """Whether it is a deadline of what goes on at night: "charge it overnight so it's ready by six"."""
+    night = isinstance(day.time, Wall) and day.time.part is not None and day.time.part.half is Half.NIGHT
+    return night and said.constraint is Constraint.BEFORE
+
+
+def _is_at_most(said: Said) -> bool:
+    """Whether it is a length of time that something takes no longer than."""
+    return isinstance(said.time, Duration) and said.preposition == "within"
+
+
+def _is_first_day(said: Said) -> bool:
+    """Whether it is a day from which on something holds: "from monday on sign in by ten to nine"."""
+    time = said.time
+    days = time.days if isinstance(time, Wall) and time.clock is None and time.part is None else None
+    return said.constraint is Constraint.AFTER and days is not None and days.grain is Unit.DAY
+
+
+def _is_open(said: Said, day: Said) -> bool:
+    """Whether it is a time of day, or a weekday in the week that is said; not a second day."""
+    time = said.time
+    if isinstance(time, Offset):
+        return isinstance(time.anchor, Wall) and time.anchor.clock is not None and time.anchor.days is None
+    if isinstance(time, Range):
+        ends = [end for end in (time.first, time.last) if isinstance(end, Wall)]
+        clocks = all(end.clock is not None and end.days is None for end in ends)
+        return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
+    if not isinstance(time, Wall):
+        return False
+    if time.days is None:
+        return True
+    return _is_in_week(time, day)
+
+
+def _is_in_week(wall: Wall, day: Said) -> bool:
+    """Whether it is a weekday in the week, or month, that is said."""
+    coarse = isinstance(day.time, Wall) and day.time.days is not None and day.time.days.grain is not Unit.DAY
+    return coarse and isinstance(wall.days, Fields) and wall.days.weekly
+
+
+def _on_own_day(sketch: Sketch, place: int) -> Sketch:
+    """Put the other times of an instruction on its day; those of a repetition are all of it."""
+    day, phrases = sketch.phrases[place].said, list(sketch.phrases)
+    repeated = [place]
+    for other, phrase in enumerate(sketch.phrases):
+        if other != place and _is_at_most(phrase.said):
+            # "Run it in under 25 minutes on saturday"
+            hedges = ("at most", *phrase.said.hedges)
+            told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
+            phrases[other] = replace(phrase, said=told_length)
+            continue
+        apart = other == place or not _is_open(phrase.said, day)
+        told = (
+            None
+            if apart or (other > place and _ends_night(phrase.said, day))
+            else told_apart(phrase.said, day)
+        )
+        if told is None:
+            continue
+        phrases[other] = replace(phrase, said=told)
+        if isinstance(told.time, Repeat):
+            day = told
+            repeated.append(other)
+    if len(repeated) > 1:
+        for other in repeated:
+            said = phrases[other].said
+            phrases[other] = replace(phrases[other], said=replace(said, time=day.time))
+    return replace(sketch, phrases=tuple(phrases))
+
+
+def _on_day(sketch: Sketch, held: _Day) -> Sketch:
+    """Put the times of an instruction on a day that was said before it; without a time, it has that day."""
+    if held.phrase is not None and not sketch.phrases and not sketch.clauses:
+        alone = sketch.part.segment.connective in {"", "and"} and sketch.operation is not None
+        return replace(sketch, phrases=(held.phrase,), references=(None,)) if alone else sketch
+    phrases = []
+    for phrase in sketch.phrases:
+        told = None
+        for day in held.days if _is_open(phrase.said, held.said) else ():
+            told = told or told_apart(phrase.said, day)
+        phrases.append(phrase if told is None else replace(phrase, said=told))
+    return replace(sketch, phrases=tuple(phrases))
+
+
+def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
+    """Give the day that an instruction hands on to those joined to it, or to all where it ``heads`` them."""
+    start = sketch.operation.span[0] if sketch.operation is not None else 0
+    for phrase in sketch.phrases:
+        said = phrase.said
+        if said.is_day and (heads or phrase.span[1] <= start):
+            return _Day(said, phrase)
+        time = said.time
+        if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
+            return _Day(Said(Wall(time.days)))
+    return None

@@ -1,0 +1,303 @@
+"""What the instructions of a text lend each other: a time alone, a verb, an object, a start."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import OWNING
+from fuzzytime.language.instruction import Operation, overlap
+from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
+    INTO,
+    Duration,
+    Offset,
+    Phrase,
+    Repeat,
+    Said,
+    TimeWord,
+)
+from fuzzytime.language.sentence.references.mentions import BE
+from fuzzytime.language.sentence.segments.cuts import AGAIN
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.content_words import singular
+from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.requirement import Constraint, Reference, Unit
+
+GIVEN = frozenset({"me", "us", "him", "her", "them"})
+"""Who is given what is named behind."""
+
+REPEATED = frozenset({"it", "this", "that"})
+"""Words for what is to be repeated."""
+
+LATER = "later"
+"""The preposition of times that count from what was said before."""
+
+STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
+"""How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
+
+
+def led(sketches: list[Sketch]) -> list[Sketch]:
+    """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
+    found: list[Sketch] = []
+    for sketch in sketches:
+        before, segment = found[-1] if found else None, sketch.part.segment
+        alone = before is not None and before.operation is None and _is_time_alone(before)
+        if before is not None and alone and segment.connective in {"then", "first"}:
+            waited = [replace(phrase, said=_until_then(phrase.said)) for phrase in before.phrases]
+            whole = (before.part.segment.span[0], segment.span[1])
+            found[-1] = replace(
+                sketch,
+                part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
+                phrases=(*waited, *sketch.phrases),
+                clauses=(*before.clauses, *sketch.clauses),
+                references=(*(None for _ in before.phrases), *sketch.references),
+            )
+        else:
+            found.append(sketch)
+    return found
+
+
+def _is_time_alone(sketch: Sketch) -> bool:
+    """Whether nothing but times is said: not "maths until ten"."""
+    part = sketch.part
+    names = (node for node in part.tree.nodes if node.tag.startswith("NN"))
+    spans = ((node.start + part.offset, node.end + part.offset) for node in names)
+    return bool(sketch.phrases) and all(any(overlap(s, p.span) for p in sketch.phrases) for s in spans)
+
+
+def _until_then(said: Said) -> Said:
+    """Read a length of time alone before "then" as what is waited: "two minutes, then flip"."""
+    alone = said.preposition is None and isinstance(said.time, Duration)
+    return replace(said, constraint=Constraint.AT, preposition="in") if alone else said
+
+
+def repeated(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a time or a thing alone be of what was done before: "then five minutes on high"."""
+    found: list[Sketch] = []
+    for sketch in sketches:
+        before = found[-1].operation if found else None
+        again = None if before is None else _again(before, sketch, text, lexicon)
+        if again is None:
+            found.append(sketch)
+            continue
+        then = sketch.part.segment.connective == "then"
+        phrases = tuple(_from_then(p, found[-1]) if then else p for p in sketch.phrases)
+        found.append(replace(sketch, operation=again, phrases=phrases))
+    return found
+
+
+def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
+    """Let a repetition begin where that of the same before it ends: "every 5 minutes for an hour, then …"."""
+    time = phrase.said.time
+    ends = [p.said.time.until for p in before.phrases if isinstance(p.said.time, Repeat)]
+    if (
+        not isinstance(time, Repeat)
+        or time.starting is not None
+        or time.every is None
+        or ends[:1] in ([], [None])
+    ):
+        return phrase
+    starting = Offset(time.every, 1, ends[0])
+    until = time.until
+    if isinstance(until, Offset) and until.anchor is None:
+        # "…, then twice a day for another week"
+        until = replace(until, anchor=ends[0])
+    return replace(phrase, said=replace(phrase.said, time=replace(time, starting=starting, until=until)))
+
+
+def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
+    part = sketch.part
+    spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
+    said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
+    rest = text[said[0][0] : said[-1][1]] if said else ""
+    if sketch.phrases:
+        turned, _, level = rest.partition(" to ")
+        particle = _particle_alone(turned, lexicon)
+        if particle is not None:
+            # "And back up to 37 degrees at six"
+            return replace(before, particle=particle, place=f"to {level}" if level else before.place)
+        if rest and set(rest.lower().split()) <= AGAIN:
+            # "Ring the bell at six, then again at seven"
+            return before
+    said_again = sketch.operation
+    if said_again is not None and said_again.lemma in lexicon.doing["repeating"] and sketch.phrases:
+        # "Baste the roast, and repeat this every ten minutes"
+        return before if (said_again.object or "it").lower() in REPEATED else None
+    if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
+        return None
+    then = part.segment.connective == "then"
+    counted = _counted_again(before, rest, lexicon) if sketch.phrases else None
+    if then and counted is not None:
+        return counted
+    if then and any(_goes_on(phrase.said) for phrase in sketch.phrases):
+        return replace(before, place=rest or before.place)
+    # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
+    numbered = _is_next_numbered(before, sketch, lexicon)
+    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in OWNING or numbered)
+    named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
+    if part.segment.verbless and says_where(rest.lower(), lexicon):
+        # "Hoover downstairs in the morning and upstairs after lunch"
+        whole = says_where((before.object or "").lower(), lexicon)
+        return replace(before, object=None if whole else before.object, place=rest, manner=None)
+    if rest and part.segment.verbless and before.object is None and before.place is not None:
+        # "Stop for a brew at ten and for lunch at noon"
+        return replace(before, place=rest) if rest.split()[0] == before.place.split()[0] else None
+    if not rest or not named or before.object is None:
+        return None
+    # "Hand me the wrench, then the pliers"
+    given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
+    return replace(before, object=" ".join((*given, rest)), place=None)
+
+
+def _counted_again(before: Operation, rest: str, lexicon: Lexicon) -> Operation | None:
+    """Give the operation before with another number: "two tablets now, then one every six hours"."""
+    words = (before.object or "").split()
+    place = next(
+        (p for p, word in enumerate(words) if word.lower() in lexicon.numbers or word.isdecimal()), None
+    )
+    if place is None or not (rest.lower() in lexicon.numbers or rest.isdecimal()):
+        return None
+    noun = words[place + 1 :]
+    noun = [singular(noun[0]), *noun[1:]] if noun and rest.lower() in {"one", "1"} else noun
+    return replace(before, object=" ".join((*words[:place], rest, *noun)))
+
+
+def _goes_on(said: Said) -> bool:
+    """Whether the same goes on with it: "then for five minutes on high", "then every hour"."""
+    return said.constraint is Constraint.FOR or isinstance(said.time, Repeat)
+
+
+def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is another of what the one before is about: "do ward 7, then ward 9"."""
+    first = sketch.part.tree.nodes[:2]
+    named = (before.object or "").lower().split()
+    return len(first) > 1 and first[1].tag == "CD" and first[0].lower in lexicon.machines & {*named}
+
+
+def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
+    """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
+    said = [word for word in text.lower().split() if word not in AGAIN]
+    return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
+
+
+def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let times count from the start of what lasts: "roast it for an hour and turn it after ten minutes".
+
+    What goes on beside it has its object ("bake the bread for an hour, turning it"), and what happens to the
+    same thing next is stated too ("the roast goes in at ten and comes out at two").
+    """
+    found = sketches[:1]
+    for sketch in sketches[1:]:
+        before, told = found[-1], sketch
+        if before.operation is not None and sketch.operation is not None:
+            between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+            joined = between.strip(" ,").lower() == "and"
+            operation = _beside(before.operation, sketch, sketch.operation, lexicon, joined=joined)
+            told = replace(sketch, operation=operation)
+        if sketch.part.segment.connective != "then":
+            length = _length(before)
+            told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
+            if not length and _goes_on_soon(before, sketch, text):
+                told = replace(told, phrases=tuple(map(_behind_that, told.phrases)))
+        found.append(told)
+    return [replace(sketch, phrases=tuple(map(_halfway, sketch.phrases))) for sketch in found]
+
+
+def _goes_on_soon(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether the same sentence asks for something else of the same thing: "put it in, turn it after …"."""
+    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+    one, other = before.operation, sketch.operation
+    if one is None or other is None or one.stated or one.negated or ENDS & set(between):
+        return False
+    return (other.object or "").lower() in {"it", "them"} and before.part is not sketch.part
+
+
+def _behind_that(phrase: Phrase) -> Phrase:
+    """Let so long "after" count from what the same sentence asks for before."""
+    said = phrase.said
+    time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
+    if not isinstance(time, Duration) or said.preposition != "after" or said.constraint is Constraint.FOR:
+        return phrase
+    return replace(
+        phrase, said=Said(Offset(replace(time, hedges=())), None, LATER, (*said.hedges, *time.hedges))
+    )
+
+
+def _halfway(phrase: Phrase) -> Phrase:
+    """Let what is halfway through something else count from that."""
+    time = phrase.said.time
+    if not isinstance(time, TimeWord) or time.word != HALFWAY:
+        return phrase
+    return replace(phrase, said=Said(Offset(Duration(((0, Unit.SECOND),))), None, HALFWAY))
+
+
+def _length(sketch: Sketch) -> float:
+    """Give how long an instruction was said to last, in seconds; 0 where nothing was said."""
+    lengths = (p.said.time for p in sketch.phrases if p.said.constraint is Constraint.FOR)
+    return next((time.seconds for time in lengths if isinstance(time, Duration)), 0.0)
+
+
+def _beside(
+    before: Operation, sketch: Sketch, operation: Operation, lexicon: Lexicon, *, joined: bool
+) -> Operation:
+    """Give an operation with the object of the one before, which it is about too."""
+    tree = sketch.part.tree
+    if operation.object is not None or tree.root is None:
+        return operation
+    node = tree.nodes[tree.root]
+    alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    begins = before.stated and before.lemma in lexicon.doing["beginning"] | {BE} and bool(sketch.phrases)
+    if before.object is None or before.attended:
+        # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
+        goes_on = (
+            begins
+            and (alone or operation.lemma in lexicon.doing["ending"])
+            and joined
+            and not operation.stated
+        )
+        # "We leave at eight and get back at six"
+        comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
+        goes_on = goes_on or (comes and joined and not operation.stated)
+        return replace(operation, object=before.object, stated=True) if goes_on else operation
+    if before.stated and joined and not operation.stated and node.tag in {"VBZ", "VB", "VBP"}:
+        return replace(operation, object=before.object, stated=True)
+    goes_on = node.tag == "VBG" and not before.stated and not operation.stated
+    return replace(operation, object=before.object) if goes_on else operation
+
+
+def _counted_in(phrase: Phrase, length: float) -> Phrase:
+    """Give a time that lies inside what lasts as one from its start."""
+    said = phrase.said
+    time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
+    if isinstance(time, TimeWord) and time.word == HALFWAY and length:
+        time = Duration(((length / 2, Unit.SECOND),))
+    elif not isinstance(time, Duration) or said.preposition not in {"after", "later"}:
+        return phrase
+    if said.constraint is Constraint.FOR or not time.seconds < length:
+        return phrase
+    return replace(phrase, said=Said(Offset(replace(time, hedges=())), None, INTO, said.hedges))
+
+
+def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Let a verb alone share the object and the start of the next: "rinse and drain the rice at noon"."""
+    found = list(sketches)
+    for place in range(len(found) - 1, 0, -1):
+        first, second = found[place - 1], found[place]
+        if not second.part.segment.shares(text) or first.operation is None or second.operation is None:
+            continue
+        operation = first.operation
+        if operation.object is None and operation.lemma not in lexicon.intransitive:
+            operation = replace(operation, object=second.operation.object)
+        first = replace(first, operation=operation)
+        goes_on = Reference.THROUGHOUT in second.references
+        # "Cover and leave it overnight"
+        if (
+            not first.phrases
+            and not goes_on
+            and all(phrase.said.constraint in STARTS for phrase in second.phrases)
+        ):
+            first = replace(first, phrases=second.phrases, references=second.references)
+            second = replace(second, phrases=(), references=())
+        found[place - 1 : place + 1] = [first, second]
+    return found

@@ -1,0 +1,48 @@
+"""Two times of one thing that a sentence joins: "unlock it at 7:45 and lock it at 18:10" are of one day."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.trees.named import PRONOUNS
+from fuzzytime.requirement import Constraint
+
+THEM = PRONOUNS | {"him", "her", "them"}
+MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
+"""How times bind that are clock times of what is done."""
+
+
+def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
+    """Give the clock time of what follows an instruction in its sentence, with the same thing."""
+    if place + 1 >= len(sketches):
+        return None
+    first, second = sketches[place], sketches[place + 1]
+    between = text[first.part.segment.span[1] : second.part.segment.span[0]]
+    joined = first.part is not second.part and not ENDS & set(between)
+    if not joined or first.operation is None or second.operation is None or _clock_of(first) is None:
+        return None
+    return _clock_of(second) if _goes_on(first.operation, second.operation) else None
+
+
+def _goes_on(first: Operation, second: Operation) -> bool:
+    """Whether two operations are about the same thing, or two things that the same ones do."""
+    if (first.lemma, first.particle) == (second.lemma, second.particle):
+        # "One at eight and one at noon"
+        return False
+    if second.object is None:
+        return first.stated and second.stated
+    return second.object in THEM or second.again or second.object == first.object
+
+
+def _clock_of(sketch: Sketch) -> Clock | None:
+    """Give the clock time of an instruction that has no other time, and no day."""
+    if len(sketch.phrases) != 1 or sketch.clauses:
+        return None
+    said = sketch.phrases[0].said
+    alone = isinstance(said.time, Wall) and said.time.days is None and said.time.part is None
+    if not alone or said.constraint not in MOMENTS or not isinstance(said.time, Wall):
+        return None
+    return said.time.clock

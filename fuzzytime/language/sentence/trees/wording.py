@@ -1,0 +1,136 @@
+"""Words of a tree as they are said, without those about time."""
+
+import unicodedata
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Span
+from fuzzytime.language.sentence.trees.tree import Tree
+
+CLOSING = {">": "<", ")": "(", "]": "["}
+"""Marks, and those that they close."""
+
+LISTED = frozenset({",", "and", "&", "or"})
+"""What joins the numbers of a list."""
+
+REACHING = frozenset({"to", "-"})
+"""What joins the first and the last number of several: "steps 1 to 7"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wording:
+    """The words of a tree; ``times`` are the stretches of characters that are about time."""
+
+    tree: Tree
+    lexicon: Lexicon
+    times: Sequence[Span]
+
+    def timed(self, place: int) -> bool:
+        """Whether a word is about time."""
+        node = self.tree.nodes[place]
+        return any(first <= node.start < end for first, end in self.times)
+
+    def level(self, verb: int) -> list[int]:
+        """Give "on low", which trees take for a particle and an object: "cook on low"."""
+        for place in self.tree.children(verb, "prt"):
+            behind = place + 1
+            if self.tree.nodes[place].lower == "on" and behind < len(self.tree.nodes):
+                return [place, behind] if self.tree.nodes[behind].lower in self.lexicon.levels else []
+        return []
+
+    def has_to(self, place: int) -> bool:
+        """Whether a word is a verb with "to", which has particles of its own."""
+        marks = (self.tree.nodes[p].lower for p in self.tree.children(place, "aux"))
+        return self.tree.nodes[place].tag == "VB" and "to" in marks
+
+    def words(self, parts: Sequence[int], verb: int) -> list[int]:
+        """Give the words under some words, up to the first that is about time."""
+        found: list[int] = []
+        for part in parts:
+            for place in sorted(self.tree.below(part)):
+                if place <= verb:
+                    continue
+                if self.timed(place):
+                    if place < part or self._describes(place):
+                        # "Drive ten minutes north", "a ten minute walk"
+                        continue
+                    break
+                found.append(place)
+        return sorted(set(found))
+
+    def with_numbers(self, words: Sequence[int]) -> list[int]:
+        """Give words with the numbers that things are called by: "valve 1", "rooms 3, 4 and 5"."""
+        found = set(words)
+        found.update(p + 1 for p in words if self._is_called_by(p + 1))
+        for place in sorted(found):
+            joints = LISTED
+            if place and self.tree.nodes[place - 1].tag == "NNS":
+                joints = LISTED | REACHING
+            end: int | None = place
+            while end is not None and self._counts(end):
+                found.update(range(place, end + 1))
+                end = self._next_number(end, joints)
+        return sorted(found)
+
+    def numbers_from(self, place: int) -> list[int]:
+        """Give the numbers in a row from a place on: "dial 555 1234"."""
+        end = place
+        while self._is_called_by(end):
+            end += 1
+        return list(range(place, end))
+
+    def _is_called_by(self, place: int) -> bool:
+        """Whether a number behind a name counts nothing: "flight 815"; but "the dog 3 times"."""
+        machine = place > 0 and self.tree.nodes[place - 1].lower in self.lexicon.machines
+        alone = self._counts(place + 1) or not self._is_noun(place + 1)
+        return self._counts(place) and (machine or alone)
+
+    def _is_noun(self, place: int) -> bool:
+        return place < len(self.tree.nodes) and self.tree.nodes[place].tag.startswith("NN")
+
+    def _counts(self, place: int) -> bool:
+        inside = place < len(self.tree.nodes)
+        return inside and self.tree.nodes[place].tag == "CD" and not self.timed(place)
+
+    def _next_number(self, place: int, joints: frozenset[str]) -> int | None:
+        """Give the number behind another and a joint, if it counts nothing itself."""
+        nodes, behind = self.tree.nodes, place + 1
+        while behind < len(nodes) and nodes[behind].lower in joints:
+            behind += 1
+        if not place + 1 < behind < len(nodes) or not self._counts(behind):
+            return None
+        return None if self._is_noun(behind + 1) else behind
+
+    def _describes(self, place: int) -> bool:
+        """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
+        head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
+        return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
+
+    def _closes(self, kept: Sequence[int]) -> bool:
+        """Whether the mark behind some words closes what is opened among them: "flowers & <wine>"."""
+        behind = self.tree.nodes[kept[-1] + 1 : kept[-1] + 2]
+        opened = CLOSING.get(behind[0].text) if behind else None
+        return opened is not None and any(self.tree.nodes[place].text == opened for place in kept[1:])
+
+    def said(self, words: Sequence[int]) -> str | None:
+        """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
+        kept = list(words)
+        while kept and not _names(self.tree.nodes[kept[-1]].text[-1]):
+            kept.pop()
+        while kept and not _names(self.tree.nodes[kept[0]].text[0]):
+            kept.pop(0)
+        if kept and self._closes(kept):
+            kept.append(kept[-1] + 1)
+        text = ""
+        last = None
+        for place in kept:
+            node = self.tree.nodes[place]
+            text += ("" if last is None or last == node.start else " ") + node.text
+            last = node.end
+        return text.strip() or None
+
+
+def _names(character: str) -> bool:
+    """Whether a character is no mark: a picture says as much as a word, "€" what is paid."""
+    return character.isalnum() or unicodedata.category(character) in {"So", "Sk", "Sc", "Mn", "Me", "Cf"}

@@ -1,0 +1,307 @@
+"""The verb that is meant, below "I want to" and "don't forget to", and which moment of it a time is about."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.small_clauses import small_clause
+from fuzzytime.requirement import Reference
+
+COMPLEMENTS = ("xcomp", "ccomp")
+COPULAS = frozenset({"be", "'s", "'m", "'re", "’s", "’m", "’re"})
+PRESENT = frozenset({"VBZ", "VBP"})
+FINITE = PRESENT | {"VBD"}
+ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
+ASKED = frozenset({"you"})
+RESULTS = frozenset({"JJ", "VBN"})
+
+DEEPEST = 4
+"""How many verbs stand at most above the one that is meant: "I'd like to try to remember to call"."""
+
+DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
+"""Words that deny a verb."""
+
+
+@dataclass(frozen=True, slots=True)
+class Action:
+    """The verb of an instruction in its tree, and what the words around it say."""
+
+    place: int
+    reference: Reference | None
+    negated: bool
+
+
+def is_doubtful(tree: Tree) -> bool:
+    """Whether a tree has no verb at its root, or an infinitive that nothing governs: "alter it to repeat"."""
+    root = tree.root
+    if root is None or not tree.nodes[root].is_verb or _is_title(tree, root):
+        return True
+    if tree.nodes[root].tag == "VBG" and tree.children(root, "det"):
+        # "Do the ironing"
+        return True
+    return any(tree.nodes[p].lower == "to" for p in tree.children(root, "aux"))
+
+
+def _is_title(tree: Tree, root: int) -> bool:
+    """Whether one word alone is no order: "Pancakes", "Agenda"."""
+    node = tree.nodes[root]
+    alone = all(other is node or other.tag == "UH" for other in tree.nodes if other.text[0].isalnum())
+    return alone and (node.tag == "VBZ" or not node.may_act)
+
+
+def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
+    """Find the verb that is meant: below "I want to", "can you", "don't forget to", "start"."""
+    root = _governing(tree)
+    if root is None:
+        return None
+    needless = _needless(tree, root)
+    negated = needless is not None or _is_negated(tree, root)
+    root = root if needless is None else needless
+    root = gone_to_do(tree, root, lexicon) or root
+    reference: Reference | None = None
+    for _ in range(DEEPEST):
+        assured = _assured(tree, root, lexicon)
+        below = _meant_below(tree, root, lexicon) if assured is None else assured
+        if below is None:
+            break
+        if assured is None:
+            reference = _reference_of_verb(tree, root, below, lexicon) or reference
+            negated = _is_negated(tree, below) or (
+                negated and tree.nodes[root].lemma not in lexicon.forgetting
+            )
+        root = below
+    if reference is None:
+        reference = reference_of(tree, root, lexicon)
+    return Action(root, reference, negated)
+
+
+def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
+    """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
+    lemma = tree.nodes[root].lemma
+    below = _complement(tree, root, lemma)
+    if below is None or is_numbered_place(tree, below, lexicon):
+        # "Get to gate 22"
+        return None
+    if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
+        return None
+    leads = (
+        lemma in lexicon.forgetting
+        or lemma in lexicon.wanting
+        or lemma in lexicon.indicators
+        or _is_going_to(tree, root)
+        or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
+        or (lemma == "have" and _has_to(tree, below))
+    )
+    return below if leads else None
+
+
+def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of what is below a verb is meant, where that verb says it."""
+    lemma = tree.nodes[root].lemma
+    if lemma in lexicon.forgetting:
+        return None
+    if lemma in lexicon.wanting:
+        # "I want the floor cleaned by noon": the result is what is wanted then.
+        return Reference.FINISH if tree.nodes[below].tag == "VBN" else None
+    named = lexicon.indicators.get(lemma)
+    return None if named is None else Reference(named)
+
+
+def _needless(tree: Tree, root: int) -> int | None:
+    """Give what there is no need to do: "no need to call", "there's no need to call mum"."""
+    for need in (root, *tree.children(root, "xcomp", "attr", "dobj", "nsubj")):
+        denied = any(tree.nodes[p].lower == "no" for p in tree.children(need, "det", "advmod", "neg"))
+        if tree.nodes[need].lemma == "need" and denied:
+            verbs = tree.children(need, "xcomp", "acl", "relcl", "advcl")
+            return next((p for p in verbs if p > need and _has_to(tree, p)), None)
+    return None
+
+
+def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+    """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
+    verb = place + 2
+    if tree.nodes[place].lemma not in lexicon.doing["trying"] or verb >= len(tree.nodes):
+        return None
+    joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
+    return verb if joined and tree.nodes[verb].tag == "VB" else None
+
+
+def _governing(tree: Tree) -> int | None:
+    """Find the verb of the sentence; None where it has none, or says only that something is so."""
+    root = tree.root
+    if root is not None and _is_title(tree, root):
+        return None
+    if root is not None and not tree.nodes[root].is_verb:
+        root = next((p for p in tree.children(root) if _is_order(tree, p)), None)
+    if root is None:
+        return None
+    root = _order_before(tree, root)
+    return None if _only_is(tree, root) else root
+
+
+def _only_is(tree: Tree, root: int) -> bool:
+    """Whether something is so and nothing is to be done: "it's hot in here"; but "it's time to eat"."""
+    told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
+    return (
+        told
+        and tree.nodes[root].lemma in COPULAS
+        and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
+        and not tree.children(root, "aux")
+    )
+
+
+def says_how_things_are(tree: Tree, verb: int) -> bool:
+    """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
+    node = tree.nodes[verb]
+    if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
+        # "It's going to be lovely"
+        whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
+        return bool(whose) and whose[0] not in ASKED
+    subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in ASKED:
+        return False
+    is_so = node.lemma in COPULAS and node.tag in PRESENT and not helping
+    goes_on = node.tag == "VBG" and bool(helping) and helping <= ARE
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= ARE
+    return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
+
+
+def _order_before(tree: Tree, root: int) -> int:
+    """Give the bare verb in front that a tree took for a subject or an auxiliary: "have the vacuum go"."""
+    for place in tree.children(root, "csubj", "aux", "auxpass"):
+        node = tree.nodes[place]
+        if node.relation == "auxpass":
+            # "Get dressed"
+            if (
+                node.lemma == "get"
+                and node.tag in {"VB", "VBP"}
+                and not tree.children(root, "aux", *SUBJECTS)
+            ):
+                return place
+            continue
+        bare = node.is_bare and not tree.children(place, "aux", *SUBJECTS)
+        if bare and (node.relation == "csubj" or (node.lemma == "have" and _brings(tree, place, root))):
+            return place
+    if tree.nodes[root].tag in {"VBZ", "VBD"} and tree.children(root, *SUBJECTS):
+        # "Serve the soup the second it boils": the clause was taken for the sentence.
+        for place in tree.children(root, "advcl", "ccomp"):
+            if place < min(tree.children(root, *SUBJECTS)) and tree.nodes[place].tag == "VB":
+                led = [p for p in tree.children(place, "advmod") if p < place]
+                return root if led or tree.children(place, "mark", "aux", *SUBJECTS) else place
+    return root
+
+
+def _brings(tree: Tree, have: int, root: int) -> bool:
+    """Whether a "have" taken for an auxiliary brings something about: "have it washed", "have him go"."""
+    between = any(have < place < root for place in tree.children(root, *SUBJECTS))
+    return tree.nodes[root].tag == "VB" or (tree.nodes[root].tag == "VBN" and between)
+
+
+def _is_order(tree: Tree, place: int) -> bool:
+    node = tree.nodes[place]
+    return (
+        node.is_bare
+        and node.relation not in {"relcl", "acl", "advcl"}
+        and not tree.children(place, *SUBJECTS)
+    )
+
+
+def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
+    """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
+    for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
+        if tree.nodes[below].lower in lexicon.doing["sure"]:
+            verbs = tree.children(below, "xcomp", "relcl", "acl")
+            return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
+    return None
+
+
+def _complement(tree: Tree, place: int, lemma: str) -> int | None:
+    """Give the verb below a verb, with "to" or as a gerund; "let us" has it bare."""
+    for below in tree.children(place, *COMPLEMENTS):
+        node = tree.nodes[below]
+        if node.tag == "VBG" and tree.nodes[below - 1].tag in {"DT", "PRP$"}:
+            # "Do the ironing" has it for a thing.
+            continue
+        if node.is_verb and (node.tag in {"VB", "VBG"} or lemma == "let") and below > place:
+            return below
+        if node.is_verb and lemma in {"want", "like", "need"} and node.tag in {"VBN", "VBP"}:
+            return below
+    return None
+
+
+def is_numbered_place(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what a tree takes for a verb is called by the number behind it: "take it to station 4"."""
+    counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
+    known = lexicon.machines | lexicon.measure_nouns
+    led = any(tree.nodes[p].lower == "to" for p in tree.children(place, "aux"))
+    return counted and led and tree.nodes[place].lower in known
+
+
+def _brings_about(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is what is to be done: "leave the cake to cool", not "let us go"."""
+    lets = tree.nodes[place].lemma == "let" and (_lets(tree, place) or _lets_forget(tree, place, lexicon))
+    return not lets and small_clause(tree, place, lexicon) is not None
+
+
+def _lets(tree: Tree, place: int) -> bool:
+    """Whether it is "let us" or "lets", not "let me know"."""
+    following = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
+    return tree.nodes[place].lower == "lets" or following in {"us", "'s", "’s"}
+
+
+def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether it is "don't let me forget to post it"."""
+    below = _complement(tree, place, "let")
+    forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
+    return forgets and below is not None and bool(tree.children(below, "xcomp"))
+
+
+def _is_going_to(tree: Tree, place: int) -> bool:
+    """Whether it is "it's going to rain", not "go to see her"."""
+    return tree.nodes[place].lower in {"going", "gonna", "gon"} and bool(tree.children(place, "aux"))
+
+
+def _has_to(tree: Tree, below: int) -> bool:
+    """Whether it is "have to do", not "have it done"."""
+    marks = [tree.nodes[p].lower for p in tree.children(below, "aux")]
+    return "to" in marks and not tree.children(below, *SUBJECTS)
+
+
+def _is_negated(tree: Tree, place: int) -> bool:
+    return any(tree.nodes[p].lower in DENYING for p in tree.children(place, "neg", "advmod"))
+
+
+def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
+    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
+    lemma = tree.nodes[place].lemma
+    named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
+    if named is not None:
+        return Reference(named)
+    node = tree.nodes[place]
+    if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
+        return Reference.FINISH
+    if lemma == "be" and any(tree.nodes[p].lower in lexicon.results for p in tree.children(place, "acomp")):
+        # "Charge it so that it is ready by noon"
+        return Reference.FINISH
+    if lemma in lexicon.causing and any(
+        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
+    ):
+        return Reference.FINISH
+    brought = small_clause(tree, place, lexicon) if lemma in lexicon.causing else None
+    # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
+    return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
+
+
+def _results(tree: Tree, place: int) -> Iterator[int]:
+    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
+    nouns = tree.children(place, "dobj")
+    modifying = (p for noun in nouns for p in tree.children(noun, "amod", "acl") if p > noun)
+    for below in (
+        *tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"),
+        *modifying,
+    ):
+        yield below
+        yield from _results(tree, below)

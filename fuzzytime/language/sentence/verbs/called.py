@@ -1,0 +1,95 @@
+"""Who or what is called by a number or a letter, and acts: "robot 2 cleans the tank", "truck A arrives"."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tree import Node, Tree
+from fuzzytime.language.sentence.verbs.statement_trees import singular_verb
+from fuzzytime.language.sentence.verbs.statements import DUE, FUTURE, PHASES
+
+
+def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
+    """Give the tree of "room 12 checks out at ten" its verb, which was taken for a plural.
+
+    ``timed`` are the words about time: one stands right behind the verb, or behind its particle.
+    """
+    first = 1 if tree.nodes and tree.nodes[0].lower == "the" else 0
+    verb = first + 2
+    if verb + 1 >= len(tree.nodes):
+        return tree
+    name, called, acting = tree.nodes[first : verb + 1]
+    if not _acts(name, called, acting, lexicon):
+        return tree
+    particle = verb + 1 if tree.nodes[verb + 1].lower in lexicon.particles else None
+    behind = verb + 1 if particle is None or verb + 1 in timed else verb + 2
+    if behind not in timed:
+        return tree
+    nodes = _acting(tree, verb, {*range(verb + 1), tree.root})
+    if first:
+        nodes[0] = replace(nodes[0], head=first)
+    if behind == verb + 2:
+        nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
+    """Whether a name, a number or a letter, and what may be a verb stand side by side."""
+    known = lexicon.machines | lexicon.workers | lexicon.travelling | lexicon.measure_nouns
+    numbered, lettered = called.text.isdigit(), len(called.text) == 1 and called.text.isupper()
+    if name.lower not in known or not (numbered or lettered) or not word.may_act:
+        return False
+    finite = word.tag in {"NNS", "VBZ", "NNPS"} and word.lower.endswith("s")
+    # "Train 14 guards at nine" asks for it.
+    sure = lettered or not name.may_act or word.lower in PHASES | lexicon.passing
+    return finite and sure
+
+
+def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
+    """Give who does it, called by a number: "robot 2 cleans the tank"; None where nobody is.
+
+    "Machine 3 starts at nine" asks for nothing.
+    """
+    node = tree.nodes[verb]
+    helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
+    if node.lower in PHASES and not tree.children(verb, "dobj"):
+        return None
+    if not helping <= FUTURE | DUE | {"to", "can"} or tree.children(verb, "auxpass"):
+        return None
+    for place in tree.children(verb, "nsubj"):
+        for first in (place - 1, place):
+            name = tree.nodes[max(first, 0) : first + 2]
+            numbered = len(name) == 2 and name[1].tag == "CD" and name[1].text.isdigit()
+            if first >= 0 and numbered and name[0].lower in lexicon.workers and first + 1 < verb:
+                acts = node.tag in {"VBZ", "VBP"} or helping
+                return " ".join(part.text for part in name) if acts else None
+    return None
+
+
+def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "robot 3 docks at noon" its verb, which was taken for a plural."""
+    root = tree.root
+    verb = next(
+        (p for p in (root, None if root is None else root + 2) if _is_numbered(tree, p, lexicon)), None
+    )
+    if root is None or verb is None:
+        return tree
+    return Tree(tree.text, tuple(_acting(tree, verb, {root})))
+
+
+def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:
+    """Give the nodes of a tree in which what stands before a word does it, and has what hung on ``heads``."""
+    nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
+    word = tree.nodes[verb]
+    nodes[verb] = replace(word, tag="VBZ", lemma=singular_verb(word.lower), head=verb, relation="ROOT")
+    nodes[verb - 2] = replace(nodes[verb - 2], tag="NN", head=verb, relation="nsubj")
+    nodes[verb - 1] = replace(nodes[verb - 1], head=verb - 2, relation="nummod")
+    return nodes
+
+
+def _is_numbered(tree: Tree, place: int | None, lexicon: Lexicon) -> bool:
+    """Whether a plural that may be a verb stands right behind a worker's number."""
+    if place is None or not 2 <= place < len(tree.nodes):
+        return False
+    name, number, word = tree.nodes[place - 2 : place + 1]
+    return word.tag == "NNS" and word.may_act and name.lower in lexicon.workers and number.text.isdigit()

@@ -1,0 +1,101 @@
+"""What happens at a time, said without a verb: "dinner at seven", "team meeting from two to three"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.sentence.trees.tags import SINGULAR
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.places import Places
+from fuzzytime.requirement import Constraint
+
+DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg", "prt", "xcomp", "ccomp")
+"""What hangs on a verb, and on no noun."""
+
+NAMES = ("NN", "VBG", "CD")
+
+
+def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
+    """Whether a tree names what has a time, and nobody does anything.
+
+    Its root is a noun for that; or any noun for one thing beside two clock times ("physio from two to
+    three"), or one that is no verb beside a clock time in a list.
+    """
+    root = tree.root
+    if root is None or not tree.nodes[root].tag.startswith(NAMES) or tree.children(root, *DOING):
+        return False
+    if root == 0 and len(tree.nodes) > 1 and _leads_particle(tree, lexicon):
+        # "Sign in the visitors between nine and ten"
+        return False
+    if root and tree.nodes[0].lower in lexicon.appointing:
+        # "Schedule lunch at noon" asks for it.
+        return False
+    if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
+        return True
+    listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
+    # "Incision at eight"
+    listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
+    return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
+
+
+def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether the first word is a verb by the word behind it."""
+    return tree.nodes[0].may_act and tree.nodes[0].lower in lexicon.particles.get(tree.nodes[1].lower, ())
+
+
+def _is_noun(tree: Tree, root: int) -> bool:
+    """Whether words are one noun that is no verb, without what could be ordered in front."""
+    before = all(tree.nodes[p].tag in {"NN", "NNP", "JJ", "DT", "PRP$"} for p in range(root))
+    return before and not tree.nodes[root].may_act and not any(tree.nodes[p].may_act for p in range(root))
+
+
+def may_be_ordered(tree: Tree) -> bool:
+    """Whether what seems to name a thing may as well be an order: "clean bay 2 from one to three"."""
+    first = tree.nodes[0]
+    bare = first.may_act and first.lower == first.lemma and not first.tag.startswith("NNS")
+    return tree.root != 0 and bare and first.tag in {"JJ", "NNP", "VB", "VBP"}
+
+
+def happening_at(
+    root: int, tree: Tree, phrases: Sequence[Phrase], names: Places, lexicon: Lexicon
+) -> Operation:
+    """Give what happens, which a tree's root names beside its time.
+
+    Who speaks takes part in what keeps people from all else, and in what is said from when to when, unless
+    that goes on around other work.
+    """
+    node = tree.nodes[root]
+    spans = any(phrase.said.constraint is Constraint.BETWEEN or _is_range(phrase) for phrase in phrases)
+    words = [place for place in sorted(tree.below(root)) if not names.timed(place)]
+    named = names.said([place for place in words if names.has_content(place, words)])
+    return Operation(
+        verb=node.lower,
+        lemma="be",
+        span=(node.start, node.end),
+        object=(named or node.text).removesuffix(" and").removesuffix("'s").removesuffix("\u2019s"),
+        stated=True,
+        attended=node.lower not in lexicon.frames
+        and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
+    )
+
+
+def _is_clock_alone(phrase: Phrase) -> bool:
+    """Whether it is a clock time without a preposition, as in a list: "9:15 Status of the project"."""
+    time = phrase.said.time
+    clocked = isinstance(time, Wall) and time.clock is not None and not time.clock.bare
+    return clocked and phrase.said.preposition is None and phrase.said.constraint is None
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is at a clock time."""
+    time = phrase.said.time
+    at = phrase.said.preposition in {None, "at"} and phrase.said.constraint in {None, Constraint.AT}
+    return at and isinstance(time, Wall) and time.clock is not None
+
+
+def _is_range(phrase: Phrase) -> bool:
+    """Whether it is from one clock time to another."""
+    time = phrase.said.time
+    ends = (time.first, time.last) if isinstance(time, Range) else ()
+    return bool(ends) and all(isinstance(end, Wall) and end.clock is not None for end in ends)

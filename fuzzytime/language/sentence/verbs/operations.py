@@ -1,0 +1,257 @@
+"""What is to be done, by the words below a verb: its object, its place, its particle."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.surroundings import OF_CLOCKS
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.verbs.actions import Action
+from fuzzytime.language.sentence.verbs.called import worker_doing
+from fuzzytime.language.sentence.verbs.small_clauses import SmallClause, small_clause
+from fuzzytime.language.sentence.verbs.stated import Stated
+from fuzzytime.language.sentence.verbs.statements import others_do
+
+OBJECTS = ("dobj", "attr", "oprd", "acomp", "xcomp", "ccomp", "dative")
+NAMING = ("NN", "DT", "PRP$")
+"""Tags of words that show that a thing is named."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reader(Stated):
+    """Reads operations off a tree."""
+
+    def operation(self, action: Action) -> Operation:
+        """Give the operation of an action."""
+        verb = action.place
+        node = self.tree.nodes[verb]
+        clause = small_clause(self.tree, verb, self.lexicon)
+        result = self._participle(verb) if clause is None else self._result(clause)
+        particle = self._particle(verb, result)
+        moved = self._moved_object(verb, particle)
+        whole = moved or self._object(verb, particle, clause)
+        split = self.place_within(whole)
+        places = [*result, *moved, *([] if particle is None else [particle])]
+        doer = worker_doing(self.tree, verb, self.lexicon)
+        stated = doer is None and self._is_stated(verb)
+        subject = self._subject(verb) if doer is None else None
+        direct, complement = self._named(verb, subject, whole[:split], result, stated=stated)
+        attended = stated and self._is_attended(verb)
+        where = sorted({*whole[split:], *self.place(verb, [*whole[:split], *places])})
+        if attended and not where and direct is None and complement is None:
+            taken = self.attending(verb)
+            direct, particle = self.said(taken), None if particle in taken else particle
+        return Operation(
+            # "Robot 2 cleans the tank" asks it to clean the tank.
+            verb=node.lower if doer is None else node.lemma,
+            lemma="be" if stated and (self._has_frame(verb) or self._is_standing(verb)) else node.lemma,
+            span=(node.start, node.end),
+            object=direct,
+            place=self.said(where),
+            particle=None if particle is None else self.tree.nodes[particle].lower,
+            complement=complement,
+            manner=None
+            if stated and node.lemma == "be"
+            else self.said(self.manner(verb, [*whole, *places, *where])),
+            addressee=doer,
+            negated=action.negated,
+            stated=stated,
+            attended=attended,
+        )
+
+    def _named(
+        self, verb: int, subject: str | None, words: list[int], result: list[int], *, stated: bool
+    ) -> tuple[str | None, str | None]:
+        """Give what is done something with, or happens, and what it becomes."""
+        direct, complement = self.said(words), self.said(result)
+        if direct is None and not stated:
+            direct = self._due(verb)
+        elif stated and subject is None and self._takes(verb):
+            # "It needs an hour in the oven"
+            direct = None
+        if subject is not None and (stated or direct is None):
+            acted = others_do(self.tree, verb, self._helping(verb), self.lexicon)
+            return subject, complement or (direct if acted else None)
+        if subject is not None and self.tree.nodes[verb].lemma == "be":
+            # "The coffee should be ready by then"
+            return subject, direct
+        return direct, complement
+
+    def _takes(self, verb: int) -> bool:
+        """Whether a verb says how long something takes, and of nothing that is done."""
+        taking = self.tree.nodes[verb].lemma in self.lexicon.doing["taking"]
+        return taking and not self.tree.children(verb, "xcomp")
+
+    # -- particles --------------------------------------------------------------------------------------
+
+    def _result(self, clause: SmallClause) -> list[int]:
+        """Give the words that say what an object does or becomes, without those about time."""
+        # "Until the end of the film": of what, belongs to the time.
+        timed = {place for place in clause.result(self.tree) if self.timed(place)}
+        words = [p for p in clause.result(self.tree) if timed.isdisjoint((p, *self.tree.above(p)))]
+        words = [place for place in words if self.has_content(place, words)]
+        # "Have it inspected every week and after each storm"
+        return words[:-1] if words and self.tree.nodes[words[-1]].tag == "CC" else words
+
+    def _participle(self, verb: int) -> list[int]:
+        """Give the participle behind "get", as in "get dressed"."""
+        node = self.tree.nodes[verb]
+        return [node.head] if node.relation == "auxpass" and not self.timed(node.head) else []
+
+    def _particle(self, verb: int, result: Sequence[int]) -> int | None:
+        """Give the word that belongs to the verb: "put the kettle on", "turn on the oven".
+
+        A tree has it for a preposition where a time follows ("on in ten minutes").
+        """
+        level = self.level(verb)
+        named = next(
+            (p for p in self.tree.children(verb, "prt") if not self.timed(p) and p not in level), None
+        )
+        if named is not None:
+            return named
+        for place in range(verb + 1, len(self.tree.nodes)):
+            verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
+            if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
+                # "To the gate and back", "with a rest in between"
+                continue
+            if (
+                verbs is None
+                or place in level
+                or place in result
+                or self.timed(place)
+                or not self._hangs_on(place, verb)
+            ):
+                continue
+            stands_before = place == verb + 1 and self.tree.nodes[verb].lemma in verbs
+            bare = not self.tree.children(verb, "dobj") or not self.tree.children(place)
+            if self._governs_nothing(place) or (stands_before and bare):
+                return place
+        return None
+
+    def _is_between(self, place: int) -> bool:
+        return place + 1 < len(self.tree.nodes) and self.tree.nodes[place + 1].lower == "between"
+
+    def _hangs_on(self, place: int, verb: int) -> bool:
+        node = self.tree.nodes[place]
+        # "On the way back"
+        owned = self.tree.nodes[node.head].relation == "pobj"
+        # "Remind me to take it out"
+        nearest = next((above for above in self.tree.above(place) if self.has_to(above)), verb)
+        return (
+            nearest == verb
+            and verb in self.tree.above(place)
+            and node.tag in {"IN", "RP", "RB"}
+            and not owned
+        )
+
+    def _governs_nothing(self, place: int) -> bool:
+        """Whether what follows is no noun for a preposition: a time, another preposition, a mark, the end."""
+        if any(child > place and not self.timed(child) for child in self.tree.children(place)):
+            return False
+        following = place + 1
+        if following >= len(self.tree.nodes) or self.timed(following):
+            return True
+        node = self.tree.nodes[following]
+        return node.tag in {"IN", "CC"} or not node.text[0].isalnum()
+
+    def _moved_object(self, verb: int, particle: int | None) -> list[int]:
+        """Give the words below a particle that was taken for a preposition: "put on the kettle"."""
+        if particle is None or particle != verb + 1:
+            return []
+        return self.words(self.tree.children(particle, "pobj"), particle)
+
+    # -- objects ----------------------------------------------------------------------------------------
+
+    def _object(self, verb: int, particle: int | None, clause: SmallClause | None) -> list[int]:
+        if clause is not None:
+            about = clause.about(self.tree)
+            return [place for place in self.words([clause.noun], verb) if place in about]
+        words = next((found for found in self._objects(verb, particle) if found), [])
+        kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
+        return self._called_by_time(self.with_numbers(kept))
+
+    def _objects(self, verb: int, particle: int | None) -> Iterator[list[int]]:
+        """Give what may be a verb's object, the likeliest first; some are empty."""
+        level = self.level(verb)
+        found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
+        direct = [p for p in found if p > verb and p not in level and not self._is_aim(p)]
+        yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
+        # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
+        named = self.words(direct, verb)
+        yield named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        # "Do ten minutes of yoga"
+        of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
+        yield self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)
+        yield self._taken_for_measure(verb, particle)
+        # "Say hello"
+        yield [p for p in self.tree.children(verb, "intj") if p == verb + 1]
+        if particle == verb + 1:
+            # "Turn off oven": without an article, the tree has the thing for an adverb.
+            near = [p for p in self.tree.children(verb, "advmod") if p == verb + 2 and not self.timed(p)]
+            yield [p for p in near if self.tree.nodes[p].lower not in self.lexicon.places]
+        # "Clear it away": a pronoun behind the verb was taken for who does it.
+        yield [p for p in self.tree.children(verb, *SUBJECTS) if p == verb + 1]
+        yield self.numbers_from(verb + 1)
+        if particle is not None:
+            # "Let the dog out": the tree has it for a sentence, "the dog is out".
+            yield self.words(self.tree.children(particle, *SUBJECTS), verb)
+
+    def _taken_for_measure(self, verb: int, particle: int | None) -> list[int]:
+        """Give what is named where a tree has it for a measure: "wake Tim up", "move my three o'clock"."""
+        names = self.tree.children(verb, "npadvmod")
+        behind = verb + 2 if particle == verb + 1 else verb + 1
+        near = [p for p in names if self.tree.reach(p)[0] == behind]
+        owned = [p for p in names if self.tree.children(p, "poss")]
+        owned += [p for p in near if self.tree.children(p, "det")]
+        named = owned or [p for p in names if p == behind and self._is_named(p)]
+        # "Walk the dog morning and night"
+        led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
+        return self.words([p for p in named if not self.timed(p)] or led, verb)
+
+    def _is_aim(self, place: int) -> bool:
+        """Whether a sentence says what for: "so it's done by seven"."""
+        first = self.tree.reach(place)[0]
+        return self.tree.nodes[place].relation == "ccomp" and self.tree.nodes[first - 1].lower == "so"
+
+    def _is_joined(self, place: int) -> bool:
+        """Whether a tree joined a word about time to the thing before it: "send me the file asap"."""
+        return any(not self.timed(p) for p in self.tree.children(place, "compound") if p == place - 1)
+
+    def _is_named(self, place: int) -> bool:
+        """Whether a word names somebody, or what has no article: "move bingo to two"; but "walk home"."""
+        node = self.tree.nodes[place]
+        return node.tag in {"NNP", "NN"} and node.lower not in self.lexicon.places
+
+    def _called_by_time(self, words: list[int]) -> list[int]:
+        """Give an object with the time that it is called by: "catch the 7:42"."""
+        if not words or self.tree.nodes[words[-1]].tag != "DT" or self.tree.nodes[words[-1]].lower != "the":
+            return words
+        here = words[-1] + 1
+        while here < len(self.tree.nodes) and self.timed(here) and self._is_clock(here):
+            words.append(here)
+            here += 1
+        return words
+
+    def _is_clock(self, place: int) -> bool:
+        """Whether a word is of a clock time, and no day."""
+        return self.tree.nodes[place].tag == "CD" or self.tree.nodes[place].lower in OF_CLOCKS
+
+    def _asked(self, verb: int) -> list[int]:
+        """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
+        if self.tree.nodes[verb].lemma not in self.lexicon.addressing | {"get"}:
+            return []
+        # "Remind me every day for a week to call"
+        of_times = self.tree.children(verb, "prep", "npadvmod") if self.tree.children(verb, "dobj") else ()
+        below = [p for time in of_times if self.timed(time) for p in self.tree.below(time)]
+        aims = [p for p in below if self.has_to(p) and self.timed(self.tree.nodes[p].head)]
+        return aims or [
+            place
+            for place in self.tree.children(verb, "advcl")
+            if any(self.tree.nodes[p].lower == "to" for p in self.tree.children(place, "aux"))
+        ]
+
+    def _before_noun(self, words: Sequence[int], verb: int) -> list[int]:
+        """Give the words right before an object that a tree took for a time: "install the night light"."""
+        between = list(range(verb + 1, words[0])) if words else []
+        measured = between and self.tree.nodes[between[-1]].relation == "npadvmod"
+        return between if measured and not any(self.timed(place) for place in between) else []

@@ -1,0 +1,122 @@
+"""Where and how something is done, by the words below a verb: "in the pan", "back to the dock", "twice"."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.wording import Wording
+from fuzzytime.language.sentence.verbs.actions import is_numbered_place
+
+SIDES = frozenset({"left", "right"})
+BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
+"""Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
+
+EACH = frozenset({"every", "each"})
+"""Words that say of which things: "measure every tenth part"."""
+
+HOW = ("RB", "JJ", "IN")
+"""How tags of words begin that say how: "quite slowly", "at least twice"."""
+
+PLACES = ("prep", "advmod", "npadvmod")
+
+
+WHITHER = ("wards", "wise")
+"""How adverbs end that say where to, or which way round."""
+
+
+def says_where(word: str, lexicon: Lexicon) -> bool:
+    """Say whether a word alone may say where: "upstairs", "backwards"."""
+    return word in lexicon.places or word.endswith(WHITHER)
+
+
+@dataclass(frozen=True, slots=True)
+class Places(Wording):
+    """Reads places off a tree."""
+
+    def place(self, verb: int, taken: Iterable[int]) -> list[int]:
+        """Give the words that say where."""
+        # "Turn it down to 30 degrees": a tree may hang it on the particle.
+        particles = self.tree.children(verb, "prt")
+        led = (p for particle in particles for p in self.tree.children(particle, "prep"))
+        below = [p for p in (*self.tree.children(verb, *PLACES), *led) if p > verb and not self.timed(p)]
+        kept = [p for p in below if self._is_place(p)] + list(self._behind_times(verb))
+        kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
+        kept += self.level(verb)
+        # "Turn left": a participle too.
+        kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
+        manners = [p for p in self.tree.children(verb, "advcl", "conj", "xcomp") if self._is_manner(p)]
+        kept += [p for p in manners if p > verb]
+        words = [p for p in self.words(kept, verb) if p not in set(taken)]
+        how = [word for p in manners if p < verb for word in sorted(self.tree.below(p))]
+        words = self.with_numbers([p for p in words if self.has_content(p, words)])
+        return [*words, *(p for p in how if self.tree.nodes[p].relation != "punct")]
+
+    def manner(self, verb: int, taken: Iterable[int]) -> list[int]:
+        """Give the words that say how something is done, or how often: "read it aloud", "stir it twice"."""
+        kept = {*taken, *self.level(verb)}
+        # "Slice it thinly at noon": a tree may hang it on the time.
+        times = [p for p in self.tree.children(verb) if self.timed(p)]
+        beside = [p for time in times for p in self.tree.children(time, "advmod") if p < time]
+        found: list[int] = []
+        for place in sorted((*self.tree.children(verb, "advmod"), *beside)):
+            said = [p for p in sorted(self.tree.below(place)) if p not in kept]
+            if all(self.tree.nodes[p].tag.startswith(HOW) and not self.timed(p) for p in said):
+                known = self.lexicon.vague_adverbs | self.lexicon.particles.keys()
+                found += [p for p in said if self.tree.nodes[p].lower not in known]
+        return found
+
+    def _is_manner(self, place: int) -> bool:
+        """Whether a participle says how something is done: "using a fork", "topped with parsley"."""
+        node = self.tree.nodes[place]
+        alone = not self.tree.children(place, "nsubj", "nsubjpass", "mark", "aux", "auxpass")
+        apart = place == 0 or self.tree.nodes[place - 1].text == ","
+        return node.tag in {"VBG", "VBN"} and apart and alone and not self.timed(place)
+
+    def _is_place(self, place: int) -> bool:
+        node = self.tree.nodes[place]
+        numbers = (
+            child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
+        )
+        each = any(self.tree.nodes[p].lower in EACH for p in self.tree.children(place, "det"))
+        counted = node.relation == "npadvmod" and (each or any(numbers))
+        if node.relation == "advmod" and node.lower in self.lexicon.particles:
+            # "Go back to the dock"
+            return bool(self.tree.children(place, "prep"))
+        known = node.lower in self.lexicon.places | self.lexicon.becoming
+        return node.relation == "prep" or counted or known
+
+    def _is_numbered(self, place: int) -> bool:
+        """Whether a verb with "to" is a place with a number: "take it to station 4"."""
+        return is_numbered_place(self.tree, place, self.lexicon)
+
+    def _behind_times(self, verb: int) -> Iterator[int]:
+        """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
+        for place in self.tree.below(verb):
+            node = self.tree.nodes[place]
+            said = node.relation == "prep" and node.lower in self.lexicon.places | BEHIND
+            if said and not self.timed(place) and self.timed(node.head):
+                yield place
+
+    def has_content(self, place: int, words: Sequence[int]) -> bool:
+        """Whether a preposition still has what it governs: that may have been a time."""
+        if self.tree.nodes[place].relation != "prep":
+            return True
+        return any(below in words for below in self.tree.below(place) if below != place)
+
+    def place_within(self, words: Sequence[int]) -> int:
+        """Give where, in an object, the words begin that say where it is: "the pancakes in the pan"."""
+        inside = set(words)
+        for position, place in enumerate(words[1:], start=1):
+            node = self.tree.nodes[place]
+            head = self.tree.nodes[node.head]
+            of_noun = node.relation == "prep" and node.head in inside and head.relation in {"dobj", "pobj"}
+            where = node.lower in self.lexicon.places and of_noun and self.has_content(place, words)
+            if where and set(words[position:]) <= set(self._preposed(words[position:])):
+                return position
+        return len(words)
+
+    def _preposed(self, words: Sequence[int]) -> Iterator[int]:
+        """Give the words that are below a preposition among them."""
+        for place in words:
+            if self.tree.nodes[place].relation == "prep":
+                yield from self.tree.below(place)

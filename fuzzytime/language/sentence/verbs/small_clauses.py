@@ -1,0 +1,72 @@
+"""What a verb brings about: "let the dough rest", "have the slides ready", "keep the soup warm".
+
+The object and what it does or becomes are a clause without a tense of its own; trees join it to its verb in
+many ways.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Tree
+
+COMPLEMENTS = ("ccomp", "xcomp", "oprd", "acomp")
+MODIFIERS = ("amod", "acl")
+GOVERNED = ("aux", "csubj")
+"""How a tree that takes the clause for the sentence joins the verb to it: "have the robot mop the floor"."""
+
+PREDICATES = frozenset({"VB", "VBP", "VBN", "VBD", "VBG", "JJ", "RB"})
+
+
+@dataclass(frozen=True, slots=True)
+class SmallClause:
+    """The noun that a clause is about, and what it does or becomes, as places in a tree."""
+
+    noun: int
+    predicate: int
+
+    def about(self, tree: Tree) -> frozenset[int]:
+        """Give the words of the noun."""
+        noun = frozenset(tree.below(self.noun))
+        return noun - frozenset(tree.below(self.predicate)) if self.predicate in noun else noun
+
+    def result(self, tree: Tree) -> list[int]:
+        """Give the words of what the noun does or becomes."""
+        said = set(tree.below(self.predicate)) - self.about(tree)
+        return sorted(place for place in said if place > self.noun)
+
+
+def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
+    """Give the clause that a verb brings about, None where it has none."""
+    if tree.nodes[verb].lemma in lexicon.doing["setting"]:
+        return _set_going(tree, verb, lexicon)
+    if tree.nodes[verb].lemma in lexicon.causing | lexicon.letting:
+        return next(_clauses(tree, verb), None)
+    return None
+
+
+def _set_going(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
+    """Give what is set going: "set the centrifuge going"."""
+    objects = [place for place in tree.children(verb, "dobj") if place > verb]
+    verbs = lexicon.doing["set going"]
+    going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in verbs)
+    found = next((p for p in going if tree.nodes[p].tag == "VBG" and p - 1 in objects), None)
+    return None if found is None else SmallClause(objects[0], found)
+
+
+def _clauses(tree: Tree, verb: int) -> Iterator[SmallClause]:
+    objects = [place for place in tree.children(verb, "dobj") if place > verb]
+    below = list(tree.children(verb, *COMPLEMENTS))
+    if tree.nodes[verb].relation in GOVERNED:
+        below.append(tree.nodes[verb].head)
+    for predicate in below:
+        if tree.nodes[predicate].tag not in PREDICATES or tree.children(predicate, "auxpass", "mark"):
+            continue
+        nouns = [place for place in tree.children(predicate, *SUBJECTS) if place > verb] or objects
+        if nouns and nouns[0] < predicate:
+            yield SmallClause(nouns[0], predicate)
+    for noun in objects:
+        for predicate in tree.children(noun, *MODIFIERS):
+            if predicate > noun and tree.nodes[predicate].tag in PREDICATES:
+                yield SmallClause(noun, predicate)

@@ -1,0 +1,223 @@
+"""Trees of what happens, mended where a model takes the verb for a noun: "the train leaves at 8:40"."""
+
+from collections.abc import Set as AbstractSet
+from dataclasses import replace
+
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
+from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.actions import ARE
+from fuzzytime.language.sentence.verbs.statements import (
+    PHASES,
+    behind_particles,
+    plural_subject,
+)
+
+SURE_PHASES = PHASES - {"leaves"}
+"""Those of them that are hardly ever things: "rake leaves at nine"."""
+
+HAVE = frozenset({"'ve", "’ve", "have", "has", "ve", "'s"})
+"""Forms of "have" before "got"."""
+
+BARE_PHASES = frozenset(phase[:-1] for phase in SURE_PHASES - {"finishes"}) | {"finish"}
+"""What several with a time of their own do: "the shops open at nine"."""
+
+ANYBODY = frozenset({"nobody", "everybody", "everyone", "somebody", "someone", "anybody", "anyone"})
+"""Words behind which "'s" is hardly an owner's mark before where somebody is."""
+
+BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
+"""Tags of words that say where those are who do something: "the guests in room 12"."""
+
+
+def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str] = frozenset()) -> Tree:
+    """Give the tree of "the train leaves at 8:40" its verb, which was taken for a plural: "train leaves".
+
+    ``timed`` are the words about time: one stands right behind the verb. What is ``travelling`` leaves.
+    """
+    tree = _with_being(_with_having(_with_got(_with_phase(tree, timed, travelling))), timed)
+    tree = _with_two(tree, timed)
+    tree = _with_plural(_with_subject(tree), timed)
+    root = tree.root
+    if root is None or behind_particles(tree, root) not in timed:
+        return tree
+    if tree.nodes[root].tag in {"NN", "JJ"} and tree.nodes[root].may_act and _is_led_by_plural(tree, root):
+        # "My parents land at four", "the guests in room 12 check out at ten"
+        nodes = list(tree.nodes)
+        nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
+        for place in tree.children(root, "nummod"):
+            nodes[place] = replace(nodes[place], head=place - 1)
+        return Tree(tree.text, tuple(nodes))
+    if root + 1 not in timed:
+        return tree
+    if tree.nodes[root].tag not in {"NNS", "VBZ"}:
+        return tree
+    subject = plural_subject(tree, root)
+    first, second = tree.nodes[0], tree.nodes[1].tag if len(tree.nodes) > 1 else ""
+    # "Print the boarding passes today"
+    ordered = root > 1 and first.may_act and first.lower == first.lemma.lower() and second in DETERMINERS
+    if subject is None or ordered or tree.children(root, *GRAMMATICAL_SUBJECTS):
+        return tree
+    described = set(tree.children(root, "det", "poss", "amod", "compound")) - {subject}
+    nodes = list(tree.nodes)
+    nodes[root] = replace(nodes[root], tag="VBZ", lemma=singular_verb(nodes[root].lower))
+    nodes[subject] = replace(nodes[subject], relation="nsubj")
+    for place in described:
+        nodes[place] = replace(nodes[place], head=subject)
+    return Tree(tree.text, tuple(nodes))
+
+
+def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
+    """Whether a word is what something on its way does: "coach leaves at 8:15", but "rake leaves at nine"."""
+    known = 0 < place < len(tree.nodes) and tree.nodes[place - 1].lower in travelling
+    return known and tree.nodes[place].lower in PHASES
+
+
+def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
+    """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
+    root, nodes = tree.root, tree.nodes
+    sure = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
+    found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
+    verb = next(found, next(sure, None))
+    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in SINGULAR:
+        return tree
+    if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
+        # "Check what starts at ten", "take the bus that leaves at ten"
+        return tree
+    turned = [
+        replace(node, head=verb - 1, relation="compound")
+        if p < verb
+        else replace(node, head=verb)
+        if node.head == root
+        else node
+        for p, node in enumerate(nodes)
+    ]
+    turned[verb] = replace(
+        nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
+    )
+    turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
+    return Tree(tree.text, tuple(turned))
+
+
+def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "my flight lands at ten and immigration takes an hour" its first verb, taken for a plural."""
+    root = tree.root
+    for verb in tree.children(root, "nsubj") if root is not None and tree.nodes[root].tag == "VBZ" else ():
+        named = plural_subject(tree, verb)
+        second = [p for p in tree.children(verb, "conj") if p > verb + 1 and tree.nodes[p].tag in SINGULAR]
+        told = tree.nodes[verb].tag == "NNS" and verb + 1 in timed and tree.nodes[verb].may_act
+        if not told or named is None or not second or root is None:
+            continue
+        nodes = list(tree.nodes)
+        nodes[verb] = replace(
+            nodes[verb], tag="VBZ", relation="ccomp", lemma=singular_verb(nodes[verb].lower)
+        )
+        for place in tree.children(verb, "det", "poss", "amod", "compound"):
+            nodes[place] = replace(nodes[place], head=named)
+        nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
+        nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
+        return Tree(tree.text, tuple(nodes))
+    return tree
+
+
+def _with_subject(tree: Tree) -> Tree:
+    """Give "the road is closed" what is so, which a tree may hang on the helping verb."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "VBN":
+        return tree
+    helping = [p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in ARE]
+    subjects = [p for verb in helping for p in tree.children(verb, "nsubj")]
+    if not subjects:
+        return tree
+    nodes = list(tree.nodes)
+    nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_got(tree: Tree) -> Tree:
+    """Give "I've got a meeting at ten" the verb that it means: to have; and of who comes, what they do."""
+    root = tree.root
+    if root is None or tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
+        return tree
+    helping = [p for p in tree.children(root, "aux", "auxpass") if tree.nodes[p].lower in HAVE]
+    nodes = list(tree.nodes)
+    coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
+    if coming and helping and tree.children(coming[0], "nsubj"):
+        for place in (root, *(p for p in tree.children(root) if p != coming[0])):
+            nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
+        nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
+        return Tree(tree.text, tuple(nodes))
+    if not helping or not tree.children(root, "dobj"):
+        return tree
+    nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
+    for place in helping:
+        nodes[place] = replace(nodes[place], relation="dep")
+    for place in tree.children(root, "nsubjpass"):
+        nodes[place] = replace(nodes[place], relation="nsubj")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_having(tree: Tree) -> Tree:
+    """Give "the kids have swimming at four" its verb, which was taken for one that helps."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "VBG":
+        return tree
+    helping = tree.children(root, "aux")
+    if len(helping) != 1 or tree.nodes[helping[0]].lemma != "have" or helping[0] != root - 1:
+        return tree
+    have, nodes = helping[0], list(tree.nodes)
+    for place in tree.children(root):
+        nodes[place] = replace(nodes[place], head=have)
+    nodes[have] = replace(nodes[have], head=have, relation="ROOT")
+    nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
+    root = tree.root
+    owner = root is not None and [p for p in tree.children(root, "poss") if tree.nodes[p].lower in ANYBODY]
+    if owner and root is not None and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
+        mark = owner[0] + 1
+        turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
+        turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
+        turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
+        turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
+        return Tree(tree.text, tuple(turned))
+    being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
+    verb = next(being, None)
+    if root is None or verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
+        return tree
+    nodes = [
+        replace(node, head=verb) if node.head == root and p > root else node
+        for p, node in enumerate(tree.nodes)
+    ]
+    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
+    nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
+    """Give the tree of "the shops open at nine" its verb, which was taken for how they are."""
+    root = tree.root
+    if root is None or tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
+        return tree
+    verb = root + 1
+    if verb + 1 not in timed or tree.nodes[verb].lower not in BARE_PHASES or tree.nodes[verb].head != root:
+        return tree
+    nodes = [
+        replace(node, head=verb) if node.head == root and p > verb else node
+        for p, node in enumerate(tree.nodes)
+    ]
+    nodes[verb] = replace(nodes[verb], tag="VBP", lemma=nodes[verb].lower, head=verb, relation="ROOT")
+    nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
+    return Tree(tree.text, tuple(nodes))
+
+
+def _is_led_by_plural(tree: Tree, verb: int) -> bool:
+    """Whether several who do something stand before a word that may be a verb, with where they are."""
+    led = (p for p in tree.children(verb, "nsubj") if tree.nodes[p].tag == "NNS" and p < verb)
+    return any(all(node.tag in BESIDE_NAMES for node in tree.nodes[p + 1 : verb]) for p in led)
+
+
+def singular_verb(verb: str) -> str:
+    """Give the bare form of a verb in -s."""
+    return verb[:-2] if verb.endswith(("sses", "shes", "ches", "xes")) else verb[:-1]
