@@ -1,13 +1,14 @@
 """The commands of the conversation by name: what each takes, what it does, and the function that does it."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime_cli.render import wrapped
 from fuzzytime_cli.repl import changing, looking, moving, saving
 from fuzzytime_cli.repl.rating import rate
 from fuzzytime_cli.repl.scene import Reply, Scene
+from fuzzytime_cli.session import State
 
 Run = Callable[[Scene, str], Reply]
 
@@ -58,12 +59,42 @@ def _quit(_: Scene, __: str) -> Reply:
     return Reply(over=True)
 
 
+def what_if(scene: Scene, text: str) -> Reply:
+    """Show what would move if one asked for something too, or gave a command; nothing is changed.
+
+    Raises
+    ------
+    FuzzytimeError
+        If nothing is said, or a command that does not work or changes nothing that is asked for.
+    """
+    words = text.strip()
+    if not words:
+        raise FuzzytimeError(
+            "an instruction or a command must follow, such as: :what-if call mum at noon; :what-if :drop 2"
+        )
+    if words[0] in ":/":
+        return looking.what_would_move(scene, "If you did that:", _tried(scene, words))
+    asked = scene.conversation.state.with_entry(words, scene.now)
+    return looking.what_would_move(scene, "If you asked for that:", asked)
+
+
+def _tried(scene: Scene, words: str) -> State:
+    """Give the state that a command would lead to."""
+    command, rest = command_of(words)
+    if command not in TRIED:
+        known = ", ".join(f":{one.usage.split()[0]}" for one in TRIED)
+        raise FuzzytimeError(f"what can be tried is one of {known}, got {words!r}")
+    tried: list[State] = []
+    command.run(replace(scene, tried=tried), rest)
+    if not tried:
+        raise FuzzytimeError(f"{words!r} would change nothing: say what, such as :what-if :drop 2")
+    return tried[-1]
+
+
 COMMANDS: Mapping[str, Command] = {
     "list": Command("list", "the schedule, and what you asked for", looking.show_list),
     "why": Command("why N", "explain skill N: words, rules, satisfaction, and why then", looking.why),
-    "what-if": Command(
-        "what-if TEXT", "what would move if you asked for that, or gave a :command", looking.what_if
-    ),
+    "what-if": Command("what-if TEXT", "what would move if you asked for that, or gave a :command", what_if),
     "edit": Command("edit N [TEXT]", "say instruction N anew", changing.edit),
     "drop": Command("drop N|all", "forget instruction N, or all", changing.drop),
     "delay": Command(

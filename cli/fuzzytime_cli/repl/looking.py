@@ -1,6 +1,5 @@
 """Commands of the conversation that look: they show, draw and explain, and change nothing."""
 
-from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 
@@ -39,19 +38,10 @@ def why(scene: Scene, text: str) -> Reply:
     return Reply(tuple(explanation_lines(scene.plan, position, scene.width, unicode=scene.unicode)))
 
 
-def what_if(scene: Scene, text: str) -> Reply:
-    """Show what would move if one asked for something too, or gave a command; nothing is changed."""
+def what_would_move(scene: Scene, head: str, state: State) -> Reply:
+    """Show the schedule that another state would have, and what moves; nothing is changed."""
     from fuzzytime_cli.formats.table import PlanView
 
-    words = text.strip()
-    if not words:
-        raise FuzzytimeError(
-            "an instruction or a command must follow, such as: :what-if call mum at noon; :what-if :drop 2"
-        )
-    if words[0] in ":/":
-        head, state = "If you did that:", _tried(scene, words)
-    else:
-        head, state = "If you asked for that:", scene.conversation.state.with_entry(words, scene.now)
     made = scene.conversation.plan(scene.now, state)
     lines: list[Text | str] = [Text(head, style="bold")]
     lines += PlanView(made, scene.width, unicode=scene.unicode).lines()
@@ -59,27 +49,6 @@ def what_if(scene: Scene, text: str) -> Reply:
     before, after = scene.plan.schedule.geometric_mean, made.schedule.geometric_mean
     lines.append(f"average satisfaction {before:.2f} → {after:.2f}; nothing is changed")
     return Reply(tuple(lines))
-
-
-def _tried(scene: Scene, words: str) -> State:
-    """Give the state that a command would lead to.
-
-    Raises
-    ------
-    FuzzytimeError
-        If there is no such command, it does not work, or it changes nothing that is asked for.
-    """
-    from fuzzytime_cli.repl.commands import TRIED, command_of
-
-    command, rest = command_of(words)
-    if command not in TRIED:
-        known = ", ".join(f":{one.usage.split()[0]}" for one in TRIED)
-        raise FuzzytimeError(f"what can be tried is one of {known}, got {words!r}")
-    tried: list[State] = []
-    command.run(replace(scene, tried=tried), rest)
-    if not tried:
-        raise FuzzytimeError(f"{words!r} would change nothing: say what, such as :what-if :drop 2")
-    return tried[-1]
 
 
 def move_lines(before: Plan | None, after: Plan, started: set[str] | None = None) -> list[str]:

@@ -11,7 +11,7 @@ from fuzzytime.language import About, AboutKind, Language, about_wishes, content
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
-from fuzzytime_cli.repl.commands import command_of
+from fuzzytime_cli.repl.commands import command_of, what_if
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
 from fuzzytime_cli.repl.retiming import with_time
 from fuzzytime_cli.repl.scene import Reply, Scene, number_of, whole
@@ -253,7 +253,7 @@ def _supposed(scene: Scene, text: str) -> Reply:
     """Show what would come of it: a wish, or what is said of those there are."""
     about = about_wishes(text, scene.now, scene.conversation.interpreter.language.lexicon)
     line = None if about is None or about.text else _supposable(scene, about)
-    return looking.what_if(scene, line or text)
+    return what_if(scene, line or text)
 
 
 def _supposable(scene: Scene, about: About) -> str | None:
