@@ -126,7 +126,8 @@ def _leads(first: Phrase, begun: Grounded, second: Phrase) -> bool:
     constraint = begun.requirement.constraint
     if second.said.constraint is not Constraint.BEFORE:
         # "After six, preferably around seven": the seven behind that six.
-        return constraint is Constraint.AFTER
+        clocked = isinstance(second.said.time, Wall) and second.said.time.clock is not None
+        return clocked and constraint is Constraint.AFTER
     time = first.said.time
     night = isinstance(time, Wall) and time.part is not None and time.part.half is Half.NIGHT
     if constraint is Constraint.BETWEEN:
