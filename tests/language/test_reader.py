@@ -346,6 +346,19 @@ def test_names_that_neither_an_operation_nor_a_time_holds_are_pointed_at(text: s
     assert unused == [words]
 
 
+def test_what_is_denied_behind_a_verb_does_not_turn_its_times() -> None:
+    reading = language().read("Dust the shelves. Hoover the stairs after you've dusted, not before.", now=NOW)
+    (after,) = reading.instructions[1].requirements
+    assert after.constraint is Constraint.AFTER
+
+
+def test_of_two_lengths_the_second_is_said_not_to_be_used() -> None:
+    text = "Marinate the tofu at least thirty minutes, ideally two hours"
+    reading = language().read(text, now=NOW)
+    assert reading.instructions[0].duration == 1800.0
+    assert [text[slice(*r.span)] for r in reading.remarks] == ["ideally two hours"]
+
+
 def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
     texts = [row["text"] for row in CORPUS["sentences"]]
     readings = language().read_independent([(text, NOW) for text in texts])

@@ -39,6 +39,10 @@ def _length(quantity: Quantity, unit: UnitWord) -> Duration | None:
     )
 
 
+AFTERTHOUGHT = "or so"
+"""The hedge of what is said behind a length, and ends it."""
+
+
 @grammar.rule("duration", "<quantity> <unit>")
 def amount(quantity: Quantity, unit: UnitWord) -> Duration | None:
     """Ten minutes, a few hours, 2.5 h, another week."""
@@ -76,6 +80,9 @@ def sum_of(first: Duration, second: Duration) -> Duration | None:
     """1 hour and 30 minutes; 2 years, 3 months; "an hour and a quarter" has no quarter of a year."""
     units, more = ({unit for _, unit in duration.terms} for duration in (first, second))
     if first.bare_end or first.until or second.until or second.hedges or units & more or Unit.QUARTER in more:
+        return None
+    if AFTERTHOUGHT in first.hedges:
+        # "At least thirty minutes, ideally two hours"
         return None
     # "a day an hour" is a frequency, no sum.
     if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:

@@ -55,7 +55,11 @@ class Lengths(Standing):
             # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
-            return self.around.may_end(piece) and not (said.preposition is None and last.bare_end)
+            # "An hour or two before the guests arrive"
+            away = duration.until is not None and self._is_before_marker(piece.end)
+            return self.around.may_end(piece) and not (
+                said.preposition is None and last.bare_end and not away
+            )
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True

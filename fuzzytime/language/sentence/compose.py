@@ -43,6 +43,7 @@ from fuzzytime.language.sentence.together.lengths import (
     due_when_needed,
     length_of,
     lengths_in_front,
+    second_lengths,
     time_of,
     told_alone,
     unknown_length,
@@ -192,7 +193,9 @@ class _Composer:
             self.remarks += led_by_nothing(segment, self.draft.text)
         requirements = self._required(sketch, times, anchors, connected)
         said = self.draft.text[slice(*segment.span)].strip()
-        duration = next((g.duration for g in times.found if g.duration is not None), None)
+        lengths = [one for one in times.found if one.duration is not None]
+        self.remarks += second_lengths(lengths)
+        duration = lengths[0].duration if lengths else None
         operation, requirements, duration = without_denial(
             sketch.operation, requirements, duration, connected, said
         )

@@ -7,6 +7,7 @@ from fuzzytime.language.finding import ground_all
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import ALL
 from fuzzytime.language.sentence.segments.asides import Aside
@@ -127,6 +128,15 @@ def due_when_needed(
 def _may_bound(part: TimeRequirement) -> bool:
     """Whether it is a time, or before something that was told: "before the guests come"."""
     return part.anchor is None or (part.constraint is Constraint.BEFORE and not part.anchor.exact)
+
+
+def second_lengths(lengths: Sequence[Grounded]) -> Iterator[Remark]:
+    """Say which lengths of what is to be done are not used: all but the first, where they differ from it."""
+    for one in lengths[1:]:
+        if one.duration != lengths[0].duration:
+            required = one.requirement
+            message = f"{required.text!r} is not used: of two lengths of one thing, the first is taken"
+            yield Remark(RemarkKind.POLICY, required.span, message)
 
 
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:

@@ -271,7 +271,9 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 
 def _is_negated(tree: Tree, place: int) -> bool:
-    return any(tree.nodes[p].lower in DENYING for p in tree.children(place, "neg", "advmod"))
+    """Whether what denies a verb stands in front of it or right behind: not "after lunch, not before"."""
+    denying = (p for p in tree.children(place, "neg", "advmod") if tree.nodes[p].lower in DENYING)
+    return any(p <= place + 1 for p in denying)
 
 
 def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
