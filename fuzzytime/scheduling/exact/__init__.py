@@ -1,1 +1,10 @@
-"""Schedules proved best: by sets of jobs, by labels, by shares of the work, by mixed-integer programs."""
+"""Schedules proved best: by sets of jobs, by labels, by shares of the work, by mixed-integer programs.
+
+Few jobs
+    ``small``: Held-Karp over sets.
+One agent
+    ``labels`` with a ``memory``, ``merging`` them, and ``backward`` over them; below a rising ``threshold``;
+    ``dominance``.
+Several agents
+    ``shares`` of the work, and ``fitting`` them together; else a ``flow`` that is solved by ``milp``.
+"""

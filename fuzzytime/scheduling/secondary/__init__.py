@@ -1,1 +1,4 @@
-"""The best among schedules that satisfy equally."""
+"""The best among schedules that satisfy equally.
+
+The ``objectives``, some of them about quantities ``over_time``, are followed in turn: ``lexicographic``.
+"""

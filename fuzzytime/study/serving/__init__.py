@@ -1,1 +1,4 @@
-"""The study's page over HTTP."""
+"""The study's page over HTTP.
+
+A ``server``, the ``handler`` of its requests, and the ``service`` that they ask.
+"""
