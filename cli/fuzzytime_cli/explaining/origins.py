@@ -14,7 +14,7 @@ def resolution_lines(resolution: Resolution) -> list[str]:
     for share in resolution.shares:
         lines += _share_lines(share)
     for hedge in resolution.hedges:
-        lines.append(f"hedge {plain(hedge.name)} × {hedge.factor:g}  {plain(hedge.source)}")
+        lines.append(_row(f"hedge {plain(hedge.name)}", plain(hedge.source), f"× {hedge.factor:g}"))
     numbers = ", ".join(
         f"{plain(name)} = {_quantity(value)}" for name, value in resolution.parameters.items()
     )
@@ -30,9 +30,14 @@ def _quantity(value: float) -> str:
     return format_duration(value) if np.isfinite(value) else "open"
 
 
+def _row(name: str, source: str, weight: str) -> str:
+    """Give what came into ψ, where it is written, and how it counts, each in its column."""
+    return f"{name:<24} {source:<28} {weight}"
+
+
 def _share_lines(share: Share) -> list[str]:
     factors = ", ".join(f"{name} × {factor:.2f}" for name, factor in share.scale.items())
-    line = f"{plain(share.name):<24} {plain(share.source):<28} {factors or f'share {share.share:.2f}'}"
+    line = _row(plain(share.name), plain(share.source), factors or f"share {share.share:.2f}")
     if share.degree.low != 1 or share.degree.high != 1:
         line += f"  holds {_between(share.degree.low, share.degree.high)}"
     lines = [line]
