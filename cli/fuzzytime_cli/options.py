@@ -18,6 +18,7 @@ from typing import Annotated, Any, get_type_hints
 
 import typer
 
+from fuzzytime_cli.bounds import MAX_AGENTS
 from fuzzytime_cli.choices import ActorChoice, ProfileChoice, SolverChoice
 
 
@@ -144,7 +145,8 @@ class Solving:
         ),
     ] = None
     agents: Annotated[
-        int | None, typer.Option(metavar="N", min=1, max=100, help="How many can work at once (default 1).")
+        int | None,
+        typer.Option(metavar="N", min=1, max=MAX_AGENTS, help="How many can work at once (default 1)."),
     ] = None
     threshold: Annotated[
         float | None,

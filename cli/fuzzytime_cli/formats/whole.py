@@ -47,5 +47,5 @@ def product_of(other: Schedule | Alternative, schedule: Schedule) -> str:
     exponent = -_cost(other, schedule) / math.log(10)
     if exponent > -300:
         return f"{10**exponent:.3g}"
-    whole = math.floor(exponent)
-    return f"{10 ** (exponent - whole):.3g}e{whole}"
+    power = math.floor(exponent)
+    return f"{10 ** (exponent - power):.3g}e{power}"

@@ -5,11 +5,9 @@ from datetime import datetime
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.interpreter import SpokenWish
+from fuzzytime_cli.bounds import MAX_INSTRUCTIONS
 from fuzzytime_cli.faults import NoInputError
 from fuzzytime_cli.inputs.source import Source
-
-MAX_INSTRUCTIONS = 2_000
-"""More than a person can have said; a plan of them would take minutes and help nobody."""
 
 COMMAND = re.compile(r":[a-z][a-z-]*(?=\s|$)")
 """What begins a line for the conversation: ``:rate 1 4``."""

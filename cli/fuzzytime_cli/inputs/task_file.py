@@ -17,8 +17,8 @@ from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
 from fuzzytime.yaml_tree import Sequence as Listed
+from fuzzytime_cli.bounds import MAX_AGENTS, MAX_INSTRUCTIONS, PRIORITIES
 from fuzzytime_cli.inputs.functions import read_function
-from fuzzytime_cli.inputs.lines import MAX_INSTRUCTIONS
 from fuzzytime_cli.inputs.source import Source
 from fuzzytime_cli.inputs.surroundings import CalendarReader, Taken, read_busy
 
@@ -113,7 +113,7 @@ class _TaskFile:
         top = reader.mapping(root, "", KEYS)
         self.now = self._now(top)
         asked, usual = self.surroundings.asked, self.surroundings.usual
-        agents = reader.whole(top["agents"], "agents", 1, 100) if "agents" in top else None
+        agents = reader.whole(top["agents"], "agents", 1, MAX_AGENTS) if "agents" in top else None
         self.agents = max(1, _first(asked.agents, agents, usual.agents, 1))
         own = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
         horizon = asked.horizon or own or usual.horizon
@@ -241,7 +241,7 @@ class _TaskFile:
                 fields["duration"], f"{key}.duration", "a duration sets hands_on and elapsed: give it alone"
             )
         if "priority" in fields:
-            shared["priority"] = reader.number(fields["priority"], f"{key}.priority", 1e-3, 1e3) or 1.0
+            shared["priority"] = reader.number(fields["priority"], f"{key}.priority", *PRIORITIES) or 1.0
         if "agent" in fields:
             shared["agent"] = max(1, reader.whole(fields["agent"], f"{key}.agent", 1, self.agents))
         if "after" in fields:

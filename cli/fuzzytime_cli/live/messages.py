@@ -23,6 +23,7 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.interpreter import SpokenWish
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import instant_after, parse_duration
+from fuzzytime_cli.bounds import MAX_AGENTS, PRIORITIES
 
 _TIMES = ("at", "at_s")
 _READING = ("signal", "value", "unit", "announced", *_TIMES)
@@ -135,8 +136,8 @@ class Listener:
             identifier=_identifier(fields, "id") if "id" in fields else "",
             hands_on=_duration(fields, "hands_on") if "hands_on" in fields else both,
             elapsed=_duration(fields, "elapsed") if "elapsed" in fields else both,
-            priority=_number(fields, "priority", 1e-3, 1e3) if "priority" in fields else 1.0,
-            agent=int(_number(fields, "agent", 1, 100)) if "agent" in fields else None,
+            priority=_number(fields, "priority", *PRIORITIES) if "priority" in fields else 1.0,
+            agent=int(_number(fields, "agent", 1, MAX_AGENTS)) if "agent" in fields else None,
             after=_names(fields, "after"),
         )
         return Said(at=at, comes=max(at, now), wish=wish)

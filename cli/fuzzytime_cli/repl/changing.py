@@ -6,6 +6,7 @@ from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.times import instant_after, parse_duration
+from fuzzytime_cli.bounds import MAX_AGENTS, PRIORITIES
 from fuzzytime_cli.choices import SolverChoice
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped
@@ -21,7 +22,7 @@ from fuzzytime_cli.repl.scene import (
     position_of,
     said,
     step,
-    whole,
+    whole_number,
 )
 from fuzzytime_cli.session import KeptBusy, KeptReading, Started, State
 
@@ -89,8 +90,9 @@ def priority(scene: Scene, text: str) -> Reply:
         weight = float(rest)
     except ValueError as error:
         raise FuzzytimeError(f"a priority must be a number, got {rest!r}") from error
-    if not 1e-3 <= weight <= 1e3:
-        raise FuzzytimeError(f"a priority must be between 0.001 and 1000, got {rest!r}")
+    least, most = PRIORITIES
+    if not least <= weight <= most:
+        raise FuzzytimeError(f"a priority must be between {least:g} and {most:g}, got {rest!r}")
     return step(scene, f":priority {number}", lambda state: state.with_changed(number, priority=weight))
 
 
@@ -165,9 +167,9 @@ def _reading_line(kept: KeptReading, clock: Clock) -> str:
 
 def agents(scene: Scene, text: str) -> Reply:
     """Say how many can work at once."""
-    number = whole(text)
-    if number is None or not 1 <= number <= 100:
-        raise FuzzytimeError(f"agents must be a number from 1 to 100, got {text.strip()[:40]!r}")
+    number = whole_number(text)
+    if number is None or not 1 <= number <= MAX_AGENTS:
+        raise FuzzytimeError(f"agents must be a number from 1 to {MAX_AGENTS}, got {text.strip()[:40]!r}")
     return step(scene, f":agents {number}", lambda state: replace(state, agents=number))
 
 

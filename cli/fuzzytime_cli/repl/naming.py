@@ -4,7 +4,7 @@ from typing import NoReturn
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.language import content_words
-from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole
+from fuzzytime_cli.repl.scene import Scene, identifier_of, number_of, whole_number
 from fuzzytime_cli.session import Entry, Started
 
 FEW = 2
@@ -50,7 +50,7 @@ def identifier_meant(scene: Scene, text: str) -> str:
     if not text.strip():
         raise FuzzytimeError("a number from the list must follow, such as 2, or words for what is planned")
     names = content_words(text)
-    if whole(text.strip().removeprefix("s").partition(".")[0]) is not None or not names:
+    if whole_number(text.strip().removeprefix("s").partition(".")[0]) is not None or not names:
         return identifier_of(text)
     entry = entry_of(scene, names)
     if entry is None:

@@ -59,10 +59,10 @@ def said(text: str) -> Reply:
     return Reply((Text(plain(text)),))
 
 
-def whole(text: str) -> int | None:
+def whole_number(text: str) -> int | None:
     """Read a whole number that somebody may have meant; None where it is none.
 
-    >>> whole(" 12 "), whole("²"), whole("9" * 5000)
+    >>> whole_number(" 12 "), whole_number("²"), whole_number("9" * 5000)
     (12, None, None)
     """
     digits = text.strip()
@@ -78,7 +78,7 @@ def number_of(text: str) -> int:
         If it is none.
     """
     digits = text.strip().removeprefix("s").partition(".")[0]
-    number = whole(digits)
+    number = whole_number(digits)
     if number is None:
         raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()[:40]!r}")
     return number

@@ -14,7 +14,7 @@ from fuzzytime_cli.repl import answering, looking
 from fuzzytime_cli.repl.commands import command_of, what_if
 from fuzzytime_cli.repl.naming import all_called, called, entry_of, running_one, unknown
 from fuzzytime_cli.repl.retiming import with_time
-from fuzzytime_cli.repl.scene import Reply, Scene, number_of, whole
+from fuzzytime_cli.repl.scene import Reply, Scene, number_of, whole_number
 
 HISTORY = frozenset({AboutKind.DONE, AboutKind.MORE, AboutKind.LATE})
 """What tells how it went, which :undo does not take back."""
@@ -97,7 +97,7 @@ def _taken(scene: Scene, about: About) -> Reply | None:
     number = rest.partition(" ")[0].partition(".")[0].lstrip("s")
     dropped = _text_of(scene, number) if about.kind is AboutKind.DROP else ""
     reply = command.run(scene, rest)
-    focus = whole(number) if about.kind is not AboutKind.DROP else None
+    focus = whole_number(number) if about.kind is not AboutKind.DROP else None
     if not (reply.changed or scene.tried is not None):
         return replace(reply, focus=focus)
     if about.kind in {AboutKind.UNDO, AboutKind.REDO}:

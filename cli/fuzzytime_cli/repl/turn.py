@@ -16,7 +16,15 @@ from fuzzytime_cli.render import plain, wrapped
 from fuzzytime_cli.repl.commands import BARE, command_of
 from fuzzytime_cli.repl.conversation import Conversation, answered
 from fuzzytime_cli.repl.looking import move_lines
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, number_of, problem_lines, running_lines, whole
+from fuzzytime_cli.repl.scene import (
+    UNREAD,
+    Reply,
+    Scene,
+    number_of,
+    problem_lines,
+    running_lines,
+    whole_number,
+)
 from fuzzytime_cli.repl.speaking import are_about, reply_about
 from fuzzytime_cli.session import NotKeptError, Started
 
@@ -124,7 +132,7 @@ class Turns:
         return reply
 
     def _answer_to(self, words: str, pending: Pending | None, now: datetime) -> Reply:
-        choice = whole(words)
+        choice = whole_number(words)
         if pending is not None and choice is not None:
             return self._answer(pending, choice)
         if words[0] in ":/":

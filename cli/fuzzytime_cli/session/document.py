@@ -10,15 +10,10 @@ from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime_cli.bounds import MAX_AGENTS, MAX_INSTRUCTIONS, PRIORITIES
 from fuzzytime_cli.session.state import Started, State
 
 SCHEMA = "fuzzytime-session/1"
-
-MOST_AGENTS = 100
-MOST_ENTRIES = 2_000
-
-PRIORITIES = (1e-3, 1e3)
-"""The least and the most that an instruction may count."""
 
 NEEDED = ("entries", "next_number", "readings", "busy", "finished")
 """What every version of a session has."""
@@ -85,8 +80,8 @@ def _check(state: State) -> None:
     low, high = PRIORITIES
     lengths = [length for entry in state.entries for length in (entry.hands_on, entry.elapsed)]
     rules = (
-        (1 <= (1 if state.agents is None else state.agents) <= MOST_AGENTS, f"at most {MOST_AGENTS} agents"),
-        (len(numbers) <= MOST_ENTRIES, f"at most {MOST_ENTRIES:,} instructions"),
+        (1 <= (1 if state.agents is None else state.agents) <= MAX_AGENTS, f"at most {MAX_AGENTS} agents"),
+        (len(numbers) <= MAX_INSTRUCTIONS, f"at most {MAX_INSTRUCTIONS:,} instructions"),
         (len({*numbers}) == len(numbers), "instructions with distinct numbers"),
         (all(0 < number < state.next_number for number in numbers), "numbers below the next one"),
         (all(low <= entry.priority <= high for entry in state.entries), f"priorities from {low} to {high:g}"),

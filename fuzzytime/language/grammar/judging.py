@@ -285,7 +285,7 @@ def _is_day_of_month(piece: Piece) -> bool:
     time = piece.value.time
     wall = time.first if isinstance(time, Range) else time
     days = wall.days if isinstance(wall, Wall) else None
-    return isinstance(days, Fields) and days.day is not None and days == Fields(day=days.day)
+    return isinstance(days, Fields) and days.is_day_of_month
 
 
 def _is_clocked(piece: Piece) -> bool:

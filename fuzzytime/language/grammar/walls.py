@@ -40,11 +40,6 @@ CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
 
-def _is_day_of_month(wall: Wall) -> bool:
-    """Whether it is nothing but a day of some month."""
-    return isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day) and wall.clock is None
-
-
 class Walls(Standing):
     """What stands around days and clock times, and whether it makes one doubtful."""
 
@@ -128,7 +123,8 @@ class Walls(Standing):
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
         """Whether ordinals count things and no days: "on the first and second floor"."""
-        if not self._is_ordinal(piece.end - 1) or not _is_day_of_month(wall):
+        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month and wall.clock is None
+        if not numbered or not self._is_ordinal(piece.end - 1):
             return False
         behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
         if behind >= len(self.texts) or not self._is_ordinal(behind):

@@ -182,6 +182,11 @@ class Fields(Calendar):
             self.weekday if self.weekday is not None else other.weekday,
         )
 
+    @property
+    def is_day_of_month(self) -> bool:
+        """Whether it is on a day of some month, and says nothing else: "the 15th"."""
+        return self.day is not None and self == Fields(day=self.day)
+
     def filled(self, other: "Fields") -> "Fields":
         """Give this with the year and month that it lacks from another."""
         return replace(

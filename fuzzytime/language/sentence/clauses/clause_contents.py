@@ -25,7 +25,6 @@ FINISHING = frozenset({"finish", "stop", "complete"})
 CONJUNCTIONS = frozenset({"while", "whilst", "as"})
 """Markers behind which something goes on: "during the film" names it."""
 
-"""Tags of words behind which a noun stands: "the ward round", whatever a tree makes of it."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 

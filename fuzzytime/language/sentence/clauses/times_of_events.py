@@ -10,10 +10,8 @@ from fuzzytime.requirement import Constraint
 DOERS = SPEAKERS_AND_ASKED | {"they", "he", "she"}
 """Subjects that come and go."""
 
-
 OVER = frozenset({"after", "when"})
 """Clauses that wait for the end of something, or for what becomes so."""
-
 
 AHEAD = frozenset({"before"})
 """Clauses that name what something is to be done before."""

@@ -3,7 +3,18 @@
 from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import HALFWAY, INTO, LEFT, Offset, Phrase, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    EARLIER,
+    HALFWAY,
+    INTO,
+    LATER,
+    LEFT,
+    Offset,
+    Phrase,
+    Said,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.expressions import Edge as Bound
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -33,11 +44,8 @@ WITHIN = "within"
 INSIDE = frozenset({LEFT, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
-EARLIER = "earlier"
-"""The preposition of times that count back from what was said before."""
-
 COUNTED: dict[str | None, Constraint] = {
-    "later": Constraint.AFTER,
+    LATER: Constraint.AFTER,
     EARLIER: Constraint.BEFORE,
     INTO: Constraint.AFTER,
     LEFT: Constraint.AFTER,

@@ -9,7 +9,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.surroundings import ASKING, OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Offset, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
@@ -133,7 +133,7 @@ def _is_clock(phrase: Phrase) -> bool:
 
 def _follows(phrase: Phrase, words: Sequence[Word]) -> bool:
     """Whether a time in front of an order counts from the order before: "…, five minutes later serve"."""
-    later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == "later"
+    later = isinstance(phrase.said.time, Offset) and phrase.said.preposition == LATER
     joined = phrase.first > 0 and words[phrase.first - 1].text in {",", "and", "then", ";"}
     return later and joined and phrase.end < len(words) and words[phrase.end].text not in ENDS
 

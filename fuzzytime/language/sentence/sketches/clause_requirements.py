@@ -15,8 +15,6 @@ from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
-"""Subjects of clauses that refer to what is done, and not to what readings could tell."""
-
 RESULTING = frozenset({"when", "if", "after"})
 """Clauses about what another instruction does: "when it is done"; "until it is done" is about its own."""
 

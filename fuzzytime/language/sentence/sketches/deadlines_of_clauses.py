@@ -3,14 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.meaning.expressions import Coming, Duration, Edge, Offset, Phrase, Said
+from fuzzytime.language.meaning.expressions import Coming, Duration, Edge, Offset, Phrase, Said, later_by
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.verbs.statements import NOBODY
 from fuzzytime.requirement import Constraint
 
 WITHIN = "within"
-LATER = "later"
-"""The preposition of what counts from the instruction before."""
 
 DEADLINE = "deadline of a clause"
 """The rule of such a time."""
@@ -45,7 +43,7 @@ def _passed(deadline: Phrase, *, later: bool) -> Phrase:
     length = time.duration if isinstance(time, (Offset, Coming)) else time
     if _is_length(said) and isinstance(length, Duration):
         # "Ring the bell; if nobody answers within ten minutes, ring again"
-        known = Said(Offset(length), None if later else Constraint.AFTER, LATER if later else "after")
+        known = later_by(length) if later else Said(Offset(length), Constraint.AFTER, "after")
     else:
         known = replace(said, constraint=Constraint.AFTER, preposition="after", edge=Edge.START)
     return replace(deadline, said=known, rule=DEADLINE)

@@ -87,17 +87,17 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
     others = elsewhere(part, kept, action, lexicon)
-    aims = {aim_of(part, kept, action): "what it is for", reason_of(part, kept, action): "why"}
-    for aim, what in aims.items():
-        if aim is not None:
-            others = [phrase for phrase in others if not overlap(phrase.span, aim)]
-            kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
-            clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
-            message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
-            excepted.append(Remark(RemarkKind.POLICY, aim, message))
+    told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
+    aims = [(span, what) for span, what in told if span is not None]
+    for aim, what in aims:
+        others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+        kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
+        clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
+        message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
+        excepted.append(Remark(RemarkKind.POLICY, aim, message))
     kept = [phrase for phrase in kept if phrase not in others]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim in aims if aim is not None))
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
     operation = reader.operation(action)
     clauses = [

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.instruction import overlap
-from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Said, TimeWord
+from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord, later_by
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Unit
@@ -17,8 +17,6 @@ NOW = "now"
 WAITED_FOR = frozenset({"when", "if", "after"})
 """Clauses that say what comes before."""
 
-LATER = "later"
-
 
 def at_once(sketches: list[Sketch], text: str) -> list[Sketch]:
     """Let what is done at once be right after what the same sentence says before, or when that is so."""
@@ -30,7 +28,7 @@ def at_once(sketches: list[Sketch], text: str) -> list[Sketch]:
             told = _without(sketch, places[0])
         elif places and found and _is_joined(found[-1], sketch, text):
             phrase = sketch.phrases[places[0]]
-            right_after = Said(Offset(Duration(((0, Unit.SECOND),))), None, LATER)
+            right_after = later_by(Duration(((0, Unit.SECOND),)))
             phrases = list(sketch.phrases)
             phrases[places[0]] = replace(phrase, said=right_after)
             told = replace(sketch, phrases=tuple(phrases))

@@ -8,12 +8,14 @@ from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
     HALFWAY,
     INTO,
+    LATER,
     Duration,
     Offset,
     Phrase,
     Repeat,
     Said,
     TimeWord,
+    later_by,
 )
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.cuts import AGAIN
@@ -29,8 +31,6 @@ GIVEN = frozenset({"me", "us", "him", "her", "them"})
 REPEATED = frozenset({"it", "this", "that"})
 """Words for what is to be repeated."""
 
-LATER = "later"
-"""The preposition of times that count from what was said before."""
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
@@ -219,9 +219,7 @@ def _behind_that(phrase: Phrase) -> Phrase:
     time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
     if not isinstance(time, Duration) or said.preposition != "after" or said.constraint is Constraint.FOR:
         return phrase
-    return replace(
-        phrase, said=Said(Offset(replace(time, hedges=())), None, LATER, (*said.hedges, *time.hedges))
-    )
+    return replace(phrase, said=later_by(time, said.hedges))
 
 
 def _halfway(phrase: Phrase) -> Phrase:
@@ -272,7 +270,7 @@ def _counted_in(phrase: Phrase, length: float) -> Phrase:
     time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
     if isinstance(time, TimeWord) and time.word == HALFWAY and length:
         time = Duration(((length / 2, Unit.SECOND),))
-    elif not isinstance(time, Duration) or said.preposition not in {"after", "later"}:
+    elif not isinstance(time, Duration) or said.preposition not in {"after", LATER}:
         return phrase
     if said.constraint is Constraint.FOR or not time.seconds < length:
         return phrase

@@ -15,7 +15,7 @@ from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
 WHOLE = frozenset({"everything", "all"})
-"""Who says of all that there is to do when it must be over."""
+"""What must be over then: all that there is to do."""
 
 OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
 """How words begin that leave out what they are about: "has to be done before six"."""

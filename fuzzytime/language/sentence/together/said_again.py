@@ -143,7 +143,7 @@ def _is_weekday(wall: Wall) -> bool:
 
 def _is_listed(wall: Wall) -> bool:
     """Whether it is a day of the week or of some month, which a list may hold several of."""
-    return _is_weekday(wall) or (isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day))
+    return _is_weekday(wall) or (isinstance(wall.days, Fields) and wall.days.is_day_of_month)
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:

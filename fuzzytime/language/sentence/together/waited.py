@@ -5,12 +5,11 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Duration, Offset, Said
+from fuzzytime.language.meaning.expressions import Duration, later_by
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
 THEN = "then"
-LATER = "later"
 
 
 def waited(
@@ -29,7 +28,7 @@ def waited(
     cooked = before is not None and before.lemma in lexicon.timing | lexicon.timing_alone
     if not leads or cooked or not isinstance(length, Duration):
         return sketches
-    said = Said(Offset(replace(length, hedges=())), None, LATER, length.hedges)
+    said = later_by(length)
     segment = replace(segment, span=(aside.span[0], segment.span[1]), connective="")
     told = replace(
         first,
