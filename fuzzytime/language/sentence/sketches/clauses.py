@@ -47,6 +47,9 @@ OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
 
 EVEN = "even"
+WISHING = frozenset({"could", "would"})
+"""What "if you" asks by."""
+
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
@@ -211,6 +214,8 @@ class _Clauses:
         nodes = list(self.tree.at(*content))
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
+        if kind == IF and end == len(self.words) and self._is_wish(first, nodes):
+            return None
         start = self.words[place].start
         distance = bound or self.before.distance(place)
         duration, side = None, None
@@ -255,6 +260,11 @@ class _Clauses:
         if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
+
+    def _is_wish(self, first: int, nodes: Sequence[int]) -> bool:
+        """Whether "if you could" asks for what stands behind it, as nothing else is said: no condition."""
+        said = [word.text for word in self.words[first : first + 2]]
+        return said[:1] == ["you"] and said[1] in WISHING and self.tree.root in nodes
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
         """Give the hedge that a marker is: "just before"."""
