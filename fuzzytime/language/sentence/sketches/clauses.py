@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.clauses.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
-from fuzzytime.language.sentence.clauses.conditions import IF
+from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.segments.waiting import INVERTING, goes_on_behind
@@ -47,9 +47,6 @@ OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
 
 EVEN = "even"
-WISHING = frozenset({"could", "would"})
-"""What "if you" asks by."""
-
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
@@ -74,7 +71,9 @@ def clauses_of(
         is_name = place > 0 and words[place - 1].text in NAMED
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
-            _leads_nowhere(form, words, place) or reader.leads_to_distance(place, form)
+            _leads_nowhere(form, words, place)
+            or reader.leads_to_distance(place, form)
+            or is_wish(tree, words[place:])
         )
         if form is not None and (is_length(form, words, place) or leads):
             # "Rest it for half as long as you cooked it"
@@ -214,8 +213,6 @@ class _Clauses:
         nodes = list(self.tree.at(*content))
         if not nodes or (form[-1] in self.lexicon.ordinals and self._is_counted(nodes[0])):
             return None
-        if kind == IF and end == len(self.words) and self._is_wish(first, nodes):
-            return None
         start = self.words[place].start
         distance = bound or self.before.distance(place)
         duration, side = None, None
@@ -260,11 +257,6 @@ class _Clauses:
         if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
-
-    def _is_wish(self, first: int, nodes: Sequence[int]) -> bool:
-        """Whether "if you could" asks for what stands behind it, as nothing else is said: no condition."""
-        said = [word.text for word in self.words[first : first + 2]]
-        return said[:1] == ["you"] and said[1] in WISHING and self.tree.root in nodes
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
         """Give the hedge that a marker is: "just before"."""
