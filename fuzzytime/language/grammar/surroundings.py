@@ -98,6 +98,9 @@ class Surroundings:
         if before in self.lexicon.ordinals and piece.start > 1:
             # "The second friday meeting"
             before = self.texts[piece.start - 2]
+        if self.texts[piece.start] in {"a", "an"}:
+            # "A monday", as in "a monday morning mug"
+            before = self.texts[piece.start]
         if before not in {"a", "an", "the", "my", "our", "your"}:
             return False
         # "A monday morning call": times behind it describe the same noun.

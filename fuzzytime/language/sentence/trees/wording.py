@@ -18,6 +18,9 @@ REACHING = frozenset({"to", "-"})
 """What joins the first and the last number of several: "steps 1 to 7"."""
 
 
+DENYING = "not"
+
+
 @dataclass(frozen=True, slots=True)
 class Wording:
     """The words of a tree; ``times`` are the stretches of characters that are about time."""
@@ -56,6 +59,9 @@ class Wording:
                         # "Drive ten minutes north", "a ten minute walk"
                         continue
                     break
+                if self._is_contrasted(place, verb):
+                    # "Serve the soup, not the salad"
+                    continue
                 found.append(place)
         return sorted(set(found))
 
@@ -101,6 +107,25 @@ class Wording:
         if not place + 1 < behind < len(nodes) or not self._counts(behind):
             return None
         return None if self._is_noun(behind + 1) else behind
+
+    def _is_contrasted(self, place: int, verb: int) -> bool:
+        """Whether a word is of something that is not meant: "the soup, not the salad"."""
+        if self.tree.nodes[place].text == "," and self._contrasts(place + 1):
+            return True
+        while place > verb and self.tree.nodes[place].text != ",":
+            if self._contrasts(place):
+                return True
+            place -= 1
+        return False
+
+    def _contrasts(self, place: int) -> bool:
+        """Whether a "not" denies something else that is named behind it, and no verb or adjective."""
+        nodes = self.tree.nodes
+        if nodes[place].lower != DENYING or not 0 < place < len(nodes) - 1:
+            return False
+        behind = nodes[place + 1]
+        led = nodes[place - 1].text == "," and behind.tag.startswith(("NN", "PRP", "CD", "JJ", "IN", "DT"))
+        return led or (behind.tag in {"DT", "PRP$"} and nodes[place - 1].tag.startswith("NN"))
 
     def _describes(self, place: int) -> bool:
         """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
