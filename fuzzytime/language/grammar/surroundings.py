@@ -98,7 +98,7 @@ class Surroundings:
         if before in self.lexicon.ordinals and piece.start > 1:
             # "The second friday meeting"
             before = self.texts[piece.start - 2]
-        if self.texts[piece.start] in {"a", "an"}:
+        if self.texts[piece.start] == "a" and self.is_weekday(piece.start + 1):
             # "A monday", as in "a monday morning mug"
             before = self.texts[piece.start]
         if before not in {"a", "an", "the", "my", "our", "your"}:

@@ -110,8 +110,9 @@ class Wording:
 
     def _is_contrasted(self, place: int, verb: int) -> bool:
         """Whether a word is of something that is not meant: "the soup, not the salad"."""
-        if self.tree.nodes[place].text == "," and self._contrasts(place + 1):
-            return True
+        if self.tree.nodes[place].text == ",":
+            # The comma on either side of it
+            return self._contrasts(place + 1) or self._is_contrasted(place - 1, verb)
         while place > verb and self.tree.nodes[place].text != ",":
             if self._contrasts(place):
                 return True
