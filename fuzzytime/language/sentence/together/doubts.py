@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -136,7 +137,8 @@ def _says_how(node: Node, lexicon: Lexicon) -> bool:
 def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at words without a verb that is understood; at none where all that is said is a time."""
     first, end = part.segment.span
-    said = [word for word in words if first <= word.start < end and word.is_letters]
+    inside = (word for word in words if first <= word.start < end)
+    said = [word for word in inside if word.is_letters or is_quoted(word.text)]
     if not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -133,6 +134,11 @@ class Wording:
         head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
         return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
 
+    def _ends_named(self, place: int, end: int) -> bool:
+        """Whether one end of a word is no mark, or it is quoted."""
+        text = self.tree.nodes[place].text
+        return _names(text[end]) or is_quoted(text)
+
     def _closes(self, kept: Sequence[int]) -> bool:
         """Whether the mark behind some words closes what is opened among them: "flowers & <wine>"."""
         behind = self.tree.nodes[kept[-1] + 1 : kept[-1] + 2]
@@ -142,9 +148,9 @@ class Wording:
     def said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
         kept = list(words)
-        while kept and not _names(self.tree.nodes[kept[-1]].text[-1]):
+        while kept and not self._ends_named(kept[-1], -1):
             kept.pop()
-        while kept and not _names(self.tree.nodes[kept[0]].text[0]):
+        while kept and not self._ends_named(kept[0], 0):
             kept.pop(0)
         if kept and self._closes(kept):
             kept.append(kept[-1] + 1)
