@@ -384,6 +384,21 @@ def test_what_is_denied_beside_what_is_meant_is_not_done(text: str, name: str, l
     assert unused == left
 
 
+@pytest.mark.parametrize(
+    "text", ["No calls between 12 and 1", "No lunch at noon", "There is no school on friday"]
+)
+def test_what_is_not_to_be_asks_for_nothing(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert all(instruction.operation is None for instruction in reading.instructions)
+    assert "what is not to be" in " ".join(remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize("text", ["No later than six call mum", "No rush, call mum", "No, call mum at six"])
+def test_no_alone_forbids_nothing(text: str) -> None:
+    operations = [instruction.operation for instruction in language().read(text, now=NOW).instructions]
+    assert [operation.name for operation in operations if operation is not None] == ["call mum"]
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

@@ -133,6 +133,10 @@ class Surroundings:
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
         return acted and not led and not self.timely(place - 2) and self.is_part(place)
 
+    def is_spent(self, piece: Piece) -> bool:
+        """Whether it is what somebody does something in: "spend the evening sorting photos"."""
+        return self.before(piece) in SPENDING and self.follower(piece).endswith("ing")
+
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""
         place = piece.start
@@ -198,7 +202,7 @@ class Surroundings:
 
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
-        if wall.part is not None or self.may_end(piece):
+        if wall.part is not None or self.may_end(piece) or self.is_spent(piece):
             return False
         if wall.clock is not None:
             worded = all(word.is_letters for word in self.words[piece.start : piece.end])

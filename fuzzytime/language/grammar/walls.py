@@ -73,12 +73,13 @@ class Walls(Standing):
             clocked = self.around.follower(piece) in {"o'clock", "oclock", "am", "pm", "a.m.", "p.m."}
             return bound and not clocked and self.around.may_end(piece)
         part = wall.days is None and wall.clock is None
-        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
+        ends = self.around.may_end(piece) or self.around.is_spent(piece)
+        if part and said.preposition in {None, "to", "of"} and not ends:
             # "Switch to night mode"
             return False
         owned = self.texts[piece.end - 2] in OWNING and piece.end - piece.start > 1
         inside = piece.start > 0 and self.around.before(piece) not in SENTENCE_STARTS
-        if part and owned and inside and not self.around.may_end(piece):
+        if part and owned and inside and not ends:
             # "The kettle for the night staff"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly

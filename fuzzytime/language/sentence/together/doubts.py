@@ -153,6 +153,8 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     denied = [p for p in subjects if tree.nodes[p].lower in NOBODY or _is_no_one(tree, p)]
     if denied:
         return "what nobody does"
+    if _is_denied(tree, root):
+        return "what is not to be"
     node = tree.nodes[root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & WERE)
@@ -160,6 +162,15 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     led = node.lower in WERE and root > 0
     named = tree.nodes[subjects[0]].lower not in SPEAKERS_AND_ASKED if subjects else led
     return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
+
+
+def _is_denied(tree: Tree, root: int) -> bool:
+    """Whether nothing is to be: "no calls between twelve and one", "there is no school on friday"."""
+    named = [root]
+    if tree.children(root, "expl") and not any(tree.nodes[p].tag == "VB" for p in tree.below(root)):
+        # "There is no need to call" is no more than that.
+        named += tree.children(root, "attr")
+    return any(tree.nodes[p].lower == "no" and p < noun for noun in named for p in tree.children(noun, "det"))
 
 
 def _is_no_one(tree: Tree, place: int) -> bool:
