@@ -412,6 +412,15 @@ def test_what_has_been_done_is_not_done_again(text: str) -> None:
     assert "tells what was" in " ".join(remark.message for remark in reading.remarks)
 
 
+def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
+    reading = language().read("Scan it every five minutes between 9:00 and 17:00 on weekdays", now=NOW)
+    assert [reading.text[slice(*r.span)] for r in reading.remarks if "repetitions" in r.message] == [
+        "on weekdays"
+    ]
+    both = language().read("Turn it on at six for twenty minutes every other day", now=NOW)
+    assert not [remark for remark in both.remarks if "repetitions" in remark.message]
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

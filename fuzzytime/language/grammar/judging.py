@@ -168,6 +168,9 @@ class Judge:
         if "to" in {piece.value.preposition, self.around.before(piece)}:
             # "Hand over to nights"
             return False
+        if self.texts[piece.end - 1] == "annual" and not self.around.may_end(piece):
+            # "Book annual leave"
+            return False
         if piece.rule == "repeated_days.parts_alone":
             # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
             led = self.around.before(piece) in OWNING | BINDING | {"this", "in", ","}

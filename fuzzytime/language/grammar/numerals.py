@@ -47,7 +47,7 @@ _SHAPES = tuple(
         ("15h30", r"(\d{1,2})h(\d\d)(?!\d)"),
         ("decimal", r"(\d{1,9}\.\d{1,9})"),
         ("ratio", r"(\d{1,2})/(\d{1,2})(?!\d)"),
-        ("n-n-n", r"(\d{1,2})[-/.](\d{1,2})[-/.](\d{4}|\d\d)(?!\d)"),
+        ("n-n-n", r"(\d{1,2})([-/.])(\d{1,2})\2(\d{4}|\d\d)(?!\d)"),
         ("n/n", r"(\d{1,2})[-/](\d{1,2})(?!\d)"),
         ("n.n", r"(\d{1,2})\.(\d{1,2})(?!\d)"),
         ("d.m.", r"(\d{1,2})\.(\d{1,2})\.(?!\d)"),
@@ -60,6 +60,7 @@ SURE_DATE = re.compile(r"(\d{4})[-/.](\d{1,2})[-/.](\d{1,2})(?!\d)")
 DATE_WORDS = 4
 """Words of a typed date behind its first."""
 
+MARKS = frozenset({"-", "/", "."})
 DATES = frozenset({"n-n-n", "n/n", "n.n"})
 """Shapes whose first two numbers are month and day, in the order of the policy."""
 
@@ -112,7 +113,8 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
     for category, shape in _SHAPES:
         match = shape.match(run)
         if match is not None and match.end() in ends:
-            parts = match.groups()
+            # What stands between the numbers of a date is told by what is alike: "3-3.30" is none.
+            parts = tuple(part for part in match.groups() if part not in MARKS)
             behind = words[ends[match.end()] :][:1]
             if category == "d.m." and behind and behind[0].capital:
                 # "Set it to 2.5. At noon, stop it."

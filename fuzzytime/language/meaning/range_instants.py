@@ -29,6 +29,7 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
         and last.days is not None
     ):
         return _day_range(clock, first, last)
+    first = _on_last_day(clock, first, last)
     start = clock.instants(first)
     if isinstance(first, Wall) and first.part is not None and first.part.meal and first.clock is None:
         # "Between lunch and dinner": from its end, where that has not passed.
@@ -45,6 +46,19 @@ def range_instants(clock: Standpoint, said: Range) -> Instants:
     if end.start < start.start and isinstance(last, Wall):
         end = _after(clock, start.start).instants(last)
     return Instants(start.start, end.start if end.is_point else _last_of(last, end), start.grain)
+
+
+def _on_last_day(clock: Standpoint, first: Time, last: Time) -> Time:
+    """Give the part of a day that a range begins with the day of its end: "between lunch and 4 tomorrow".
+
+    Where it would end before it begins, it begins the day before: "from the evening until 10 tomorrow".
+    """
+    if not isinstance(first, Wall) or not isinstance(last, Wall) or first.part is None:
+        return first
+    if first.days is not None or first.clock is not None or last.days is None or last.clock is None:
+        return first
+    there = replace(first, days=last.days)
+    return there if clock.wall(there).end <= clock.wall(last).start else first
 
 
 def _since(clock: Standpoint, start: Instants) -> Instants:

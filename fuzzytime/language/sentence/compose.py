@@ -44,6 +44,7 @@ from fuzzytime.language.sentence.together.lengths import (
     length_of,
     lengths_in_front,
     second_lengths,
+    second_repetitions,
     time_of,
     told_alone,
     unknown_length,
@@ -195,7 +196,7 @@ class _Composer:
         requirements = self._required(sketch, times, anchors, connected)
         said = self.draft.text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
-        self.remarks += second_lengths(lengths)
+        self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
         duration = lengths[0].duration if lengths else None
         operation, requirements, duration = without_denial(
             sketch.operation, requirements, duration, connected, said

@@ -66,9 +66,9 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return place
     if goes_on(tree, place, root, timed):
         return place
+    if place > 1 and _follows_so(tree, place, timed):
+        return place
     if place > 1 and place != root:
-        if _follows_so(tree, place, timed):
-            return place
         if is_overlooked(tree, place, timed, lexicon):
             return place
         if is_led_by_time(tree, place, timed, lexicon):

@@ -139,6 +139,16 @@ def second_lengths(lengths: Sequence[Grounded]) -> Iterator[Remark]:
             yield Remark(RemarkKind.POLICY, required.span, message)
 
 
+def second_repetitions(times: Sequence[Grounded]) -> Iterator[Remark]:
+    """Say which repetitions of what is to be done are not used: all but the first that differ from it."""
+    series = [one for one in times if one.recurrence is not None]
+    for one in series[1:]:
+        if one.recurrence != series[0].recurrence:
+            required = one.requirement
+            message = f"{required.text!r} is not used: of two repetitions of one thing, the first is taken"
+            yield Remark(RemarkKind.POLICY, required.span, message)
+
+
 def unknown_length(anchor: Anchor | None, span: Span) -> Iterator[Remark]:
     """Point at a length of which nothing is known."""
     if anchor is not None and anchor.target is None:

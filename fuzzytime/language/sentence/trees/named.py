@@ -23,7 +23,9 @@ def names_person(thing: str, lexicon: Lexicon) -> bool:
     words = [word.text for word in words_of(thing)]
     if not words or words[0] in PRONOUNS | SOMEBODY:
         return False
-    return thing[:1].isupper() or not (lexicon.persons | lexicon.animals).isdisjoint(words)
+    # "Gym at six" begins with a capital as it begins a sentence.
+    capital = thing[:1].isupper() and (lexicon.happening | lexicon.taken).isdisjoint(words)
+    return capital or not (lexicon.persons | lexicon.animals).isdisjoint(words)
 
 
 def may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
