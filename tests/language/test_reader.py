@@ -421,6 +421,21 @@ def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
     assert not [remark for remark in both.remarks if "repetitions" in remark.message]
 
 
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("Clean the garage over the bank holiday weekend", ["bank holiday weekend"]),
+        ("Paint the fence on bank holiday monday", ["monday"]),
+        ("Paint the fence over the weekend", []),
+        ("Visit the weekend market", []),
+    ],
+)
+def test_days_that_are_not_known_are_pointed_at(text: str, left: list[str]) -> None:
+    reading = language().read(text, now=NOW)
+    unknown = [r for r in reading.remarks if r.message.endswith("looks like a time and was not understood")]
+    assert [text[slice(*remark.span)] for remark in unknown] == left
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

@@ -50,6 +50,9 @@ TENS = 10
 FEAST_WORDS = 3
 """Words of a feast's name before another that may be a time, at most."""
 
+BANK_HOLIDAY = ["bank", "holiday"]
+"""Words before a weekday on a date that is not known here."""
+
 REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
 """Words behind which "but" takes out: "every day but sunday"."""
 
@@ -153,6 +156,9 @@ class Borders:
         for place in range(piece.start, piece.end):
             other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
             if other and any(one.category == "feast" for one in self.around.pieces(place)):
+                return True
+            if self.texts[max(0, place - 2) : place] == BANK_HOLIDAY and self.around.is_weekday(place):
+                # "On bank holiday monday"
                 return True
         return False
 

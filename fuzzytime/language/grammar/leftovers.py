@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.borders import SAYING
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
@@ -19,6 +19,13 @@ TELLING = frozenset(
 
 AWAY = frozenset({"ahead", "beforehand", "early", "earlier", "late"})
 """Words that say that a length of time is a distance: "an hour ahead"."""
+
+WEEKEND = "weekend"
+WEEKENDING = frozenset({"over", "during", "at", "on", "for", "by", "before", "after", "until", "till"})
+"""Prepositions behind which a weekend is when."""
+
+LONGEST_WEEKEND = 6
+"""Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -40,6 +47,7 @@ def not_understood(text: str, span: Span) -> str:
 def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> Iterator[int]:
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
     around = Surroundings(scanned.words, lexicon)
+    yield from _weekends(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -69,6 +77,24 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
             other = start > 0 and around.texts[start - 1] in lexicon.other_calendars
             if other and around.may_end(piece):
                 yield from range(start - 1, piece.end)
+
+
+def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of weekends that are not known: "over the bank holiday weekend"."""
+    for place, word in enumerate(scanned.words):
+        known = any(first < word.end and word.start < end for first, end in explained)
+        if word.text != WEEKEND or known:
+            continue
+        led = next(
+            (p for p in range(place - 2, max(-1, place - LONGEST_WEEKEND), -1) if _binds(around, p)), None
+        )
+        if led is not None:
+            yield from range(led + 2, place + 1)
+
+
+def _binds(around: Surroundings, place: int) -> bool:
+    """Whether a preposition that binds times, and an article, stand at a place."""
+    return around.texts[place] in WEEKENDING and around.texts[place + 1] in OWNING
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:
