@@ -32,7 +32,7 @@ ASKING = frozenset(
 """Verbs behind "when" that ask."""
 
 WERE = frozenset({"was", "were"})
-HAVE = frozenset({"has", "have", "'s", "'ve", "’s", "’ve"})
+HAVE = frozenset({"has", "have"})
 BY = frozenset({"by", "back", "forward"})
 COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
 """Words before a unit in a length of time."""
@@ -160,7 +160,7 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & WERE)
     # "The meeting has been moved"
-    past = past or (node.tag == "VBN" and "been" in helping and bool(helping & HAVE))
+    past = past or (node.tag == "VBN" and "been" in helping and not helping & ASKING - HAVE)
     # "In no time the tent was up"
     led = node.lower in WERE and root > 0
     named = tree.nodes[subjects[0]].lower not in SPEAKERS_AND_ASKED if subjects else led
