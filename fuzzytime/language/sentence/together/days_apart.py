@@ -7,6 +7,7 @@ behind it; any other for the times of its own instruction.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.meaning.beside import told_apart
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
@@ -68,6 +69,22 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
     return placed if heading is None else [_under(sketch, heading) for sketch in placed]
+
+
+def on_owned_day(sketch: Sketch, lexicon: Lexicon) -> Sketch:
+    """Put what happens on the day that it is named by: "friday's meeting is at ten"."""
+    operation = sketch.operation
+    named = (operation.object or "").lower().replace("’", "'") if operation and operation.stated else ""
+    owner, mark, _ = named.removeprefix("the ").partition("'s ")
+    entries = lexicon.entries.get(owner, ()) if mark else ()
+    days = [Fields(weekday=e.value) if e.category == "weekday" else e.value for e in entries if _is_day(e)]
+    if not days or any(phrase.said.is_day for phrase in sketch.phrases):
+        return sketch
+    return _on_day(sketch, _Day(Said(Wall(days[0]))))
+
+
+def _is_day(entry: Entry) -> bool:
+    return entry.category in {"weekday", "day"} and len(entry.words) == 1
 
 
 def under_first_line(sketches: list[Sketch], text: str) -> list[Sketch]:
