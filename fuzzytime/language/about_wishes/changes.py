@@ -8,8 +8,6 @@ from fuzzytime.language.grammar.lexicon import longest_match
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
 FOR = "for"
-KEEPING = frozenset({"keep", "leave"})
-"""What is said of what was dropped or changed, for it to stay as it was."""
 
 DOING = "do"
 BETWEEN = frozenset({"and", "with", "for"})
@@ -117,7 +115,7 @@ def _corrected(said: Said) -> About | None:
             break
         place += len(form) if form is not None else 1
     rest = said.behind(place)
-    if place and rest.forms[:1] and rest.forms[0] in KEEPING and _is_last(rest.behind(1)):
+    if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, certain=True)
     delayed = _by(rest)

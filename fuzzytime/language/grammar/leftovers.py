@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.borders import SAYING
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
@@ -16,9 +15,6 @@ TELLING = frozenset(
     | {"unfinished"}
 )
 """Categories of pieces that look like time."""
-
-AWAY = frozenset({"ahead", "beforehand", "early", "earlier", "late"})
-"""Words that say that a length of time is a distance: "an hour ahead"."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -59,7 +55,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or _is_title(piece, around)
                     or _is_share(piece, scanned)
                     or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
-                    or (around.describes(piece) and around.follower(piece) not in AWAY)
+                    or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
                     or _is_compound(piece, around)
                 ):
                     continue
@@ -82,7 +78,7 @@ def _is_title(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine"."""
     named = around.follower(piece)
     known = named in around.lexicon.function_words or around.timely(piece.end)
-    told = named in SAYING
+    told = named in around.lexicon.beside.saying
     return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
 
 

@@ -4,17 +4,11 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Repeat, Said, Time, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
-
-MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
-"""Words behind a number of minutes without their unit."""
-
-STOPS = frozenset({",", ".", ";", "and", "then"})
-"""Words behind which another order begins."""
 
 
 def lacks_unit(said: Said) -> bool:
@@ -35,7 +29,7 @@ class Lent:
     """What stands around numbers without a unit, and whether it tells their unit."""
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.around = around
         self.texts = [word.text for word in words]
 
@@ -60,16 +54,16 @@ class Lent:
             place
             for place in range(piece.start)
             if self.texts[place] in self.lexicon.timing
-            and (place == 0 or self.texts[place - 1] not in OWNING)
+            and (place == 0 or self.texts[place - 1] not in self.closed.openers)
         ]
-        whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
+        whole = not verbs or not self.beside.stops & set(self.texts[verbs[-1] : piece.start])
         told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
-        return told and self.around.follower(piece) in MAY_FOLLOW
+        return told and self.around.follower(piece) in ({""} | self.beside.behind_minutes)
 
     def seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it is for how many: "a table for four on friday"."""
         clock = time.clock if isinstance(time, Wall) else None
         hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
-        worded = not OF_CLOCKS & set(self.texts[piece.start : piece.end])
+        worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")
         return hour and worded and self.texts[max(0, begin - 2) : begin] == ["table", "for"]

@@ -5,8 +5,10 @@ from pathlib import Path
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import misspellings
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
+from fuzzytime.language.grammar.word_tables.groups import read_groups
 from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
@@ -45,6 +47,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
     policy = read_policy(days)
     usual_hours = read_usual_hours(days)
+    doing = read_groups(speech, "doing", Doing)
+    closed = read_groups(speech, "closed_classes", ClosedClasses)
+    beside = read_groups(speech, "beside_times", BesideTimes)
     mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
     if mistakes:
         raise DocumentError(mistakes)
@@ -86,7 +91,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         places=speech.single_words("places"),
         vague_adverbs=speech.single_words("vague_adverbs"),
-        doing=_by_use(speech, "doing"),
+        doing=doing,
+        closed=closed,
+        beside=beside,
         past=_by_use(speech, "past"),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
@@ -158,7 +165,7 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling",
+    "passing", "doing", "past", "circling", "closed_classes", "beside_times",
 )  # fmt: skip
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",

@@ -14,6 +14,9 @@ FULL_STOP_BELOW = 6
 MORE_WORDS = 0.1
 """What each further word of a form weighs: "sometime around" is one preposition, not one and a hedge."""
 
+SOURCE = "source"
+"""The key of a section that says where its words are from."""
+
 Form = tuple[str, ...]
 
 

@@ -19,7 +19,6 @@ MOST_OF = 5
 
 _ARTICLES = frozenset({"a", "an", "the", "its"})
 _THOUSANDS = re.compile(r"\d{1,3}(?:,\d{3})+(?:\.\d+)?")
-_TO = ("and", "to", "-")
 _MINUS = frozenset({"-", "minus"})
 
 
@@ -49,7 +48,7 @@ def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Itera
             place += 1
             continue
         side, until = lexicon.comparisons[form], None
-        if number.end < last and words[number.end].text in _TO:
+        if number.end < last and words[number.end].text in lexicon.closed.reaching_or_both:
             until = _number(scanned, number.end + 1, last, lexicon)
         ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value
         if ranges and until is not None:

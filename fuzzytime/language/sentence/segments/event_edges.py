@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from collections.abc import Set as AbstractSet
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.requirement import Edge
 
@@ -31,12 +30,7 @@ BY = ("by",)
 LONGEST_EVENT = 5
 """Words of the name of an event, at most: "the knocking-off time"."""
 
-WHICH = frozenset({"next", "this", "that", "same", "last", "first", "some", "any", "every"})
-"""Words before "time" that make it no event."""
-
 AS_LONG = ("as", "long", "as")
-TIMES_AS = frozenset({"half", "twice", "times", "for", "just", "exactly", "about"})
-"""Words before "as long as" that make it a length, and no condition."""
 
 
 def edge_of(words: Sequence[Word], place: int, covered: AbstractSet[int]) -> tuple[Edge, int] | None:
@@ -52,19 +46,22 @@ def is_event(
     words: Sequence[Word], first: int, end: int, covered: AbstractSet[int], lexicon: Lexicon
 ) -> bool:
     """Whether the name of what has a time stands at a place: "by the meeting"; but "go by train"."""
+    closed = lexicon.closed
     eventful = lexicon.happening | lexicon.taken | {"time"}
     named = eventful - lexicon.travelling
     for place in range(first, min(end, first + LONGEST_EVENT)):
         text = words[place].text
-        if place in covered or (text in lexicon.function_words and text not in OWNING):
+        if place in covered or (text in lexicon.function_words and text not in closed.openers):
             return False
         # "By the party" is no way to travel.
-        owned = place > first and words[place - 1].text in OWNING and text in eventful & lexicon.events
+        owned = (
+            place > first and words[place - 1].text in closed.openers and text in eventful & lexicon.events
+        )
         if (text in named or owned) and (place + 1 >= end or place + 1 in covered):
-            return place > first and words[place - 1].text not in WHICH
+            return place > first and words[place - 1].text not in lexicon.beside.no_event
     return False
 
 
-def is_length(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
+def is_length(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a marker is a part of a length: "half as long as you cooked it"."""
-    return form == AS_LONG and place > 0 and words[place - 1].text in TIMES_AS
+    return form == AS_LONG and place > 0 and words[place - 1].text in lexicon.beside.as_long_as

