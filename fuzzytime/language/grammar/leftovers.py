@@ -106,7 +106,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         known = called in around.lexicon.function_words or called in around.lexicon.entries
         if not known and called not in around.lexicon.numbers:
             return True
-    named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
+    named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
     return piece.category == "unit" and named and not bound

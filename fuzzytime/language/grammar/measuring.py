@@ -8,10 +8,6 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
-STATING = (["is"], ["are"], ["was"], ["runs"], ["goes"])
-OWNED = frozenset({"my", "your", "our", "his", "her", "their", "the", "a"})
-"""Words around what is no verb."""
-
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
@@ -73,10 +69,12 @@ class Measures:
         if self.texts[piece.start] not in {"by", "from", "up"}:
             return False
         following = self.texts[place + 1 : piece.start + 1]
-        if following[:1] in STATING or (place and self.texts[place - 1] in OWNED):
+        if not self.beside.stating.isdisjoint(following[:1]) or (
+            place and self.texts[place - 1] in self.closed.openers
+        ):
             # "My shift is from 7 to 3": a thing, and no verb.
             return False
-        named = OWNED.intersection(self.texts[max(0, place - 2) : place])
+        named = self.closed.openers.intersection(self.texts[max(0, place - 2) : place])
         if text in lexicon.frames and place + 1 == piece.start and named:
             # "The late shift from 2 to 10"
             return False

@@ -60,7 +60,7 @@ class Walls(Standing):
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
             # "After the 10 o'clock feed"
-            clocked = self.around.follower(piece) in {"o'clock", "oclock", "am", "pm", "a.m.", "p.m."}
+            clocked = self.around.follower(piece) in self.beside.of_hours
             return bound and not clocked and self.around.may_end(piece)
         part = wall.days is None and wall.clock is None
         if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):

@@ -19,6 +19,8 @@ class ClosedClasses:
     owners: Words
     openers: Words
     sure_openers: Words
+    before_numbers: Words
+    of_units: Words
     each: Words
     each_of_several: Words
     all_of_some: Words
@@ -29,6 +31,7 @@ class ClosedClasses:
     behind_verbs: Words
     speakers: Words
     speakers_and_asked: Words
+    asked: Words
     he_or_she: Words
     somebody: Words
     anybody: Words
@@ -43,6 +46,7 @@ class ClosedClasses:
     begin_what_is_so: Words
     said_before: Words
     it_or_them: Words
+    them: Words
     several: Words
     things: Words
     persons: Words
@@ -85,6 +89,12 @@ class ClosedClasses:
     same_order: Words
     another_clause: Words
     further: Words
+    leading: Words
+    further_ones: Words
+    swapped: Words
+    end_of_an_event: Words
+    end_of_an_aside: Words
+    end_of_a_gap: Words
     opened_by: Words
     ways: Words
     of_nouns: Words
@@ -140,13 +150,22 @@ class BesideTimes:
     put_off: Words
     plurals: Words
     spending: Words
+    stating: Words
+    minus: Words
     greeting: Words
     of_lengths: Words
     marking_order: Words
     taken_back: Words
     courteous: Words
+    starts: Words
+    ends: Words
+    the_end: Words
+    thereafter: Words
+    obliging: Words
+    obliged: Words
     no_event: Words
     as_long_as: Words
+    excepting: Words
     excepted: Words
     due: Words
     over: Words

@@ -17,9 +17,6 @@ BESIDE = 2
 LONGEST_ASIDE = 6
 """Words at most before the time of an event in what is said of it."""
 
-CLOSING = frozenset({",", ".", ";", "!", ")", "and"})
-"""What ends it."""
-
 
 @dataclass(frozen=True, slots=True)
 class BeforeMarker:
@@ -64,15 +61,13 @@ class BeforeMarker:
         texts = [word.text for word in self.words]
         if texts[end : end + 1] == ["("]:
             return next((phrase for phrase in self.phrases if phrase.first == end + 1), None)
-        if texts[end : end + 1] != [","] or texts[end + 1 : end + 2] not in [
-            [word] for word in closed.of_asides
-        ]:
+        if texts[end : end + 1] != [","] or closed.of_asides.isdisjoint(texts[end + 1 : end + 2]):
             return None
         told = (phrase for phrase in self.phrases if end + 2 < phrase.first <= end + 2 + LONGEST_ASIDE)
         time = next(told, None)
-        if time is None or not CLOSING.isdisjoint(texts[end + 2 : time.first]):
+        if time is None or not closed.end_of_an_event.isdisjoint(texts[end + 2 : time.first]):
             return None
-        closes = time.end == len(texts) or texts[time.end] in CLOSING
+        closes = time.end == len(texts) or texts[time.end] in closed.end_of_an_event
         over = not closed.was.isdisjoint(texts[end + 2 : time.first])
         return (_before_now(time) if over else time) if closes else None
 

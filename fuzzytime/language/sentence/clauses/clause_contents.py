@@ -98,7 +98,7 @@ class Contents:
                 text = " ".join(
                     self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
                 )
-                if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
+                if text.lower() not in self.lexicon.closed.anybody:
                     return text
         return None
 

@@ -20,9 +20,6 @@ from fuzzytime.language.sentence.references.mentions import (
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 
-END = frozenset({"the end", "the very end"})
-"""Words for the end of what goes on."""
-
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
 
@@ -78,7 +75,11 @@ class Anchors:
         ):
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
-        if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
+        if (
+            clause.is_event
+            and (clause.object or "").lower() in self.lexicon.beside.the_end
+            and self.mentions.lasting
+        ):
             # "Add the hops 15 minutes before the end"
             return self.going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
@@ -179,7 +180,7 @@ class Anchors:
         edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
         if clause.edge is not None:
             edge = clause.edge
-        elif (clause.object or "").lower() in END or self._is_done_soon(clause):
+        elif (clause.object or "").lower() in self.lexicon.beside.the_end or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"

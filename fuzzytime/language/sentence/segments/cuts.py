@@ -24,15 +24,6 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
 
-THEREAFTER = (
-    ["thereafter"],
-    ["afterwards"],
-    ["after", "that"],
-    ["from", "then", "on"],
-    ["from", "there", "on"],
-)
-"""Ends of a repetition that goes on from where the one before it is over."""
-
 SHORTEST_GAP = 2
 """Words at least between two times of which the second is another thing's: "and lunch"."""
 
@@ -148,7 +139,8 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
             continue
         between = {word.text for word in words[old.end : new.first]}
         said = [word.text for word in words[new.first : new.end]]
-        behind = next((form for form in THEREAFTER if said[-len(form) :] == form), None)
+        forms = (form.split() for form in part.tree.lexicon.beside.thereafter)
+        behind = next((form for form in forms if said[-len(form) :] == form), None)
         if behind is not None and between and between <= {"and", ",", "but", "&"}:
             joint = (words[new.end - len(behind)].start, new.span[1])
             return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)

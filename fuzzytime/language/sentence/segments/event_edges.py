@@ -7,12 +7,6 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.requirement import Edge
 
-EDGES = {
-    **dict.fromkeys(("start", "beginning", "opening", "outset"), Edge.START),
-    **dict.fromkeys(("end", "close", "finish", "ending", "closing"), Edge.END),
-}
-"""Words for the edges of what goes on: "by the end of the lesson"."""
-
 LONGEST_EDGE = 4
 """Words of "the very end of"."""
 
@@ -33,13 +27,21 @@ LONGEST_EVENT = 5
 AS_LONG = ("as", "long", "as")
 
 
-def edge_of(words: Sequence[Word], place: int, covered: AbstractSet[int]) -> tuple[Edge, int] | None:
+def edge_of(
+    words: Sequence[Word], place: int, covered: AbstractSet[int], lexicon: Lexicon
+) -> tuple[Edge, int] | None:
     """Give which edge of an event words name, and where the event begins: "the end of the lesson"."""
     texts = [word.text for word in words[place : place + LONGEST_EDGE]]
     said = [text for text in texts if text not in {"the", "very"}][:2]
-    edge = EDGES.get(said[0]) if said[1:] == ["of"] else None
+    edge = _edge(said[0], lexicon) if said[1:] == ["of"] else None
     behind = place + texts.index("of") + 1 if edge is not None else 0
     return (edge, behind) if edge and behind < len(words) and behind not in covered else None
+
+
+def _edge(word: str, lexicon: Lexicon) -> Edge | None:
+    if word in lexicon.beside.starts:
+        return Edge.START
+    return Edge.END if word in lexicon.beside.ends else None
 
 
 def is_event(

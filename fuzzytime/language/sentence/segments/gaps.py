@@ -14,9 +14,6 @@ from fuzzytime.language.meaning.expressions import Duration
 BETWEEN = "between"
 OWNING = frozenset({"'s", "’s", "'", "’"})
 
-MARKS = frozenset({",", ".", ";", "!", ")", "and", "then", "but"})
-"""What may follow: "between the soup and the main course" names two things."""
-
 APART, EACH_ONE = "apart", "each"
 """What is said instead, which is shorter."""
 
@@ -49,7 +46,7 @@ def _gaps(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[Span, Span, str]
                 yield (words[led].start, words[piece.start].start), (first, words[end - 1].end), APART
         elif words[place].text in lexicon.closed.per and place + 1 < len(words) and place == piece.end:
             turn = words[place + 1].text
-            if turn in lexicon.spacing["turns"] and _ends(words, place + 2):
+            if turn in lexicon.spacing["turns"] and _ends(words, place + 2, lexicon):
                 yield (first, first), (first, words[place + 1].end), EACH_ONE
 
 
@@ -60,16 +57,16 @@ def _end(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     behind = place + each
     if each and behind < len(words) and words[behind].text in closed.each_of_several:
         behind += 1
-    if each and words[place].text == "each" and _ends(words, behind):
+    if each and words[place].text == "each" and _ends(words, behind, lexicon):
         return behind
-    if behind >= len(words) or not words[behind].is_letters or not _ends(words, behind + 1):
+    if behind >= len(words) or not words[behind].is_letters or not _ends(words, behind + 1, lexicon):
         return None
     text = words[behind].text
     return behind + 1 if each or text in lexicon.beside.behind_gaps or text.endswith("s") else None
 
 
-def _ends(words: Sequence[Word], place: int) -> bool:
-    return place >= len(words) or words[place].text in MARKS
+def _ends(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    return place >= len(words) or words[place].text in lexicon.closed.end_of_a_gap
 
 
 def _led(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:

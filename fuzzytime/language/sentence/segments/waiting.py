@@ -22,9 +22,6 @@ from fuzzytime.language.sentence.verbs.statement_trees import leaves
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
-JOINING = (["and"], ["&"], ["then"], ["but"])
-"""Words behind which a clause in front leads a further instruction."""
-
 
 AT = "at"
 """The preposition of clock times, which holds for the one that corrects them too."""
@@ -133,7 +130,11 @@ class Waiting:
         words = self.source.scanned.words
         for position, place in enumerate(self.source.places(*self.segment.span)):
             before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
-            leads = self.main == self.segment.span[0] if position == 0 else before[-1:] in JOINING
+            leads = (
+                self.main == self.segment.span[0]
+                if position == 0
+                else not lexicon.closed.leading.isdisjoint(before[-1:])
+            )
             leads = leads and (position == 0 or words[place].start >= self.main)
             marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
             if marker is not None:

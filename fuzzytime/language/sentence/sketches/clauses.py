@@ -38,9 +38,6 @@ A_DAY = Duration(((1, Unit.DAY),))
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
 
-EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
-"""Words before a marker whose clause says when not to do something, or that it is done all the same."""
-
 OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
 
@@ -168,7 +165,11 @@ class _Clauses:
         ):
             # "By kick-off", "by knocking-off time"
             return BY
-        return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
+        return (
+            (text,)
+            if known and edge_of(self.words, place + 1, self.covered, self.lexicon) is not None
+            else None
+        )
 
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
@@ -190,7 +191,10 @@ class _Clauses:
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
-        edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
+        edge, first = edge_of(self.words, place + len(form), self.covered, self.lexicon) or (
+            None,
+            place + len(form),
+        )
         if (
             place
             and self.words[place - 1].text == "one"
@@ -273,7 +277,9 @@ class _Clauses:
     def _denied(self, clause: Clause | None, place: int) -> Clause | None:
         """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""
         before = [word.text for word in self.words[max(0, place - 2) : place]]
-        if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
+        if clause is None or not (
+            not self.lexicon.beside.excepting.isdisjoint(before[-1:]) or before == ["except", "for"]
+        ):
             return clause
         if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
             return replace(clause, excepted=True)

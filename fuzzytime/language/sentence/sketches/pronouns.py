@@ -9,8 +9,6 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import is_several
 
-PEOPLE = frozenset({"them"})
-
 
 def resolved_object(
     operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
@@ -32,7 +30,7 @@ def resolved_object(
         return f"{resolved_object(alone, own, mentions, first)} {rest}"
     if operation.object is None or operation.object.lower() not in pronouns.things:
         return operation.object
-    if operation.lemma in lexicon.addressing and operation.object.lower() in PEOPLE:
+    if operation.lemma in lexicon.addressing and operation.object.lower() in pronouns.them:
         # "Tell them when to stop"
         return operation.object
     several = operation.object.lower() in pronouns.several

@@ -20,10 +20,6 @@ NAMES = ("NN", "CD")
 DENYING = "not"
 
 
-OBLIGING = (["has", "to"], ["have", "to"])
-"""What begins no question: "then has to cool for an hour"."""
-
-
 def doubts_of(
     text: str, span: Span, words: Sequence[Word], sketch: Sketch, lexicon: Lexicon
 ) -> Iterator[Remark]:
@@ -31,7 +27,7 @@ def doubts_of(
     tree = sketch.part.tree
     said = [word for word in words if span[0] <= word.start < span[1]]
     behind = next((word.text for word in words if word.start >= span[1]), "")
-    has_to = [word.text for word in said[:2]] in OBLIGING and behind != "?"
+    has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
         return

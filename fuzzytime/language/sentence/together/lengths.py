@@ -13,9 +13,6 @@ from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
-OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
-"""How words begin that leave out what they are about: "has to be done before six"."""
-
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
 
@@ -69,7 +66,8 @@ def time_of(
         )
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    if text.split(maxsplit=1)[0].lower() == operation.verb and text.lower().split()[:2] not in OBLIGED:
+    obliged = " ".join(text.lower().split()[:2]) in anchors.lexicon.beside.obliged
+    if text.split(maxsplit=1)[0].lower() == operation.verb and not obliged:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
@@ -83,7 +81,7 @@ def time_of(
     ):
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
-    if words[0] in closed.things | closed.all_meant or words[:2] in OBLIGED:
+    if words[0] in closed.things | closed.all_meant or obliged:
         asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         target: int | None = next(asked, None)
     else:

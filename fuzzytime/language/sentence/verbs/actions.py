@@ -12,7 +12,6 @@ from fuzzytime.requirement import Reference
 COMPLEMENTS = ("xcomp", "ccomp")
 PRESENT = frozenset({"VBZ", "VBP"})
 FINITE = PRESENT | {"VBD"}
-ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
 
 DEEPEST = 4
@@ -154,10 +153,10 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
         # "It's going to be lovely"
         whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
-        return bool(whose) and whose[0] not in ASKED
+        return bool(whose) and whose[0] not in closed.asked
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
-    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in ASKED:
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.asked:
         return False
     is_so = node.lemma in closed.be and node.tag in PRESENT and not helping
     goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.am
