@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from enum import StrEnum
 
+from fuzzytime.english import EMPTY, singular
 from fuzzytime.language.about_wishes.said import CLOCKED, TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.references.mentions import verb_forms
-from fuzzytime.language.sentence.trees.content_words import EMPTY, content_words, singular
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
 
 CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")

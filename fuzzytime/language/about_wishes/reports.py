@@ -1,10 +1,10 @@
 """Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
-from fuzzytime.language.sentence.trees.content_words import EMPTY
 
 PAST = frozenset({"VBN", "VBD"})
 WITH = "with"

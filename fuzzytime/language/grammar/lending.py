@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
@@ -13,9 +14,6 @@ from fuzzytime.requirement import Constraint, Unit
 
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
-
-PARTICIPLE = "ing"
-"""The ending of a verb that goes on beside another."""
 
 NOON = 12 * 3600
 

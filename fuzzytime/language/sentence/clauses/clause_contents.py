@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from fuzzytime.english import REFLEXIVE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -15,9 +16,6 @@ STATED = frozenset({"when", "if", "until"})
 
 NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
-
-REFLEXIVE = ("self", "selves")
-"""How pronouns end that are no event: "clean up after yourselves"."""
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 

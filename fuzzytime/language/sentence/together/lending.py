@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
@@ -19,7 +20,6 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.content_words import singular
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint, Reference, Unit
 

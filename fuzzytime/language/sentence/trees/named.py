@@ -1,9 +1,9 @@
 """What an object names: a thing or a person, one or several; what pronouns may stand for."""
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.trees.content_words import singular
 
 
 def names_person(thing: str, lexicon: Lexicon) -> bool:

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.english import WHITHER
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.wording import Wording
 from fuzzytime.language.sentence.verbs.actions import is_numbered_place
@@ -11,10 +12,6 @@ HOW = ("RB", "JJ", "IN")
 """How tags of words begin that say how: "quite slowly", "at least twice"."""
 
 PLACES = ("prep", "advmod", "npadvmod")
-
-
-WHITHER = ("wards", "wise")
-"""How adverbs end that say where to, or which way round."""
 
 
 def says_where(word: str, lexicon: Lexicon) -> bool:
