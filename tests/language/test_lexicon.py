@@ -1,13 +1,14 @@
 """Word tables are read whole, and every mistake in them has its line and column."""
 
 import re
-from dataclasses import fields
+from dataclasses import fields, replace
+from datetime import datetime
 from pathlib import Path
 
 import pytest
 
 from fuzzytime.errors import DocumentError
-from fuzzytime.language import read_lexicon, shipped_lexicon
+from fuzzytime.language import Language, Lexicon, find_times, read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
 from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
 from fuzzytime.resources import rules_directory
@@ -113,10 +114,10 @@ def test_a_group_that_is_missing_is_told(tmp_path: Path) -> None:
 
 
 def test_a_section_that_is_no_list_of_words_is_told(tmp_path: Path) -> None:
-    changed = LEXICON.replace(
+    wrong = LEXICON.replace(
         "fillers:\n  source: ours\n  words: [", "fillers:\n  source: ours\n  words: [[], "
     )
-    (mistake,) = mistakes(tmp_path, lexicon=changed)
+    (mistake,) = mistakes(tmp_path, lexicon=wrong)
     assert "fillers.words[0]: must be a text, got a list" in mistake
 
 
@@ -124,6 +125,28 @@ def test_a_group_holds_the_words_of_the_groups_in_it() -> None:
     closed = shipped_lexicon().closed
     assert closed.articles | closed.owners == closed.openers
     assert closed.speakers < closed.unasked < closed.anybody < closed.no_noun
+
+
+def changed(tmp_path: Path, old: str, new: str) -> Lexicon:
+    """Give the word tables with one row changed, as somebody's own."""
+    assert LEXICON.count(old) == 1
+    (tmp_path / "lexicon.yaml").write_text(LEXICON.replace(old, new), "utf-8")
+    return read_lexicon(tmp_path / "lexicon.yaml", rules_directory() / "calendar.yaml")
+
+
+def test_a_word_that_is_added_to_a_group_is_understood_by_the_grammar(tmp_path: Path) -> None:
+    text, now = "move thy 3 pm to five", datetime.fromisoformat("2026-03-04T09:00")
+    own = changed(tmp_path, "  owners: [<sure owners>, his, her]", "  owners: [<sure owners>, his, her, thy]")
+    assert [found.text for found in find_times(text, now).requirements] == ["3 pm to five"]
+    assert [found.text for found in find_times(text, now, own).requirements] == ["to five"]
+
+
+def test_a_word_that_is_added_to_a_group_is_understood_in_a_sentence(tmp_path: Path) -> None:
+    text, now = "ditch all meetings after three", datetime.fromisoformat("2026-03-04T09:00")
+    own = changed(tmp_path, "  dropping: [cancel, drop,", "  dropping: [ditch, cancel, drop,")
+    language = Language.shipped()
+    assert language.read(text, now=now).instructions[0].requirements
+    assert not replace(language, lexicon=own).read(text, now=now).instructions[0].requirements
 
 
 def test_every_section_of_words_says_where_they_are_from() -> None:
