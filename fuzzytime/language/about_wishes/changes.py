@@ -54,7 +54,9 @@ def _swapped(said: Said) -> About | None:
     rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in {("around",), ("over",)} else rest
     if not rest.words or rest.is_in("both"):
         return About(kind=AboutKind.SWAP, both=True, certain=True)
-    joint = next((place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.swapped), 0)
+    joint = next(
+        (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
+    )
     one, other = rest.until(joint), rest.behind(joint + 1)
     if not joint or not other.words:
         return None

@@ -197,7 +197,7 @@ class _Clause:
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
         """Give news of what the words that are left name; None where they say more than that."""
         forms = left.forms
-        if self.lexicon.closed.some_one & set(forms) or not all(
+        if self.lexicon.closed.indefinite_determiners & set(forms) or not all(
             form.replace("'", "").isalnum() for form in forms
         ):
             return None

@@ -77,7 +77,7 @@ def _finished(said: Said) -> About | None:
     for place, word in enumerate(said.forms):
         subject, mark, being = word.partition("'")
         state = said.behind(place + 1)
-        if (mark + being if mark else word) in said.lexicon.closed.present_be and _is_over(state):
+        if (mark + being if mark else word) in said.lexicon.closed.third_person_be and _is_over(state):
             # "The soup is ready", "it's done"
             thing = said.until(place)
             owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
@@ -113,5 +113,7 @@ def reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
     if operation.verb.lower() == operation.lemma:
         # "I put the bins out" may be what who speaks does, or did
         return None
-    speaks = any(part.relation == "nsubj" and part.text.lower() in lexicon.closed.speakers for part in parts)
-    return operation if speaks and operation.object not in lexicon.closed.things else None
+    speaks = any(
+        part.relation == "nsubj" and part.text.lower() in lexicon.closed.first_person for part in parts
+    )
+    return operation if speaks and operation.object not in lexicon.closed.anaphors else None

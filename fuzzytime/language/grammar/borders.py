@@ -67,7 +67,7 @@ class Borders:
         if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
-        return further or not (follower in self.closed.another_clause or self.around.opens(piece.start))
+        return further or not (follower in self.closed.further_clause or self.around.opens(piece.start))
 
     def _hedges_what_follows(self, piece: Piece) -> bool:
         """Whether its last words wish for the time behind them: "after six, preferably | around seven"."""
@@ -106,7 +106,7 @@ class Borders:
         while verb > 0 and (
             self.around.timely(verb)
             or self.measures.is_number(verb)
-            or self.texts[verb] in self.closed.sure_openers
+            or self.texts[verb] in self.closed.sure_noun_openers
         ):
             verb -= 1
         return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
@@ -195,7 +195,7 @@ class Borders:
         wall = piece.value.time
         days = wall.days if isinstance(wall, Wall) and wall.clock is not None else None
         alone = isinstance(days, Fields) and days == Fields(day=days.day)
-        return ordinal and alone and self.around.before(piece) not in self.closed.sure_openers
+        return ordinal and alone and self.around.before(piece) not in self.closed.sure_noun_openers
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
@@ -222,7 +222,7 @@ class Borders:
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
-        if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.openers:
+        if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
         if first == "over":
@@ -266,7 +266,7 @@ class Borders:
     def _is_named(self, piece: Piece) -> bool:
         """Whether its preposition names a thing: "the till"."""
         return (
-            self.around.before(piece) in self.closed.sure_openers
+            self.around.before(piece) in self.closed.sure_noun_openers
             and (self.texts[piece.start],) in self.lexicon.clauses
         )
 
@@ -295,6 +295,6 @@ class Borders:
         owning = (
             place
             for place in range(piece.start + 1, piece.end - 1)
-            if self.texts[place] in self.closed.openers
+            if self.texts[place] in self.closed.noun_openers
         )
         return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)

@@ -119,7 +119,7 @@ class Judge:
             # "Walk at ten to the gate", "half past the volume"
             follower = self.around.follower(piece)
             sure = said.preposition in OF_HOURS or bool(said.hedges)
-            counts = follower in self.closed.openers or self.measures.is_number(piece.end)
+            counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
             return sure and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
             # "In the last five minutes": of what, is not said; in what is asked for, never of the past.
@@ -148,7 +148,7 @@ class Judge:
     def _accepts_repeat(self, piece: Piece) -> bool:
         if (
             self.around.follower(piece) in {"before", "after"}
-            and self.texts[piece.end - 2] in self.closed.one_alone
+            and self.texts[piece.end - 2] in self.closed.singular_determiners
         ):
             # "Gate 22 an hour before take-off"
             return False
@@ -157,7 +157,7 @@ class Judge:
             return False
         if piece.rule == "repeated_days.parts_alone":
             # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
-            led = self.around.before(piece) in self.closed.openers | self.beside.binding_ranges | {
+            led = self.around.before(piece) in self.closed.noun_openers | self.beside.binding_ranges | {
                 "this",
                 "in",
                 ",",

@@ -87,7 +87,7 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
-    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in lexicon.closed.owners)
+    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in lexicon.closed.possessives)
     # "Move bingo from two to three": what has no article is done, and is no thing.
     named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
     if not named or not lexicon.moving & set(before):
@@ -113,11 +113,11 @@ def one_by_one(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> list[
     found = []
     first = phrase.first
     for place, said in enumerate(times):
-        while words[first].text in lexicon.closed.listing:
+        while words[first].text in lexicon.closed.coordinators:
             first += 1
         rest = range(first, phrase.end)
         last = place == len(times) - 1
-        end = phrase.end if last else next(at for at in rest if words[at].text in lexicon.closed.listing)
+        end = phrase.end if last else next(at for at in rest if words[at].text in lexicon.closed.coordinators)
         found.append(
             replace(phrase, said=said, first=first, end=end, span=(words[first].start, words[end - 1].end))
         )
@@ -139,7 +139,7 @@ def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word], lexicon: L
     first, second = phrase.said.time, following.said.time
     if (
         not joints
-        or joints - lexicon.closed.listing
+        or joints - lexicon.closed.coordinators
         or not isinstance(first, Wall)
         or not isinstance(second, Wall)
     ):

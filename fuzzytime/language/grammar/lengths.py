@@ -68,7 +68,7 @@ class Lengths(Standing):
 
     def _is_helped(self, place: int) -> bool:
         """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
-        return place > 0 and self.texts[place - 1] in self.closed.helping
+        return place > 0 and self.texts[place - 1] in self.closed.modals_before_lengths
 
     def _is_counting(self, piece: Piece) -> bool:
         """Whether a number without a unit counts units behind it: "in two business days"."""

@@ -54,7 +54,7 @@ class Lent:
             place
             for place in range(piece.start)
             if self.texts[place] in self.lexicon.timing
-            and (place == 0 or self.texts[place - 1] not in self.closed.openers)
+            and (place == 0 or self.texts[place - 1] not in self.closed.noun_openers)
         ]
         whole = not verbs or not self.beside.stops & set(self.texts[verbs[-1] : piece.start])
         told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone

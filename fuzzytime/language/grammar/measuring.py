@@ -43,7 +43,7 @@ class Measures:
         """Whether a clause says that something is a number: "when the queue is longer than 4"."""
         *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
         clause = any((text,) in self.lexicon.clauses for text in before)
-        return clause and verb in self.closed.said_of_things and subject not in self.beside.clock_subjects
+        return clause and verb in self.closed.stative_verbs and subject not in self.beside.clock_subjects
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
@@ -70,11 +70,11 @@ class Measures:
             return False
         following = self.texts[place + 1 : piece.start + 1]
         if not self.beside.stating.isdisjoint(following[:1]) or (
-            place and self.texts[place - 1] in self.closed.openers
+            place and self.texts[place - 1] in self.closed.noun_openers
         ):
             # "My shift is from 7 to 3": a thing, and no verb.
             return False
-        named = self.closed.openers.intersection(self.texts[max(0, place - 2) : place])
+        named = self.closed.noun_openers.intersection(self.texts[max(0, place - 2) : place])
         if text in lexicon.frames and place + 1 == piece.start and named:
             # "The late shift from 2 to 10"
             return False
@@ -90,7 +90,9 @@ class Measures:
         """Whether a repetition says how much in how long: "to 20 an hour", "at five km per hour"."""
         first = piece.start
         while (
-            first > 2 and self.texts[first - 2] in self.closed.reaching_or_both and self.is_number(first - 3)
+            first > 2
+            and self.texts[first - 2] in self.closed.range_joints_or_and
+            and self.is_number(first - 3)
         ):
             # "Repeat steps 1 to 7 every 40 minutes"
             first -= 2

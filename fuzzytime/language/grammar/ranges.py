@@ -13,7 +13,7 @@ class Ranges(Standing):
         if self.around.is_put_off(piece):
             # As in "Reschedule the 3 pm to 4:30".
             return False
-        if self.texts[piece.start] in self.closed.openers and not self.around.may_end(piece):
+        if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
         if self.around.is_owned(piece):

@@ -59,7 +59,9 @@ class Surroundings:
         follower = self.follower(piece)
         plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in self.beside.plurals
         # "By five call mum": what more than one counts is a plural.
-        counted = self.texts[piece.end - 1] not in self.closed.one_alone and piece.end - piece.start > 1
+        counted = (
+            self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
+        )
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
         called = follower in self.lexicon.addressing and behind in self.lexicon.persons
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
@@ -70,7 +72,7 @@ class Surroundings:
     def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
         *_, first, before = (".", ".", *self.texts[:place])
-        asked = before == "you" and first in self.closed.polite
+        asked = before == "you" and first in self.closed.requesting_modals
         return asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
 
     def describes(self, piece: Piece) -> bool:
@@ -130,12 +132,12 @@ class Surroundings:
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
-        return self.before(piece) in self.closed.owners or self.before(piece).endswith("'s")
+        return self.before(piece) in self.closed.possessives or self.before(piece).endswith("'s")
 
     def is_put_off(self, piece: Piece) -> bool:
         """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
-        owner = piece.start if self.texts[piece.start] in self.closed.openers else piece.start - 1
-        owning = owner > 0 and (self.texts[owner] in self.closed.openers or self.is_owned(piece))
+        owner = piece.start if self.texts[piece.start] in self.closed.noun_openers else piece.start - 1
+        owning = owner > 0 and (self.texts[owner] in self.closed.noun_openers or self.is_owned(piece))
         return owning and self.texts[owner - 1] in self.lexicon.rescheduling
 
     def is_caught(self, piece: Piece) -> bool:
@@ -167,7 +169,7 @@ class Surroundings:
             or self.texts[begin] in self.beside.of_clocks | self.lexicon.numbers.keys()
         ):
             begin -= 1
-        clock = begin < place and self.texts[begin] in self.closed.openers
+        clock = begin < place and self.texts[begin] in self.closed.noun_openers
         named = clock or self.texts[place] in self.lexicon.events
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
@@ -183,7 +185,7 @@ class Surroundings:
             worded = all(word.is_letters for word in self.words[piece.start : piece.end])
             return wall.days is None and wall.clock.full_day and worded
         days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
-        owned = self.texts[piece.start] in self.closed.openers
+        owned = self.texts[piece.start] in self.closed.noun_openers
         if owned and isinstance(days, Weekend):
             # "The weekend market"
             return True

@@ -52,7 +52,11 @@ class Walls(Standing):
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._accepts_pair(piece, said)
-        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in self.closed.openers:
+        if (
+            wall.part is not None
+            and wall.part.place
+            and self.texts[piece.end - 2] in self.closed.noun_openers
+        ):
             # "Before bed", but "before the bed is made"
             return False
         if wall.weak:
@@ -66,7 +70,7 @@ class Walls(Standing):
         if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
             # "Switch to night mode"
             return False
-        owned = self.texts[piece.end - 2] in self.closed.openers and piece.end - piece.start > 1
+        owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
         inside = piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
         if part and owned and inside and not self.around.may_end(piece):
             # "The kettle for the night staff"
@@ -87,9 +91,9 @@ class Walls(Standing):
     def _is_listed(self, piece: Piece) -> bool:
         """Whether another day of the week stands beside it: "on mon, wed and fri"."""
         before, behind = piece.start - 1, piece.end
-        while before > 0 and self.texts[before] in self.closed.listing_days:
+        while before > 0 and self.texts[before] in self.closed.coordinators_of_days:
             before -= 1
-        while behind < len(self.texts) and self.texts[behind] in self.closed.listing_days:
+        while behind < len(self.texts) and self.texts[behind] in self.closed.coordinators_of_days:
             behind += 1
         return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
 
@@ -98,7 +102,9 @@ class Walls(Standing):
         led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
         if led and self._is_of_thing(piece):
             return True
-        return self.around.follower(piece) in self.closed.listing_days and self._counts_things(piece, wall)
+        return self.around.follower(piece) in self.closed.coordinators_of_days and self._counts_things(
+            piece, wall
+        )
 
     def _is_of_thing(self, piece: Piece) -> bool:
         """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
@@ -187,14 +193,14 @@ class Walls(Standing):
         if "to" in {said.preposition, before} and self.around.names_place(piece):
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
-        owned = bool(self.closed.openers & set(self.texts[piece.start + 1 : piece.end][:1]))
+        owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
         inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
         if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
             return True
         # "My day planner"
         return (
             said.preposition is None
-            and self.texts[piece.start] in self.closed.owners
+            and self.texts[piece.start] in self.closed.possessives
             and not self.around.may_end(piece)
         )
 

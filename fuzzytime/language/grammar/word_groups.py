@@ -14,104 +14,104 @@ class ClosedClasses:
     """Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs: ``closed_classes``."""
 
     articles: Words
-    own: Words
-    sure_owners: Words
-    owners: Words
-    openers: Words
-    sure_openers: Words
+    first_person_possessives: Words
+    sure_possessives: Words
+    possessives: Words
+    noun_openers: Words
+    sure_noun_openers: Words
     before_numbers: Words
     of_units: Words
-    each: Words
+    distributives: Words
     each_of_several: Words
-    all_of_some: Words
-    one_of_some: Words
-    some_one: Words
-    one_alone: Words
+    universal_determiners: Words
+    general_ordinals: Words
+    indefinite_determiners: Words
+    singular_determiners: Words
     of_what_is_given: Words
     behind_verbs: Words
-    speakers: Words
-    speakers_and_asked: Words
-    asked: Words
-    he_or_she: Words
-    somebody: Words
-    anybody: Words
-    unasked: Words
-    without_s: Words
-    others_or_it: Words
-    no_noun: Words
-    indefinite: Words
-    nobody: Words
-    asked_together: Words
-    asked_or_relative: Words
-    begin_what_is_so: Words
-    said_before: Words
+    first_person: Words
+    first_and_second_person: Words
+    second_person: Words
+    third_person_singular: Words
+    sure_persons: Words
+    personal_pronouns: Words
+    first_and_third_person: Words
+    plural_agreement: Words
+    third_person: Words
+    subject_pronouns: Words
+    indefinite_pronouns: Words
+    negative_pronouns: Words
+    persons_addressed: Words
+    second_person_or_relative: Words
+    condition_openers: Words
+    singular_anaphors: Words
     it_or_them: Words
-    them: Words
-    several: Words
-    things: Words
-    persons: Words
-    anything: Words
-    receivers: Words
-    objects: Words
-    everything: Words
-    all_meant: Words
-    of_asides: Words
-    relative: Words
+    plural_person: Words
+    plural_anaphors: Words
+    anaphors: Words
+    third_person_objects: Words
+    all_anaphors: Words
+    indirect_objects: Words
+    object_pronouns: Words
+    wholes: Words
+    universal_pronouns: Words
+    nonrestrictive_relatives: Words
+    relatives: Words
+    third_person_be: Words
     present_be: Words
-    am: Words
-    be: Words
-    was: Words
-    short_be: Words
-    have_got: Words
-    said_of_things: Words
-    will: Words
-    polite: Words
-    possibly: Words
-    told: Words
-    due: Words
-    duties: Words
-    helping: Words
-    inverting: Words
-    asking_when: Words
-    we_will: Words
-    denying: Words
-    denying_as_typed: Words
-    listing: Words
-    listing_days: Words
-    reaching: Words
-    reaching_or_both: Words
-    so: Words
-    consequences: Words
-    reasons: Words
-    instead: Words
-    going_on: Words
-    another_order: Words
-    same_order: Words
-    another_clause: Words
-    further: Words
-    leading: Words
-    further_ones: Words
-    swapped: Words
+    lemmas_of_be: Words
+    past_be: Words
+    clipped_be: Words
+    have_before_got: Words
+    stative_verbs: Words
+    future: Words
+    requesting_modals: Words
+    tentative_modals: Words
+    predicting_modals: Words
+    obligation: Words
+    verbs_of_obligation: Words
+    modals_before_lengths: Words
+    conditional_inversion: Words
+    inverted_auxiliaries: Words
+    first_person_future: Words
+    negators: Words
+    negators_as_typed: Words
+    coordinators: Words
+    coordinators_of_days: Words
+    range_joints: Words
+    range_joints_or_and: Words
+    subordinators_of_purpose: Words
+    joints_of_consequence: Words
+    subordinators_of_reason: Words
+    alternatives: Words
+    subordinators_of_simultaneity: Words
+    joints_of_orders: Words
+    joints_of_clauses: Words
+    further_clause: Words
+    additions: Words
+    joints_of_conditions: Words
+    joints_of_instances: Words
+    joints_of_swaps: Words
     end_of_an_event: Words
     end_of_an_aside: Words
     end_of_a_gap: Words
-    opened_by: Words
-    ways: Words
-    of_nouns: Words
-    more_of_it: Words
-    going_along: Words
-    by_then: Words
-    how_long: Words
-    up_to: Words
-    shifting_by: Words
-    per: Words
+    before_connectives: Words
+    prepositions_of_recipients: Words
+    prepositions_of_nouns: Words
+    prepositions_behind_times: Words
+    prepositions_of_duration: Words
+    prepositions_of_time: Words
+    prepositions_of_length: Words
+    prepositions_of_points: Words
+    particles_of_shifts: Words
+    rates: Words
     back_home: Words
-    there: Words
-    again: Words
+    adverbs_of_arrival: Words
+    adverbs_of_repetition: Words
     sides: Words
-    opening: Words
-    sooner_or_later: Words
-    no_place_in_an_order: Words
+    conjuncts: Words
+    adverbs_of_order: Words
+    no_order_before: Words
     abbreviations: Words
 
 
@@ -120,57 +120,57 @@ class BesideTimes:
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
     restricting: Words
-    comparing: Words
-    distances: Words
-    ahead: Words
-    saying: Words
-    being_late: Words
-    taking_along: Words
+    first_of_repetitions: Words
+    binding_ranges: Words
     behind_round: Words
+    taking_along: Words
+    being_late: Words
+    greeting: Words
     of_hours: Words
     of_clocks: Words
-    repeating: Words
-    first_of_repetitions: Words
-    again: Words
-    twice: Words
-    beside_twice: Words
-    hedging_lengths: Words
-    polite_ends: Words
-    behind_gone_on: Words
-    looking_after: Words
-    no_length: Words
-    not_how_long: Words
-    behind_minutes: Words
-    stops: Words
-    behind_things: Words
-    sentence_starts: Words
-    binding_ranges: Words
     clock_subjects: Words
     bound_for: Words
     put_off: Words
+    hedging_lengths: Words
+    of_lengths: Words
+    comparing: Words
+    distances: Words
+    ahead: Words
+    no_length: Words
+    not_how_long: Words
+    as_long_as: Words
+    behind_gone_on: Words
+    behind_minutes: Words
+    minus: Words
+    repeating: Words
+    again: Words
+    twice: Words
+    beside_twice: Words
+    thereafter: Words
+    behind_gaps: Words
+    saying: Words
+    stating: Words
+    due: Words
+    over: Words
+    looking_after: Words
     plurals: Words
     spending: Words
-    stating: Words
-    minus: Words
-    greeting: Words
-    of_lengths: Words
+    nothing: Words
     marking_order: Words
-    taken_back: Words
-    courteous: Words
+    no_event: Words
     starts: Words
     ends: Words
     the_end: Words
-    thereafter: Words
-    obliging: Words
-    obliged: Words
-    no_event: Words
-    as_long_as: Words
     excepting: Words
     excepted: Words
-    due: Words
-    over: Words
-    nothing: Words
-    behind_gaps: Words
+    sentence_starts: Words
+    stops: Words
+    behind_things: Words
+    polite_ends: Words
+    taken_back: Words
+    courteous: Words
+    obliging: Words
+    obliged: Words
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

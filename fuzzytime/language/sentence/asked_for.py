@@ -50,5 +50,5 @@ def _doubts(sketch: Sketch, draft: Draft, lexicon: Lexicon) -> list[Remark]:
     first, end = part.segment.span
     front = draft.text[first : part.offset].partition(" ")[0].lower()
     # "Should the bell ring, open the door" asks nothing.
-    span = (part.offset if front in lexicon.closed.inverting else first, end)
+    span = (part.offset if front in lexicon.closed.conditional_inversion else first, end)
     return list(doubts_of(draft.text, span, draft.scanned.words, sketch, lexicon))

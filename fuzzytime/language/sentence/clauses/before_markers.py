@@ -46,7 +46,7 @@ class BeforeMarker:
 
     def behind_denied(self, place: int, form: tuple[str, ...]) -> int | None:
         """Give where "after" stands in "don't … until ten minutes after it", None in other words."""
-        denied = any(word.text in self.lexicon.closed.denying_as_typed for word in self.words[:place])
+        denied = any(word.text in self.lexicon.closed.negators_as_typed for word in self.words[:place])
         if not denied or self.lexicon.clauses.get(form) != "until":
             return None
         behind = place + len(form)
@@ -61,14 +61,16 @@ class BeforeMarker:
         texts = [word.text for word in self.words]
         if texts[end : end + 1] == ["("]:
             return next((phrase for phrase in self.phrases if phrase.first == end + 1), None)
-        if texts[end : end + 1] != [","] or closed.of_asides.isdisjoint(texts[end + 1 : end + 2]):
+        if texts[end : end + 1] != [","] or closed.nonrestrictive_relatives.isdisjoint(
+            texts[end + 1 : end + 2]
+        ):
             return None
         told = (phrase for phrase in self.phrases if end + 2 < phrase.first <= end + 2 + LONGEST_ASIDE)
         time = next(told, None)
         if time is None or not closed.end_of_an_event.isdisjoint(texts[end + 2 : time.first]):
             return None
         closes = time.end == len(texts) or texts[time.end] in closed.end_of_an_event
-        over = not closed.was.isdisjoint(texts[end + 2 : time.first])
+        over = not closed.past_be.isdisjoint(texts[end + 2 : time.first])
         return (_before_now(time) if over else time) if closes else None
 
     def part_of_day(self, place: int) -> Phrase | None:

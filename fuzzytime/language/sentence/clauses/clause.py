@@ -42,7 +42,7 @@ class Clause:
 
     def is_there(self, lexicon: Lexicon) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
-        known = self.condition is not None and not lexicon.closed.there.isdisjoint(
+        known = self.condition is not None and not lexicon.closed.adverbs_of_arrival.isdisjoint(
             {self.condition.word, self.object}
         )
         return self.verb in lexicon.doing.getting and known

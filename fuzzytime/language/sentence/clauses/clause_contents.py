@@ -96,13 +96,15 @@ class Contents:
                 text = " ".join(
                     self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
                 )
-                if text.lower() not in self.lexicon.closed.anybody:
+                if text.lower() not in self.lexicon.closed.personal_pronouns:
                     return text
         return None
 
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        together = clause.kind == "while" and clause.marker not in self.lexicon.closed.going_on
+        together = (
+            clause.kind == "while" and clause.marker not in self.lexicon.closed.subordinators_of_simultaneity
+        )
         named = clause.edge is not None or clause.kind in NAMING or clause.marker == "by"
         if not (together or named) or not self.tree.nodes[nodes[-1]].tag:
             return None

@@ -46,7 +46,7 @@ def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Itera
             place += 1
             continue
         side, until = lexicon.comparisons[form], None
-        if number.end < last and words[number.end].text in lexicon.closed.reaching_or_both:
+        if number.end < last and words[number.end].text in lexicon.closed.range_joints_or_and:
             until = _number(scanned, number.end + 1, last, lexicon)
         ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value
         if ranges and until is not None:

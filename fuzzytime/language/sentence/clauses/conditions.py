@@ -53,7 +53,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         for p in nodes
         if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
     ]
-    if (node.lemma not in doing.being and node.lower not in tree.lexicon.closed.short_be) or not said:
+    if (node.lemma not in doing.being and node.lower not in tree.lexicon.closed.clipped_be) or not said:
         starts = node.lemma in doing.phases
         below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
         below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]

@@ -17,7 +17,7 @@ def happens(clause: Clause, lexicon: Lexicon) -> bool:
     """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
     subject = None if clause.condition is None else clause.condition.subject
     return clause.verb not in {*lexicon.doing.being, None} or (
-        subject in lexicon.closed.anybody and clause.verb != "be"
+        subject in lexicon.closed.personal_pronouns and clause.verb != "be"
     )
 
 

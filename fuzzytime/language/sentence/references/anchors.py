@@ -65,12 +65,12 @@ class Anchors:
             # "Add the carrots an hour before it's done"
             return self.going_on()
         over = condition is not None and condition.word in self.lexicon.results
-        over = over and condition is not None and condition.subject in closed.said_before
+        over = over and condition is not None and condition.subject in closed.singular_anaphors
         phases = doing.beginning | doing.ending
         happens = (over or clause.verb in phases) and last >= 0 and self._is_stated(last)
         if (
             (clause.is_event or happens)
-            and (over or (clause.object or "").lower() in closed.said_before)
+            and (over or (clause.object or "").lower() in closed.singular_anaphors)
             and last >= 0
         ):
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
@@ -86,7 +86,7 @@ class Anchors:
         if (
             target is None
             and condition is not None
-            and condition.subject in closed.others_or_it | closed.speakers_and_asked
+            and condition.subject in closed.third_person | closed.first_and_second_person
         ):
             target = self._arrival(clause)
         if target is not None or not self.awaits:
@@ -103,7 +103,10 @@ class Anchors:
             or not self.mentions.lasting
         ):
             return False
-        return condition.subject in self.lexicon.closed.said_before and condition.word in self.lexicon.results
+        return (
+            condition.subject in self.lexicon.closed.singular_anaphors
+            and condition.word in self.lexicon.results
+        )
 
     def _arrival(self, clause: Clause) -> int | None:
         """Give the latest that comes, of whoever "they" are: "before they arrive".
@@ -115,7 +118,7 @@ class Anchors:
             return None
         if (
             clause.condition is not None
-            and clause.condition.subject in self.lexicon.closed.speakers_and_asked
+            and clause.condition.subject in self.lexicon.closed.first_and_second_person
         ):
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
             back = (place for place, one in (*here, *self.just_before()) if _comes_back(one, self.lexicon))
@@ -146,7 +149,7 @@ class Anchors:
 
     def done_with(self, thing: str | None) -> int | None:
         """Give the latest instruction before it that is about a thing; None for none, and for a person."""
-        words = content_words(thing.split()[-1] if thing else None) - self.lexicon.closed.things
+        words = content_words(thing.split()[-1] if thing else None) - self.lexicon.closed.anaphors
         if not words or words & self.lexicon.persons:
             return None
         for place in range(self.position - 1, self.first - 1, -1):
@@ -163,7 +166,7 @@ class Anchors:
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
         words = content_words(thing)
-        if words and not words <= self.lexicon.closed.things:
+        if words and not words <= self.lexicon.closed.anaphors:
             named = Clause("length", "", (0, 0), (0, 0), object=thing, is_event=True)
             return Anchor(text=text, object=thing, target=self.target_of(named))
         return Anchor(text=text, target=self.position - 1 if self.position else None)

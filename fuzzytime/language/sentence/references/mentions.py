@@ -117,7 +117,7 @@ class Mentions:
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
-        if not named or named <= closed.things | closed.all_meant:
+        if not named or named <= closed.anaphors | closed.universal_pronouns:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
@@ -196,7 +196,9 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         return SAME_VERB
     # "While she is there" names no dinner that is at seven.
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
-    if same_verb and (shared or not named or named <= closed.things | closed.all_meant or not known):
+    if same_verb and (
+        shared or not named or named <= closed.anaphors | closed.universal_pronouns or not known
+    ):
         return SAME_VERB + shared
     goes_on = clause.verb == BE and word in doing.going_on and clause.kind == "while"
     if operation.stated and shared and (goes_on or clause.verb in doing.beginning | doing.ending):

@@ -83,7 +83,7 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
         # "At seven, not before"
-        side = place < len(texts) and texts[place] in scanned.lexicon.closed.sooner_or_later
+        side = place < len(texts) and texts[place] in scanned.lexicon.closed.adverbs_of_order
         if alone and (side or (clock is not None and "integer" in scanned.cells[place])):
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"

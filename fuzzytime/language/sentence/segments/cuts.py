@@ -150,7 +150,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
 def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
-    said = [text for text in texts[1:] if text not in lexicon.closed.again]
+    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition]
     # "And back up to 37 degrees"
     numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
     alone = len(said) == 1 or numbered
@@ -201,7 +201,9 @@ def _names_another(
     led = between[1].text in prepositions
     has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
     named = (
-        led or between[1].text in lexicon.closed.openers or (has_object and between[0].text in {"and", ","})
+        led
+        or between[1].text in lexicon.closed.noun_openers
+        or (has_object and between[0].text in {"and", ","})
     )
     return named and not others
 

@@ -106,7 +106,9 @@ class Draft:
         words = self.scanned.words
         walls = (p for p in self.scanned.pieces("wall") if p.value.clock is not None and not p.value.bare)
         owned = (
-            p for p in walls if p.start and words[p.start - 1].text in self.scanned.lexicon.closed.openers
+            p
+            for p in walls
+            if p.start and words[p.start - 1].text in self.scanned.lexicon.closed.noun_openers
         )
         return tuple(
             Phrase(Said(p.value), p.start, p.end, (words[p.start].start, words[p.end - 1].end), NAMING)

@@ -53,11 +53,13 @@ def is_event(
     named = eventful - lexicon.travelling
     for place in range(first, min(end, first + LONGEST_EVENT)):
         text = words[place].text
-        if place in covered or (text in lexicon.function_words and text not in closed.openers):
+        if place in covered or (text in lexicon.function_words and text not in closed.noun_openers):
             return False
         # "By the party" is no way to travel.
         owned = (
-            place > first and words[place - 1].text in closed.openers and text in eventful & lexicon.events
+            place > first
+            and words[place - 1].text in closed.noun_openers
+            and text in eventful & lexicon.events
         )
         if (text in named or owned) and (place + 1 >= end or place + 1 in covered):
             return place > first and words[place - 1].text not in lexicon.beside.no_event

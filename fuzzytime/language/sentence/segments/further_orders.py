@@ -71,7 +71,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
     if (
         place > 1
         and _is_passive_order(tree, place)
-        and tree.nodes[place - 1].lower in lexicon.closed.another_order
+        and tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
     ):
         return place
     return _start_of_coordinate(tree, place, root, timed, lexicon)
@@ -100,7 +100,7 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
     if (
         start == 0
-        or tree.nodes[start - 1].lower not in lexicon.closed.another_order
+        or tree.nodes[start - 1].lower not in lexicon.closed.joints_of_orders
         or _is_embedded(tree, place, root)
     ):
         return None
@@ -122,7 +122,7 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
         return False
     behind = next(
-        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in lexicon.closed.another_order),
+        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in lexicon.closed.joints_of_orders),
         len(tree.nodes),
     )
     apart = place - 1 in timed or tree.nodes[place - 1].text == ","
@@ -137,13 +137,15 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
     closed = tree.lexicon.closed
     node = tree.nodes[place]
     beside = (
-        node.relation == "conj" and node.head == root and tree.nodes[place - 1].lower in closed.another_order
+        node.relation == "conj"
+        and node.head == root
+        and tree.nodes[place - 1].lower in closed.joints_of_orders
     )
     named = bool(tree.children(root, *ANY_SUBJECTS))
     told = tree.nodes[root].tag == node.tag == "VBZ" and named
     # "The show will last an hour and start at eight"
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
-    told = told or (named and bool(helping) and helping <= closed.will | {"should"} and node.tag == "VB")
+    told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
     return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
 
 

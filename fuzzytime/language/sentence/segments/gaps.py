@@ -21,7 +21,7 @@ APART, EACH_ONE = "apart", "each"
 def with_gaps(scanned: Scanned, lexicon: Lexicon) -> str:
     """Give a text of the same length in which gaps are so long "apart", and turns so long "each"."""
     text = scanned.text
-    if not {BETWEEN, *lexicon.closed.per}.isdisjoint(word.text for word in scanned.words):
+    if not {BETWEEN, *lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
         for before, (first, end), said in _gaps(scanned, lexicon):
             text = text[:first] + said.rjust(end - first) + text[end:]
             text = text[: before[0]] + " " * (before[1] - before[0]) + text[before[1] :]
@@ -44,7 +44,7 @@ def _gaps(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[Span, Span, str]
             end, led = _end(words, place + 1, lexicon), _led(words, piece.start, lexicon)
             if end is not None and led is not None:
                 yield (words[led].start, words[piece.start].start), (first, words[end - 1].end), APART
-        elif words[place].text in lexicon.closed.per and place + 1 < len(words) and place == piece.end:
+        elif words[place].text in lexicon.closed.rates and place + 1 < len(words) and place == piece.end:
             turn = words[place + 1].text
             if turn in lexicon.spacing["turns"] and _ends(words, place + 2, lexicon):
                 yield (first, first), (first, words[place + 1].end), EACH_ONE
@@ -76,8 +76,8 @@ def _led(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     while first and words[first - 1].text in lexicon.spacing["leading"]:
         first -= 1
     joined = first > 0 and (
-        words[first - 1].text in closed.same_order or words[first].text in lexicon.spacing["beside"]
+        words[first - 1].text in closed.joints_of_clauses or words[first].text in lexicon.spacing["beside"]
     )
-    if first and words[first - 1].text in closed.same_order - {","} and first < place:
+    if first and words[first - 1].text in closed.joints_of_clauses - {","} and first < place:
         first -= 1
     return first if joined else None

@@ -31,7 +31,7 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
     bare = node.may_act and node.lower == node.lemma
     called = node.lower in lexicon.addressing and behind in lexicon.persons
-    return led and bare and (called or behind in closed.openers | closed.objects)
+    return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
 
 
 def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -43,8 +43,8 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
     return (
         bare
-        and tree.nodes[place - 1].lower in closed.another_order
-        and (counted or behind in closed.another_order | ENDS)
+        and tree.nodes[place - 1].lower in closed.joints_of_orders
+        and (counted or behind in closed.joints_of_orders | ENDS)
     )
 
 

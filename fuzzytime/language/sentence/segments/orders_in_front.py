@@ -21,8 +21,12 @@ def order_behind_order(tree: Tree, root: int) -> int | None:
     start = min([start, *brought])
     joint = tree.nodes[start - 1].lower if start else ""
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
-    telling = closed.told | closed.am if tree.nodes[root].tag == "VBG" else closed.told
-    if joint not in closed.another_order or (subjects and joint != ",") or not helping <= telling:
+    telling = (
+        closed.predicting_modals | closed.present_be
+        if tree.nodes[root].tag == "VBG"
+        else closed.predicting_modals
+    )
+    if joint not in closed.joints_of_orders or (subjects and joint != ",") or not helping <= telling:
         return None
     orders = _orders_before(tree, root, start, joint)
     if subjects and not brought:

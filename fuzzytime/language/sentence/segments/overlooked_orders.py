@@ -36,7 +36,7 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return True
     if (
         node.tag not in {"NN", "NNP", "JJ"}
-        or before not in closed.another_order
+        or before not in closed.joints_of_orders
         or place + 2 >= len(tree.nodes)
     ):
         return False
@@ -52,9 +52,9 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if (
         node.relation in COORDINATE
         and node.may_act
-        and behind in closed.openers
+        and behind in closed.noun_openers
         and tree.children(place, "dobj")
     ):
         # "The painters come at nine, clear the room"
         return True
-    return node.relation == "conj" and before in {"and", "&"} and behind in closed.openers
+    return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers

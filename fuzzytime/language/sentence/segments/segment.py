@@ -73,7 +73,7 @@ def segments_of(
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
             # "At the same time every evening"
-            found = None if words[end].text in lexicon.closed.each else found
+            found = None if words[end].text in lexicon.closed.distributives else found
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
@@ -104,7 +104,7 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         return
     # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
     named = (
-        all(word.text in lexicon.closed.openers | lexicon.taken for word in words[: first.first])
+        all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[: first.first])
         and first.first > 1
     )
     if not named and words[first.first - 1].text not in lexicon.happening:
@@ -135,7 +135,7 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     word, object_ = words[phrase.end], words[phrase.end + 1].text
     inside = word.text in lexicon.function_words | lexicon.places
-    acts = not inside and object_ in lexicon.closed.openers | {"it", "them"}
+    acts = not inside and object_ in lexicon.closed.noun_openers | {"it", "them"}
     return word.capital or (acts and not _leads(phrase, words, lexicon))
 
 
@@ -161,11 +161,15 @@ def _opens(words: Sequence[Word], place: int, vague: set[int], lexicon: Lexicon)
     if place + 1 >= len(words):
         return False
     before = words[place - 1].text if place else ","
-    if words[place].text == "then" and before in closed.by_then:
+    if words[place].text == "then" and before in closed.prepositions_of_time:
         return False
-    if place in vague and (not place or (before[0].isalnum() and before not in closed.opened_by)):
+    if place in vague and (not place or (before[0].isalnum() and before not in closed.before_connectives)):
         return False
-    return words[place].text not in closed.opening or before in closed.opened_by or not before[0].isalnum()
+    return (
+        words[place].text not in closed.conjuncts
+        or before in closed.before_connectives
+        or not before[0].isalnum()
+    )
 
 
 def _is_end(text: str, words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
@@ -232,7 +236,11 @@ def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], le
     """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
     first, *behind = (word.text for word in words[place : place + 3])
     time = place + 2 + (behind[1:] == ["please"])
-    return time if first in lexicon.closed.polite and behind[:1] == ["you"] and time in times else None
+    return (
+        time
+        if first in lexicon.closed.requesting_modals and behind[:1] == ["you"] and time in times
+        else None
+    )
 
 
 def _counts(word: Word, lexicon: Lexicon) -> bool:

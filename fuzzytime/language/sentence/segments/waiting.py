@@ -122,7 +122,7 @@ class Waiting:
         """The clause in front, nothing where there is none; one without its "if" as if it had one."""
         text = self.source.sound[self.segment.span[0] : self.main]
         first = text.partition(" ")[0]
-        inverted = first.lower() in self.source.scanned.lexicon.closed.inverting
+        inverted = first.lower() in self.source.scanned.lexicon.closed.conditional_inversion
         return IF.ljust(len(first)) + text[len(first) :] if inverted else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
@@ -133,7 +133,7 @@ class Waiting:
             leads = (
                 self.main == self.segment.span[0]
                 if position == 0
-                else not lexicon.closed.leading.isdisjoint(before[-1:])
+                else not lexicon.closed.joints_of_conditions.isdisjoint(before[-1:])
             )
             leads = leads and (position == 0 or words[place].start >= self.main)
             marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
@@ -251,7 +251,9 @@ def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker
 def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
     """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
     said = [word.text for word in words[comma + 1 : following]]
-    return len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in lexicon.closed.begin_what_is_so
+    return (
+        len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
+    )
 
 
 def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
@@ -270,7 +272,7 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     words = source.scanned.words
     places = source.places(*segment.span)
     marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
-    inverted = bool(places) and words[places[0]].text in lexicon.closed.inverting
+    inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end

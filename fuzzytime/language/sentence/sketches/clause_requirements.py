@@ -47,7 +47,7 @@ def of_clause(
     if target is None:
         subject = None if said is None else said.subject
         if clause.is_event or (
-            subject is not None and subject not in anchors.lexicon.closed.speakers_and_asked
+            subject is not None and subject not in anchors.lexicon.closed.first_and_second_person
         ):
             remarks.append(untold(text, clause.span))
         else:
@@ -89,7 +89,7 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
             # "Paint the door. Once the paint is dry, which takes two hours, sand it"
             takes = None if clause.takes is None else clause.takes.seconds
             about = anchors.done_with(condition.subject)
-            if about is None and condition.subject in anchors.lexicon.closed.things:
+            if about is None and condition.subject in anchors.lexicon.closed.anaphors:
                 about = anchors.done_with_it(condition.subject)
             condition = replace(condition, about=about, takes=takes)
     return TimeRequirement(
@@ -128,7 +128,7 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
         earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         before = anchors.operation_at(anchors.position - 1) if anchors.position else None
         if earlier is not None and (
-            earlier.lower() not in anchors.lexicon.closed.things or earlier == (before and before.object)
+            earlier.lower() not in anchors.lexicon.closed.anaphors or earlier == (before and before.object)
         ):
             # "Let it run; as soon as it stops, check the oil": nothing names it, but it is the same.
             return earlier
@@ -141,7 +141,7 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
 
 def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
     """Put a name for a pronoun: "stir the sauce until it thickens"."""
-    if condition.subject not in lexicon.closed.things or thing is None:
+    if condition.subject not in lexicon.closed.anaphors or thing is None:
         return condition
     if condition.subject == "it" and condition.word in lexicon.impersonal:
         return condition

@@ -63,7 +63,7 @@ def clauses_of(
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
-        is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_openers
+        is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             _leads_nowhere(form, words, place) or reader.leads_to_distance(place, form)
@@ -152,7 +152,7 @@ class _Clauses:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
         word, node = self.words[place], next(iter(self.tree.nodes), None)
         leads = place == 0 and node is not None and node.lower == IF != word.text
-        return (word.text,) if leads and word.text in self.lexicon.closed.inverting else None
+        return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
 
     def edged(self, place: int) -> tuple[str, ...] | None:
         """Give the "by" of "by the end of the lesson" as what begins a clause."""
@@ -173,7 +173,9 @@ class _Clauses:
 
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
-        kind = self.lexicon.clauses.get(form, IF if form[0] in self.lexicon.closed.inverting else "until")
+        kind = self.lexicon.clauses.get(
+            form, IF if form[0] in self.lexicon.closed.conditional_inversion else "until"
+        )
         if edge is not None:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:

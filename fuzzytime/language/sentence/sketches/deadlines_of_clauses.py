@@ -77,7 +77,7 @@ def _denies(clause: Clause, lexicon: Lexicon) -> bool:
     if condition is None:
         return False
     # "If nobody has come by six"
-    nobody = not (lexicon.closed.nobody | {"no", "no-one"}).isdisjoint(
+    nobody = not (lexicon.closed.negative_pronouns | {"no", "no-one"}).isdisjoint(
         (condition.subject or "").lower().split()[:1]
     )
     return condition.negated != nobody

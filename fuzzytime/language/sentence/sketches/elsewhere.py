@@ -50,7 +50,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             continue
         first = min(part.tree.below(subjects[0]))
         so = first - 1 - (nodes[first - 1].lower == "that")
-        if nodes[so].lower != "so" or nodes[subjects[0]].lower in part.tree.lexicon.closed.things:
+        if nodes[so].lower != "so" or nodes[subjects[0]].lower in part.tree.lexicon.closed.anaphors:
             continue
         start, end = nodes[so].start + part.offset, nodes[-1].end + part.offset
         own = any(phrase.span[1] <= start for phrase in phrases)
@@ -65,7 +65,10 @@ def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | N
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
     nodes = part.tree.nodes
     for place in range(action.place + 1, len(nodes)):
-        if nodes[place].lower in part.tree.lexicon.closed.reasons and nodes[place].relation == "mark":
+        if (
+            nodes[place].lower in part.tree.lexicon.closed.subordinators_of_reason
+            and nodes[place].relation == "mark"
+        ):
             reach = part.tree.reach(nodes[place].head)
             start, end = nodes[place].start + part.offset, nodes[reach[1] - 1].end + part.offset
             if any(start <= phrase.span[0] < end for phrase in phrases):
@@ -110,7 +113,7 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         thing
         for thing in objects
         for p in part.tree.children(thing, "det")
-        if nodes[p].lower in lexicon.closed.all_of_some
+        if nodes[p].lower in lexicon.closed.universal_determiners
     ]
     if lemma not in lexicon.doing.dropping or not several:
         return []
@@ -125,4 +128,4 @@ def _is_described(part: Part, place: int, action: Action) -> bool:
         return False
     # "The meeting I have tomorrow" is what is counted from.
     before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
-    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relative for p in before)
+    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relatives for p in before)

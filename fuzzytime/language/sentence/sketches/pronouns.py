@@ -24,16 +24,20 @@ def resolved_object(
     if person is not None:
         return person
     pronoun, _, rest = (operation.object or "").partition(" ")
-    if rest and pronoun.lower() in pronouns.things and rest.split()[0] in pronouns.ways:
+    if (
+        rest
+        and pronoun.lower() in pronouns.anaphors
+        and rest.split()[0] in pronouns.prepositions_of_recipients
+    ):
         # "Print the plans and send them to her"
         alone = replace(operation, object=pronoun)
         return f"{resolved_object(alone, own, mentions, first)} {rest}"
-    if operation.object is None or operation.object.lower() not in pronouns.things:
+    if operation.object is None or operation.object.lower() not in pronouns.anaphors:
         return operation.object
-    if operation.lemma in lexicon.addressing and operation.object.lower() in pronouns.them:
+    if operation.lemma in lexicon.addressing and operation.object.lower() in pronouns.plural_person:
         # "Tell them when to stop"
         return operation.object
-    several = operation.object.lower() in pronouns.several
+    several = operation.object.lower() in pronouns.plural_anaphors
     near = Mentions(lexicon)
     for earlier in own:
         near.add(earlier)
@@ -47,15 +51,15 @@ def resolved_object(
 def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anchors) -> str | None:
     """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
     pronouns = anchors.lexicon.closed
-    if (operation.object or "").lower() not in pronouns.things:
+    if (operation.object or "").lower() not in pronouns.anaphors:
         return None
     for clause in sketch.clauses:
         if clause.span[0] < operation.span[0]:
             condition = clause.condition
-            named = condition is not None and condition.subject not in pronouns.things
+            named = condition is not None and condition.subject not in pronouns.anaphors
             thing = anchors.about(clause)
             if thing is not None and (
-                named or is_several(thing, anchors.lexicon) == (operation.object in pronouns.several)
+                named or is_several(thing, anchors.lexicon) == (operation.object in pronouns.plural_anaphors)
             ):
                 return thing
     return None
@@ -70,11 +74,11 @@ def _resolved_person(
     """
     closed = mentions.lexicon.closed
     pronoun, _, rest = (operation.object or "").partition(" ")
-    if pronoun.lower() not in closed.persons or operation.stated:
+    if pronoun.lower() not in closed.third_person_objects or operation.stated:
         return None
     if rest and pronoun.lower() == "her" and rest.split()[0].lower() not in closed.of_what_is_given:
         return None
-    several = pronoun.lower() in closed.several
+    several = pronoun.lower() in closed.plural_anaphors
     near = Mentions(mentions.lexicon)
     for earlier in own:
         near.add(earlier)
@@ -85,5 +89,5 @@ def _resolved_person(
         return None
     article, _, name = person.partition(" ")
     # "The kids finish school at three. Give them a snack"
-    person = f"{article.lower()} {name}" if name and article.lower() in closed.openers else person
+    person = f"{article.lower()} {name}" if name and article.lower() in closed.noun_openers else person
     return f"{person} {rest}" if rest else person

@@ -162,12 +162,12 @@ def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexic
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in closed.denying}
+    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in closed.negators}
     if denying and denying <= timed:
         # "Not until next week call the plumber": it is the time that is denied.
         action = replace(action, negated=False)
     if any(
-        part.tree.nodes[p].lower in closed.things for p in part.tree.children(action.place, "nsubj", "expl")
+        part.tree.nodes[p].lower in closed.anaphors for p in part.tree.children(action.place, "nsubj", "expl")
     ):
         # "It takes twenty minutes to get there"
         return action

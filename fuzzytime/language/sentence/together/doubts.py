@@ -59,7 +59,7 @@ def unasked(clauses: Sequence[Clause], text: str, lexicon: Lexicon) -> tuple[Cla
     """Give the clauses that do not ask when something is: "when does the shop open"."""
     said = [[word.text for word in words_of(text[slice(*clause.span)])] for clause in clauses]
     asking = [
-        words[:1] == ["when"] and words[1:2] != [] and words[1] in lexicon.closed.asking_when
+        words[:1] == ["when"] and words[1:2] != [] and words[1] in lexicon.closed.inverted_auxiliaries
         for words in said
     ]
     return tuple(clause for clause, asks in zip(clauses, asking, strict=True) if not asks)
@@ -128,15 +128,15 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     if root is None:
         return None
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
-    denied = [p for p in subjects if tree.nodes[p].lower in closed.nobody or _is_no_one(tree, p)]
+    denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
     if denied:
         return "what nobody does"
     node = tree.nodes[root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
-    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.was)
+    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.past_be)
     # "In no time the tent was up"
-    led = node.lower in closed.was and root > 0
-    named = tree.nodes[subjects[0]].lower not in closed.speakers_and_asked if subjects else led
+    led = node.lower in closed.past_be and root > 0
+    named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
     return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
 
 
@@ -156,7 +156,7 @@ def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
     """Whether what was done is to be done again, which is not named: "repeat twice more"."""
     if operation is None or operation.lemma not in lexicon.doing.repeating or operation.stated:
         return False
-    return (operation.object or "it").lower() in lexicon.closed.said_before
+    return (operation.object or "it").lower() in lexicon.closed.singular_anaphors
 
 
 def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
@@ -164,7 +164,9 @@ def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
     if not said or said[0].text not in lexicon.moving | lexicon.doing.shifting:
         return False
     counting = lexicon.numbers.keys() | lexicon.beside.of_lengths
-    for first in (place + 1 for place, word in enumerate(said) if word.text in lexicon.closed.shifting_by):
+    for first in (
+        place + 1 for place, word in enumerate(said) if word.text in lexicon.closed.particles_of_shifts
+    ):
         behind = first
         while behind < len(said) and (said[behind].text in counting or said[behind].is_digits):
             behind += 1

@@ -109,13 +109,13 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         if particle is not None:
             # "And back up to 37 degrees at six"
             return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-        if rest and set(rest.lower().split()) <= closed.again:
+        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
             # "Ring the bell at six, then again at seven"
             return before
     said_again = sketch.operation
     if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
-        return before if (said_again.object or "it").lower() in closed.said_before else None
+        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
@@ -126,7 +126,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
-    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in closed.openers or numbered)
+    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in closed.noun_openers or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
     if part.segment.verbless and says_where(rest.lower(), lexicon):
         # "Hoover downstairs in the morning and upstairs after lunch"
@@ -141,7 +141,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     given = [
         word
         for word in before.object.split()[:1]
-        if word.lower() in closed.receivers and " " in before.object
+        if word.lower() in closed.indirect_objects and " " in before.object
     ]
     return replace(before, object=" ".join((*given, rest)), place=None)
 
@@ -173,7 +173,7 @@ def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bo
 
 def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
     """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
-    said = [word for word in text.lower().split() if word not in lexicon.closed.again]
+    said = [word for word in text.lower().split() if word not in lexicon.closed.adverbs_of_repetition]
     return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 

@@ -75,13 +75,13 @@ def time_of(
     if anchors.lexicon.results.isdisjoint(said):
         return None
     if (
-        words[0] in closed.everything
+        words[0] in closed.wholes
         or words[:2] == ["the", "lot"]
-        or (words[0] in closed.speakers and anchors.lexicon.beside.over.issuperset(said))
+        or (words[0] in closed.first_person and anchors.lexicon.beside.over.issuperset(said))
     ):
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
-    if words[0] in closed.things | closed.all_meant or obliged:
+    if words[0] in closed.anaphors | closed.universal_pronouns or obliged:
         asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         target: int | None = next(asked, None)
     else:
@@ -94,7 +94,7 @@ def time_of(
 def _is_needed(operation: Operation | None, text: str, lexicon: Lexicon) -> bool:
     """Whether who speaks needs then what was named before: "charge the bike, I need it at seven"."""
     first = text.split(maxsplit=1)[:1]
-    said = bool(first) and first[0].lower() in lexicon.closed.we_will and operation is not None
+    said = bool(first) and first[0].lower() in lexicon.closed.first_person_future and operation is not None
     return said and operation is not None and operation.lemma in lexicon.doing.needing and operation.again
 
 

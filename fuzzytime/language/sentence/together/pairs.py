@@ -33,7 +33,7 @@ def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
         return False
     if second.object is None:
         return first.stated and second.stated
-    return second.object in lexicon.closed.anything or second.again or second.object == first.object
+    return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
 
 
 def _clock_of(sketch: Sketch) -> Clock | None:

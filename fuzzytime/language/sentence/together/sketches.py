@@ -130,7 +130,7 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
-        if text[first[1] : second[0]].strip(" ,").lower() in sketch.part.tree.lexicon.closed.instead
+        if text[first[1] : second[0]].strip(" ,").lower() in sketch.part.tree.lexicon.closed.alternatives
         and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
     phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
@@ -157,7 +157,7 @@ def _alternatives(
     """
     lexicon = draft.scanned.lexicon
     closed = lexicon.closed
-    joining = closed.further | closed.instead
+    joining = closed.additions | closed.alternatives
     for place in range(len(phrases) - 1):
         group = [phrases[place]]
         joints: set[str] = set()
@@ -175,7 +175,7 @@ def _alternatives(
         several = len(group) > LIST and all(map(is_weekday, group))
         if len(group) > 1 and (several or joints & joining - {","}):
             rest = tuple(phrase for phrase in phrases if phrase not in group)
-            if joints & closed.instead:
+            if joints & closed.alternatives:
                 return [((*rest, group[0]), tuple(group[1:]))]
             times = with_shared_clock(apart(group))
             return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]

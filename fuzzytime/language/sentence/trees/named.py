@@ -10,14 +10,14 @@ def names_person(thing: str, lexicon: Lexicon) -> bool:
     """Whether an object names somebody: by a word for persons or animals, or a name without an article."""
     closed = lexicon.closed
     words = [word.text for word in words_of(thing)]
-    if not words or words[0] in closed.things | closed.persons:
+    if not words or words[0] in closed.anaphors | closed.third_person_objects:
         return False
     return thing[:1].isupper() or not (lexicon.persons | lexicon.animals).isdisjoint(words)
 
 
 def may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "it" or "them" may stand for its object: a thing that is named, and no person."""
-    named = operation.object is not None and operation.object.lower() not in lexicon.closed.things
+    named = operation.object is not None and operation.object.lower() not in lexicon.closed.anaphors
     # "It takes an hour to warm up"
     named = named and not (operation.object or "").startswith("to ")
     return named and not _is_person(operation, lexicon)
@@ -32,6 +32,7 @@ def is_several(thing: str, lexicon: Lexicon) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
     end = next(
-        (place for place, word in enumerate(words) if place and word in lexicon.closed.of_nouns), len(words)
+        (place for place, word in enumerate(words) if place and word in lexicon.closed.prepositions_of_nouns),
+        len(words),
     )
     return "and" in words or singular(words[end - 1]) != words[end - 1]

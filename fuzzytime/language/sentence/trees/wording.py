@@ -59,9 +59,9 @@ class Wording:
         found = set(words)
         found.update(p + 1 for p in words if self._is_called_by(p + 1))
         for place in sorted(found):
-            joints = closed.listing
+            joints = closed.coordinators
             if place and self.tree.nodes[place - 1].tag == "NNS":
-                joints = closed.listing | closed.reaching
+                joints = closed.coordinators | closed.range_joints
             end: int | None = place
             while end is not None and self._counts(end):
                 found.update(range(place, end + 1))

@@ -140,7 +140,7 @@ def _only_is(tree: Tree, root: int) -> bool:
     told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
     return (
         told
-        and tree.nodes[root].lemma in tree.lexicon.closed.be
+        and tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be
         and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
         and not tree.children(root, "aux")
     )
@@ -153,14 +153,14 @@ def says_how_things_are(tree: Tree, verb: int) -> bool:
     if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
         # "It's going to be lovely"
         whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
-        return bool(whose) and whose[0] not in closed.asked
+        return bool(whose) and whose[0] not in closed.second_person
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
-    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.asked:
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
         return False
-    is_so = node.lemma in closed.be and node.tag in PRESENT and not helping
-    goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.am
-    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.am
+    is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
+    goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
     return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
@@ -268,7 +268,9 @@ def _has_to(tree: Tree, below: int) -> bool:
 def _is_negated(tree: Tree, place: int) -> bool:
     """Whether what denies a verb stands in front of it or right behind: not "after lunch, not before"."""
     denying = (
-        p for p in tree.children(place, "neg", "advmod") if tree.nodes[p].lower in tree.lexicon.closed.denying
+        p
+        for p in tree.children(place, "neg", "advmod")
+        if tree.nodes[p].lower in tree.lexicon.closed.negators
     )
     return any(p <= place + 1 for p in denying)
 

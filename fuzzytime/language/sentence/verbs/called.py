@@ -54,7 +54,7 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
     if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
         return None
-    if not helping <= closed.will | closed.due | {"to", "can"} or tree.children(verb, "auxpass"):
+    if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
         return None
     for place in tree.children(verb, "nsubj"):
         for first in (place - 1, place):

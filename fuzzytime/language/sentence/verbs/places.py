@@ -72,7 +72,8 @@ class Places(Wording):
             child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
         )
         each = any(
-            self.tree.nodes[p].lower in self.lexicon.closed.each for p in self.tree.children(place, "det")
+            self.tree.nodes[p].lower in self.lexicon.closed.distributives
+            for p in self.tree.children(place, "det")
         )
         counted = node.relation == "npadvmod" and (each or any(numbers))
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
@@ -90,7 +91,8 @@ class Places(Wording):
         for place in self.tree.below(verb):
             node = self.tree.nodes[place]
             said = (
-                node.relation == "prep" and node.lower in self.lexicon.places | self.lexicon.closed.more_of_it
+                node.relation == "prep"
+                and node.lower in self.lexicon.places | self.lexicon.closed.prepositions_behind_times
             )
             if said and not self.timed(place) and self.timed(node.head):
                 yield place

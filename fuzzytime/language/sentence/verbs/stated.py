@@ -27,12 +27,12 @@ class Stated(Places):
         if not subjects:
             return None
         described = self.tree.children(subjects[0], "det", "amod")
-        if self.tree.nodes[subjects[0]].lower in closed.no_noun and not described:
+        if self.tree.nodes[subjects[0]].lower in closed.subject_pronouns and not described:
             alone = self.tree.nodes[subjects[0]].lower
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
             return (
                 alone
-                if alone in closed.he_or_she and others_do(self.tree, verb, helping, self.lexicon)
+                if alone in closed.third_person_singular and others_do(self.tree, verb, helping, self.lexicon)
                 else None
             )
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
@@ -46,7 +46,7 @@ class Stated(Places):
         subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
         helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
         helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
-        due = not helping.isdisjoint(self.lexicon.closed.duties)
+        due = not helping.isdisjoint(self.lexicon.closed.verbs_of_obligation)
         return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
 
     def _is_attended(self, verb: int) -> bool:
@@ -54,7 +54,10 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         if self._is_own(verb):
             return True
-        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & self.lexicon.closed.speakers:
+        if (
+            self.tree.nodes[verb].lemma not in {"have", "be"}
+            or not subjects & self.lexicon.closed.first_person
+        ):
             return False
         behind = [p for p in self.tree.below(verb) if p > verb]
         if self._performing(verb):
@@ -69,7 +72,7 @@ class Stated(Places):
             p
             for p in self.tree.children(verb, "nsubj")
             if any(
-                self.tree.nodes[owner].lower in self.lexicon.closed.own
+                self.tree.nodes[owner].lower in self.lexicon.closed.first_person_possessives
                 for owner in self.tree.children(p, "poss")
             )
         ]
@@ -93,7 +96,7 @@ class Stated(Places):
         """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.speakers)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
     def _is_standing(self, verb: int) -> bool:
@@ -103,12 +106,12 @@ class Stated(Places):
         """
         closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
-        points = {self.tree.nodes[p].lower for p in timed} & closed.up_to
+        points = {self.tree.nodes[p].lower for p in timed} & closed.prepositions_of_points
         named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
         return (
             named
             and bool(helping)
-            and helping <= closed.am
+            and helping <= closed.present_be
             and self.tree.nodes[verb].lower in self.lexicon.standing
         )
 
@@ -117,7 +120,7 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
         named |= {name.removesuffix("s") for name in named}
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.speakers)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.persons.isdisjoint(named)
 
     def _helping(self, verb: int) -> set[str]:
@@ -139,11 +142,13 @@ class Stated(Places):
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
-        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.will
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
         if finite and (self._has_frame(verb) or self._has_visitors(verb)):
             return True
-        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.am)
-        told = bool(subjects) and subjects[0] not in closed.no_noun - closed.unasked
+        finite = finite or (
+            self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
+        )
+        told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
         goes = self.tree.nodes[verb].lower in doing.timed or (
             lasts and self.tree.nodes[verb].lemma in doing.running
@@ -151,13 +156,13 @@ class Stated(Places):
         told = told or (subjects[:1] == ["it"] and goes)
         if finite and self._is_attended(verb):
             return True
-        if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.will | closed.possibly:
+        if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
-            return bool(subjects) and subjects[0] not in closed.somebody and any(map(self.timed, objects))
+            return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
         if self._is_standing(verb):
             return True
-        due = beside.due | self.lexicon.results if helping & closed.will else beside.due
+        due = beside.due | self.lexicon.results if helping & closed.future else beside.due
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
         if self.tree.nodes[verb].lemma == "be" and not helping:
             # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
@@ -167,7 +172,9 @@ class Stated(Places):
             ]
         # "The delivery arrives between ten and eleven"
         rest = [p for p in rest if not self.timed(p)]
-        comes = bool(subjects) and subjects[0] in closed.unasked and bool(helping & closed.will)
+        comes = (
+            bool(subjects) and subjects[0] in closed.first_and_third_person and bool(helping & closed.future)
+        )
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
         return told and finite and not rest

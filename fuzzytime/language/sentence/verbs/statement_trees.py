@@ -113,7 +113,9 @@ def _with_subject(tree: Tree) -> Tree:
     root = tree.root
     if root is None or tree.nodes[root].tag != "VBN":
         return tree
-    helping = [p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.am]
+    helping = [
+        p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
+    ]
     subjects = [p for verb in helping for p in tree.children(verb, "nsubj")]
     if not subjects:
         return tree
@@ -130,7 +132,7 @@ def _with_got(tree: Tree) -> Tree:
     helping = [
         p
         for p in tree.children(root, "aux", "auxpass")
-        if tree.nodes[p].lower in tree.lexicon.closed.have_got
+        if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
     ]
     nodes = list(tree.nodes)
     coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
@@ -169,7 +171,9 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
     root = tree.root
     owner = root is not None and [
-        p for p in tree.children(root, "poss") if tree.nodes[p].lower in tree.lexicon.closed.indefinite
+        p
+        for p in tree.children(root, "poss")
+        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns
     ]
     if owner and root is not None and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
         mark = owner[0] + 1

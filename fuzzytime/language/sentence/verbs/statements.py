@@ -31,7 +31,9 @@ def goes_on(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
     node = tree.nodes[place]
     joined = place > root + 1 and tree.nodes[place - 1].lower in {"and", "but"} and place - 2 in timed
     named = [tree.nodes[p] for p in tree.children(root, "nsubj") if p < root]
-    several = bool(named) and (named[0].tag == "NNS" or named[0].lower in tree.lexicon.closed.without_s)
+    several = bool(named) and (
+        named[0].tag == "NNS" or named[0].lower in tree.lexicon.closed.plural_agreement
+    )
     bare = node.may_act and node.lower == node.lemma
     both = all(behind_particles(tree, verb) in timed for verb in (root, place))
     return joined and several and bare and both and tree.nodes[root].tag in {"VBP", "VB"}
@@ -54,7 +56,7 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
     for place in tree.children(root, *BEFORE_ORDER):
         said = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
         end = max(said) + (tree.nodes[max(said)].lower != "so")
-        joined = end < root and tree.nodes[end].lower in tree.lexicon.closed.consequences
+        joined = end < root and tree.nodes[end].lower in tree.lexicon.closed.joints_of_consequence
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
         if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place, timed):
             # "The bus leaves at nine, so be there"
@@ -71,7 +73,7 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     start = _start_of_statement(tree, place)
     if (
         start is None
-        or tree.nodes[start].lower in closed.asked_or_relative
+        or tree.nodes[start].lower in closed.second_person_or_relative
         or not any(p > place for p in timed)
     ):
         return None
@@ -81,13 +83,16 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
     joined = joint > 0 and tree.nodes[start - 1].lower in {
-        *closed.consequences,
+        *closed.joints_of_consequence,
         "and",
         "&",
         "but",
     }
     # "Light the fire before we get back, we'll be home by six"
-    speaks = tree.nodes[start].lower in closed.without_s and tree.nodes[joint].lower in closed.consequences
+    speaks = (
+        tree.nodes[start].lower in closed.plural_agreement
+        and tree.nodes[joint].lower in closed.joints_of_consequence
+    )
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
     told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
     return start if joined and told else None
@@ -106,7 +111,7 @@ def _is_purpose(tree: Tree, place: int, start: int) -> bool:
     root = tree.root
     if (
         root is None
-        or tree.nodes[start - 1].lower not in tree.lexicon.closed.so
+        or tree.nodes[start - 1].lower not in tree.lexicon.closed.subordinators_of_purpose
         or tree.nodes[place].lemma not in tree.lexicon.doing.becoming
     ):
         return False
@@ -124,8 +129,8 @@ def _is_told_so(tree: Tree, joint: int) -> bool:
     if root is None or root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
         return False
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
-    return helping <= closed.am and (
-        tree.nodes[root].lower in closed.am or (bool(helping) and tree.nodes[root].tag == "VBN")
+    return helping <= closed.present_be and (
+        tree.nodes[root].lower in closed.present_be or (bool(helping) and tree.nodes[root].tag == "VBN")
     )
 
 
@@ -136,13 +141,15 @@ def _start_of_statement(tree: Tree, place: int) -> int | None:
     node = tree.nodes[place]
     subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if p < place]
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
-    coming = node.tag == "VB" and bool(helping) and helping <= closed.will
+    coming = node.tag == "VB" and bool(helping) and helping <= closed.future
     if (node.tag in FINITE - {"VBG"} or coming) and subjects:
         return min(tree.below(subjects[-1]))
     if node.lower in doing.timed | {phase[:-1] for phase in doing.timed} and place > 0:
         # "The last bus leaves", "doors open"
         # "The next leaves at eleven"
-        known = tree.nodes[place - 1].tag in SINGULAR or tree.nodes[place - 1].lower in closed.one_of_some
+        known = (
+            tree.nodes[place - 1].tag in SINGULAR or tree.nodes[place - 1].lower in closed.general_ordinals
+        )
         singular = node.tag == "NNS" and known
         plural = not node.lower.endswith("s") and tree.nodes[place - 1].tag == "NNS"
         if singular or plural:
@@ -162,7 +169,9 @@ def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int |
         start -= 1
     return (
         start
-        if start > 1 and start < place and tree.nodes[start - 1].lower in tree.lexicon.closed.consequences
+        if start > 1
+        and start < place
+        and tree.nodes[start - 1].lower in tree.lexicon.closed.joints_of_consequence
         else None
     )
 
@@ -173,19 +182,23 @@ def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSe
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
     if (
         place <= root
-        or not (helping & closed.due or _is_brought_about(tree, place))
+        or not (helping & closed.obligation or _is_brought_about(tree, place))
         or not _is_statement(tree, root, timed)
         or timed.isdisjoint(range(place))
     ):
         return None
     start = min(p for p in tree.below(place) if tree.nodes[p].relation != "punct")
-    return start if start > root and tree.nodes[start - 1].lower in {*closed.consequences, "and"} else None
+    return (
+        start
+        if start > root and tree.nodes[start - 1].lower in {*closed.joints_of_consequence, "and"}
+        else None
+    )
 
 
 def _is_brought_about(tree: Tree, place: int) -> bool:
     """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}
-    told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= tree.lexicon.closed.am
+    told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= tree.lexicon.closed.present_be
     first = min(tree.below(place))
     # A tree has "so" with what stands before it, or with what it leads to.
     return told and "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
@@ -219,14 +232,14 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
     if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
-    named = bool(((lexicon.persons | closed.he_or_she) - closed.asked_together) & called)
+    named = bool(((lexicon.persons | closed.third_person_singular) - closed.persons_addressed) & called)
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
-    if node.tag == "VBG" and helping <= closed.am and subjects[0].tag in NOUNS:
+    if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
         # "Tom is washing the car at five"
         return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
-    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.will | {"can"}
+    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.future | {"can"}
     if helping == {"can"} and subjects[0].tag in NOUNS:
         # "The surveyor can only come before noon": nobody else can help that.
         only = any(tree.nodes[p].lower == "only" for p in tree.children(verb, "advmod"))
