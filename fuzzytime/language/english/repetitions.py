@@ -163,6 +163,12 @@ def yearly() -> Repeat:
     return of_unit(UnitWord(Unit.YEAR, 1, "year"))
 
 
+@grammar.rule("repeat", "on an? <repeat> basis", weight=0.5)
+def on_a_basis(often: Repeat) -> Repeat:
+    """On a daily basis."""
+    return often
+
+
 @grammar.rule("times", "once")
 def once() -> int:
     """Once."""

@@ -25,6 +25,13 @@ def lacks_unit(said: Said) -> bool:
     return after and bare and isinstance(length, Duration) and length.until is None
 
 
+def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether what stands right before "for" and a number goes on for minutes: "grill", "warm up"."""
+    verb, *particle = before[-2:] or [""]
+    settles = verb in lexicon.doing.settling and not lexicon.particles.keys().isdisjoint(particle)
+    return settles or bool(lexicon.timing_alone.intersection(before[-1:]))
+
+
 class Lent:
     """What stands around numbers without a unit, and whether it tells their unit."""
 
@@ -57,7 +64,7 @@ class Lent:
             and (place == 0 or self.texts[place - 1] not in self.closed.noun_openers)
         ]
         whole = not verbs or not self.beside.stops & set(self.texts[verbs[-1] : piece.start])
-        told = (bool(verbs) and whole) or self.around.before(piece) in self.lexicon.timing_alone
+        told = (bool(verbs) and whole) or lasts_minutes(self.texts[: piece.start], self.lexicon)
         return told and self.around.follower(piece) in ({""} | self.beside.behind_minutes)
 
     def seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:

@@ -81,6 +81,9 @@ class Surroundings:
         if before in self.lexicon.ordinals and piece.start > 1:
             # "The second friday meeting"
             before = self.texts[piece.start - 2]
+        if self.texts[piece.start] == "a" and self.is_weekday(piece.start + 1):
+            # "A monday", as in "a monday morning mug"
+            before = self.texts[piece.start]
         if before not in {"a", "an", "the", "my", "our", "your"}:
             return False
         # "A monday morning call": times behind it describe the same noun.
@@ -112,6 +115,10 @@ class Surroundings:
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
         return acted and not led and not self.timely(place - 2) and self.is_part(place)
+
+    def is_spent(self, piece: Piece) -> bool:
+        """Whether it is what somebody does something in: "spend the evening sorting photos"."""
+        return self.before(piece) in self.beside.spending and self.follower(piece).endswith("ing")
 
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""
@@ -179,7 +186,7 @@ class Surroundings:
 
     def names(self, piece: Piece, wall: Wall) -> bool:
         """Whether it belongs to the noun behind it: "the Sunday suit", "Christmas tree", "midnight blue"."""
-        if wall.part is not None or self.may_end(piece):
+        if wall.part is not None or self.may_end(piece) or self.is_spent(piece):
             return False
         if wall.clock is not None:
             worded = all(word.is_letters for word in self.words[piece.start : piece.end])

@@ -36,7 +36,7 @@ class Walls(Standing):
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
         counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
-        counted = counted or self._goes_on(piece, wall)
+        counted = counted or self._goes_on(piece, wall) or self._is_of_event(piece, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -67,12 +67,13 @@ class Walls(Standing):
             clocked = self.around.follower(piece) in self.beside.of_hours
             return bound and not clocked and self.around.may_end(piece)
         part = wall.days is None and wall.clock is None
-        if part and said.preposition in {None, "to", "of"} and not self.around.may_end(piece):
+        ends = self.around.may_end(piece) or self.around.is_spent(piece)
+        if part and said.preposition in {None, "to", "of"} and not ends:
             # "Switch to night mode"
             return False
         owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
         inside = piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
-        if part and owned and inside and not self.around.may_end(piece):
+        if part and owned and inside and not ends:
             # "The kettle for the night staff"
             return False
         weekly = isinstance(wall.days, Fields) and wall.days.weekly
@@ -87,6 +88,11 @@ class Walls(Standing):
         words = [text for text in self.texts[piece.start : piece.end] if text not in {"the", "in"}]
         alone = len(words) == 1 and words[0] in self.lexicon.ambiguous and said.preposition in {None, "in"}
         return not alone or (weekly and self._is_listed(piece))
+
+    def _is_of_event(self, piece: Piece, wall: Wall) -> bool:
+        """Whether it is of a day that an event says: "the morning of the party"."""
+        part = wall.part is not None and wall.days is None and wall.clock is None
+        return part and self.texts[piece.end - 2] == "the" and self.around.follower(piece) == "of"
 
     def _is_listed(self, piece: Piece) -> bool:
         """Whether another day of the week stands beside it: "on mon, wed and fri"."""

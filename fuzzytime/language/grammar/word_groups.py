@@ -194,6 +194,8 @@ class Doing:
     repeating: Words
     shifting: Words
     trying: Words
+    continuing: Words
+    settling: Words
     sure: Words
     keeping: Words
     getting: Words

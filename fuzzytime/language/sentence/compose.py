@@ -48,7 +48,7 @@ from fuzzytime.language.sentence.together.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.together.pairs import leads_to
+from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
@@ -146,7 +146,7 @@ class _Composer:
             follows=sketch.part.segment.connective == "then",
             due=due_of(self.draft.text, sketches[:place], sketch, instructions),
             leads=leads_to(sketches, place, self.draft.text),
-            onto=self.moment.leads is not None,
+            onto=follows_on(sketches, place, self.draft.text),
         )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:

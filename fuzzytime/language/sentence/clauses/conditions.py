@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Condition
@@ -11,6 +12,9 @@ UNLESS = "unless"
 
 IF = "if"
 """The marker whose clause may have a bare verb: "if the bell ring", as in "should the bell ring"."""
+
+WISHING = (["if", "you", "could"], ["if", "you", "would"])
+"""What asks for something where nothing else is said."""
 
 LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
@@ -23,6 +27,13 @@ SHORTEST_BEING = 2
 """Words of "its dark"."""
 
 ANY_DETERMINERS = DETERMINERS | {"PDT", "WDT"}
+
+
+def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
+    """Whether words ask for what they say, and are no condition: "if you could post it by noon"."""
+    texts = [word.text for word in words]
+    alone = tree.root is not None and tree.nodes[tree.root].start >= words[0].start
+    return texts[:3] in WISHING and "," not in texts and alone
 
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span
@@ -114,7 +115,8 @@ class Waiting:
         words = self.source.scanned.words
         places = self.source.places(self.main, self.segment.span[1])
         said = [words[place] for place in places if place not in covered]
-        wanted = any((word.is_letters or word.is_digits) and word.text != "please" for word in said)
+        named = (word for word in said if word.is_letters or word.is_digits or is_quoted(word.text))
+        wanted = any(word.text != "please" for word in named)
         return self.source.sound[self.main : self.segment.span[1]] if wanted else ""
 
     @property

@@ -17,7 +17,7 @@ from fuzzytime.language.sentence.clauses.before_markers import BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
-from fuzzytime.language.sentence.clauses.conditions import IF
+from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
 from fuzzytime.language.sentence.segments.waiting import goes_on_behind
@@ -29,6 +29,7 @@ BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
+OF = "of"
 AFTER = ("after",)
 DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
@@ -66,7 +67,9 @@ def clauses_of(
         is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
-            _leads_nowhere(form, words, place) or reader.leads_to_distance(place, form)
+            _leads_nowhere(form, words, place)
+            or reader.leads_to_distance(place, form)
+            or is_wish(tree, words[place:])
         )
         if form is not None and (is_length(form, words, place, lexicon) or leads):
             # "Rest it for half as long as you cooked it"
@@ -231,8 +234,8 @@ class _Clauses:
                 hedges = (*distance.said.hedges, *time_before.hedges)
                 duration = replace(time_before, hedges=hedges)
                 side = side or at_most_after(kind, duration)
-        day_part = self.before.part_of_day(place) if distance is None and form in DAYS_APART else None
-        if day_part is not None:
+        day_part = self._day_part(place, form) if distance is None else None
+        if day_part is not None and form in DAYS_APART:
             start, duration = day_part.span[0], A_DAY
         if kind == "into" and duration is None:
             return None
@@ -263,6 +266,12 @@ class _Clauses:
         if found is None or time is None or not eventful or not dates(time, duration, kind):
             return found
         return replace(found, time=time, span=(start, time.span[1]))
+
+    def _day_part(self, place: int, form: tuple[str, ...]) -> Phrase | None:
+        """Give the part of a day beside a marker: "the evening before it", "on the morning of the trip"."""
+        if form[-1] == OF:
+            return self.before.part_of_day(place + len(form) - 1)
+        return self.before.part_of_day(place) if form in DAYS_APART else None
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
         """Give the hedge that a marker is: "just before"."""

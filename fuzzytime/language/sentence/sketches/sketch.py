@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
@@ -149,6 +149,10 @@ def _happening(
     root = part.tree.root
     timed = phrases or clauses
     if part.segment.verbless or root is None or not timed or not happens(part.tree, phrases, lexicon):
+        return None
+    vague = (p.span for p in phrases if isinstance(p.said.time, TimeWord))
+    if any(root in part.tree.at(a - part.offset, b - part.offset) for a, b in vague):
+        # "No rush, but …" is no rush hour.
         return None
     spans = (*(p.span for p in phrases), *(clause.span for clause in clauses), *draft.unfinished)
     names = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])

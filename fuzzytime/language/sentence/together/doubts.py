@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
 from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -115,7 +116,8 @@ def _says_how(node: Node, lexicon: Lexicon) -> bool:
 def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[Span]) -> Iterator[Remark]:
     """Point at words without a verb that is understood; at none where all that is said is a time."""
     first, end = part.segment.span
-    said = [word for word in words if first <= word.start < end and word.is_letters]
+    inside = (word for word in words if first <= word.start < end)
+    said = [word for word in inside if word.is_letters or is_quoted(word.text)]
     if not all(any(a <= word.start < b for a, b in heard) for word in said):
         message = f"{text[first:end]!r} names nothing to do that is understood"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
@@ -131,6 +133,8 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
     if denied:
         return "what nobody does"
+    if _is_denied(tree, root):
+        return "what is not to be"
     node = tree.nodes[root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.past_be)
@@ -138,6 +142,15 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     led = node.lower in closed.past_be and root > 0
     named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
     return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
+
+
+def _is_denied(tree: Tree, root: int) -> bool:
+    """Whether nothing is to be: "no calls between twelve and one", "there is no school on friday"."""
+    named = [root]
+    if tree.children(root, "expl") and not any(tree.nodes[p].tag == "VB" for p in tree.below(root)):
+        # "There is no need to call" is no more than that.
+        named += tree.children(root, "attr")
+    return any(tree.nodes[p].lower == "no" and p < noun for noun in named for p in tree.children(noun, "det"))
 
 
 def _is_no_one(tree: Tree, place: int) -> bool:

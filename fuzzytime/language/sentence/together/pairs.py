@@ -16,14 +16,21 @@ MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
 
 def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     """Give the clock time of what follows an instruction in its sentence, with the same thing."""
-    if place + 1 >= len(sketches):
+    if place + 1 >= len(sketches) or _clock_of(sketches[place]) is None:
         return None
-    first, second = sketches[place], sketches[place + 1]
+    return _clock_of(sketches[place + 1]) if follows_on(sketches, place + 1, text) else None
+
+
+def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
+    """Whether an instruction goes on, in the same sentence, with the thing of the one before it."""
+    if not 0 < place < len(sketches):
+        return False
+    first, second = sketches[place - 1], sketches[place]
     between = text[first.part.segment.span[1] : second.part.segment.span[0]]
     joined = first.part is not second.part and not ENDS & set(between)
-    if not joined or first.operation is None or second.operation is None or _clock_of(first) is None:
-        return None
-    return _clock_of(second) if _goes_on(first.operation, second.operation, first.part.tree.lexicon) else None
+    if not joined or first.operation is None or second.operation is None:
+        return False
+    return _goes_on(first.operation, second.operation, first.part.tree.lexicon)
 
 
 def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
@@ -32,7 +39,8 @@ def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
         # "One at eight and one at noon"
         return False
     if second.object is None:
-        return first.stated and second.stated
+        # "We open at noon and close at ten", "open the shop at noon and close at ten"
+        return first.stated == second.stated
     return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
 
 

@@ -83,12 +83,19 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     leads = (
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
-        or lemma in lexicon.indicators
+        or (lemma in lexicon.indicators and not _is_left(tree, root, below, lexicon))
         or _is_going_to(tree, root)
         or (lemma == "let" and (_lets(tree, root) or _lets_forget(tree, root, lexicon)))
         or (lemma == "have" and _has_to(tree, below))
     )
     return below if leads else None
+
+
+def _is_left(tree: Tree, root: int, below: int, lexicon: Lexicon) -> bool:
+    """Whether a verb has an aim: "leave at eight to be there for nine"; but "continue to stir"."""
+    lemma = tree.nodes[root].lemma
+    goes_on = Reference(lexicon.indicators[lemma]) is Reference.START or lemma in lexicon.doing.continuing
+    return _has_to(tree, below) and not goes_on
 
 
 def _reference_of_verb(tree: Tree, root: int, below: int, lexicon: Lexicon) -> Reference | None:

@@ -3,7 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
 from fuzzytime.language.sentence.verbs.called import worker_doing
@@ -167,7 +168,16 @@ class Reader(Stated):
             return [place for place in self.words([clause.noun], verb) if place in about]
         words = next((found for found in self._objects(verb, particle) if found), [])
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
-        return self._called_by_time(self.with_numbers(kept))
+        return self._with_quoted(self._called_by_time(self.with_numbers(kept)), verb)
+
+    def _with_quoted(self, words: list[int], verb: int) -> list[int]:
+        """Give an object with what is quoted behind it, or behind the verb: "send mum the word "hello""."""
+        behind = max(words, default=verb) + 1
+        said = self.tree.nodes[behind : behind + 1]
+        quoted = any(
+            is_quoted(n.text) and not any(overlap((n.start, n.end), t) for t in self.times) for n in said
+        )
+        return [*words, behind] if quoted else words
 
     def _objects(self, verb: int, particle: int | None) -> Iterator[list[int]]:
         """Give what may be a verb's object, the likeliest first; some are empty."""
@@ -201,7 +211,8 @@ class Reader(Stated):
         behind = verb + 2 if particle == verb + 1 else verb + 1
         near = [p for p in names if self.tree.reach(p)[0] == behind]
         owned = [p for p in names if self.tree.children(p, "poss")]
-        owned += [p for p in near if self.tree.children(p, "det")]
+        # "Text Jo Smith at five"
+        owned += [p for p in near if self.tree.children(p, "det") or self.tree.nodes[p].tag == "NNP"]
         named = owned or [p for p in names if p == behind and self._is_named(p)]
         # "Walk the dog morning and night"
         led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
