@@ -162,7 +162,7 @@ class BesideTimes:
     ends: Words
     the_end: Words
     excepting: Words
-    excepted: Words
+    the_other: Words
     sentence_starts: Words
     stops: Words
     behind_things: Words

@@ -168,17 +168,15 @@ class _Clauses:
         ):
             # "By kick-off", "by knocking-off time"
             return BY
-        return (
-            (text,)
-            if known and edge_of(self.words, place + 1, self.covered, self.lexicon) is not None
-            else None
-        )
+        return (text,) if known and self._edge(place + 1) is not None else None
+
+    def _edge(self, place: int) -> tuple[Edge, int] | None:
+        return edge_of(self.words, place, self.covered, self.lexicon)
 
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
-        kind = self.lexicon.clauses.get(
-            form, IF if form[0] in self.lexicon.closed.conditional_inversion else "until"
-        )
+        inverted = form[0] in self.lexicon.closed.conditional_inversion
+        kind = self.lexicon.clauses.get(form, IF if inverted else "until")
         if edge is not None:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
@@ -196,15 +194,9 @@ class _Clauses:
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
-        edge, first = edge_of(self.words, place + len(form), self.covered, self.lexicon) or (
-            None,
-            place + len(form),
-        )
-        if (
-            place
-            and self.words[place - 1].text == "one"
-            and self.words[first].text in self.lexicon.beside.excepted
-        ):
+        edge, first = self._edge(place + len(form)) or (None, place + len(form))
+        counted = place > 0 and self.words[place - 1].text == "one"
+        if counted and self.words[first].text in self.lexicon.beside.the_other:
             # "One after the other"
             return None
         kind = self._kind(form, bound, edge)
@@ -288,9 +280,8 @@ class _Clauses:
     def _denied(self, clause: Clause | None, place: int) -> Clause | None:
         """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""
         before = [word.text for word in self.words[max(0, place - 2) : place]]
-        if clause is None or not (
-            not self.lexicon.beside.excepting.isdisjoint(before[-1:]) or before == ["except", "for"]
-        ):
+        excepted = self.lexicon.beside.excepting & {*before[-1:]} or before == ["except", "for"]
+        if clause is None or not excepted:
             return clause
         if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
             return replace(clause, excepted=True)
@@ -322,9 +313,8 @@ class _Clauses:
 
     def _goes_on(self, place: int) -> bool:
         """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
-        return self.words[-1].text == "," and goes_on_behind(
-            self.words, place, len(self.words) - 1, self.lexicon
-        )
+        last = len(self.words) - 1
+        return self.words[last].text == "," and goes_on_behind(self.words, place, last, self.lexicon)
 
     def _is_inside_number(self, place: int) -> bool:
         """Whether a mark joins digits: "below 1,200"."""
