@@ -399,6 +399,12 @@ def test_no_alone_forbids_nothing(text: str) -> None:
     assert [operation.name for operation in operations if operation is not None] == ["call mum"]
 
 
+def test_a_number_that_counts_something_else_is_no_time() -> None:
+    reading = language().read("Change the oil every 3 months or 3000 miles", now=NOW)
+    assert [r.text for r in reading.instructions[0].requirements] == ["every 3 months"]
+    assert [remark.message for remark in reading.remarks] == ["'3000 miles' is not used"]
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

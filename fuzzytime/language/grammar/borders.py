@@ -58,6 +58,7 @@ class Borders:
             or self._divides(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
+            or self._counts_another(piece)
         )
 
     def _begins_other_bound(self, piece: Piece) -> bool:
@@ -79,6 +80,11 @@ class Borders:
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
         ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
         return any(said.category == "hedge" and said.value == "about" for said in ending)
+
+    def _counts_another(self, piece: Piece) -> bool:
+        """Whether its last number counts something else: "every 3 months or | 3000 miles"."""
+        offered = piece.end - piece.start > 2 and self.texts[piece.end - 2] == "or"
+        return offered and self.measures.is_number(piece.end - 1) and not self.around.may_end(piece)
 
     def _divides(self, piece: Piece) -> bool:
         """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""

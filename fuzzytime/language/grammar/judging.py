@@ -1,6 +1,7 @@
 """Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from fuzzytime.language.grammar.borders import Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
@@ -202,6 +203,10 @@ class Judge:
         if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
+        if self._is_sure(place) and self._is_sure(piece.end - 1):
+            # "At 1400 and 2200": no year
+            clocks = cells[place].get("clock", {}).values()
+            numbers = [replace(p, category="said", value=Said(Wall(clock=p.value))) for p in clocks]
         found = [
             p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.borders.runs_on(p)
         ][:1]

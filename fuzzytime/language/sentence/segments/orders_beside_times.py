@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 
@@ -18,6 +18,20 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     listed = place - 2 in timed
     lasts = tree.nodes[place + 1].lower == "for"
     return node.lower == node.lemma and (listed or lasts or node.tag in IMPERATIVE)
+
+
+def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
+    """Whether it is a second order without an object: "dock at noon and charge until it is full".
+
+    Where the first has an object, it may be another: "feed the cat at six and dog at seven".
+    """
+    root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    if root is None or root >= place or tree.children(root, "dobj", *SUBJECTS):
+        return False
+    joined = tree.nodes[place - 1].lower in {"and", "&"} and place - 2 in timed
+    bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
+    ends = place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
+    return joined and bare and ends
 
 
 def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:

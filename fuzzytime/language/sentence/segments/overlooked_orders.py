@@ -3,6 +3,7 @@
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.segments.orders_beside_times import (
     is_order_before_time,
+    is_order_between_times,
     stands_alone,
 )
 from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
@@ -15,6 +16,7 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
         or is_order_before_time(tree, place, timed)
+        or is_order_between_times(tree, place, timed, lexicon)
         or (
             place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
         )

@@ -81,7 +81,11 @@ def happening_at(
         verb=node.lower,
         lemma="be",
         span=(node.start, node.end),
-        object=(named or node.text).removesuffix(" and").removesuffix("'s").removesuffix("\u2019s"),
+        object=(named or node.text)
+        .removesuffix(" and")
+        .rstrip(" ,")
+        .removesuffix("'s")
+        .removesuffix("\u2019s"),
         stated=True,
         attended=node.lower not in lexicon.frames
         and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),
