@@ -107,7 +107,7 @@ class Gathering:
             self.links.instructions.append(places)
             about.append((instruction, places))
         if not listed:
-            self.rows.join(reading, about, self.skills)
+            self.rows.join(reading, about, self.skills, self.maker.lexicon)
             for _, places in about:
                 self.rows.await_arrival(places, self.skills, self.maker.lexicon)
                 self.rows.resume(places, self.skills)

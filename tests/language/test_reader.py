@@ -405,6 +405,13 @@ def test_a_number_that_counts_something_else_is_no_time() -> None:
     assert [remark.message for remark in reading.remarks] == ["'3000 miles' is not used"]
 
 
+@pytest.mark.parametrize("text", ["The call's been moved to 4", "The meeting has been moved to 4"])
+def test_what_has_been_done_is_not_done_again(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert all(instruction.operation is None for instruction in reading.instructions)
+    assert "tells what was" in " ".join(remark.message for remark in reading.remarks)
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

@@ -62,6 +62,7 @@ class ClosedClasses:
     lemmas_of_be: Words
     past_be: Words
     clipped_be: Words
+    have: Words
     have_before_got: Words
     stative_verbs: Words
     future: Words

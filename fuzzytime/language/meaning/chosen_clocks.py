@@ -50,7 +50,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         if wall.days is not None and not here.carried:
             # "On friday mow at ten and rake at six": the six of that day that follows, however late.
             follows += [moment for moment in plausible if here.since < moment]
-        if not follows and (here.onto or here.follows) and not here.carried:
+        if not follows and here.onto and not here.carried:
             # "Open it at noon and close it at ten", however late that is.
             follows = [moment for moment in moments if here.since < moment]
         chosen = next(iter(follows), chosen)

@@ -140,13 +140,14 @@ class _Composer:
     ) -> Moment:
         """Give what the times of a sketch count from, as what stands beside it says."""
         sketch = sketches[place]
+        then = sketch.part.segment.connective == "then"
         return replace(
             self.moment,
             listed=place > 0 and sketch.part is sketches[place - 1].part,
-            follows=sketch.part.segment.connective == "then",
+            follows=then,
             due=due_of(self.draft.text, sketches[:place], sketch, instructions),
             leads=leads_to(sketches, place, self.draft.text),
-            onto=follows_on(sketches, place, self.draft.text),
+            onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
         )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:

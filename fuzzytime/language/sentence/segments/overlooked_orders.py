@@ -7,6 +7,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
     stands_alone,
 )
 from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
+from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 
@@ -34,7 +35,11 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
     closed = lexicon.closed
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
-    if node.tag == "NN" and before in {"and", "&", ","} and node.lower in lexicon.alone:
+    if (
+        before in {"and", "&", ","}
+        and node.lower in lexicon.alone
+        and (node.tag == "NN" or _stands_apart(tree, place))
+    ):
         return True
     if (
         node.tag not in {"NN", "NNP", "JJ"}
@@ -60,3 +65,12 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         # "The painters come at nine, clear the room"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
+
+
+def _stands_apart(tree: Tree, place: int) -> bool:
+    """Whether what a tree takes for an adjective describes nothing: "chop the onions, fry, then serve"."""
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    ends = all(word.lower in tree.lexicon.closed.joints_of_orders | ENDS for word in behind)
+    # "Keep it dark, cool"
+    named = any(tree.nodes[p].tag.startswith("NN") for p in tree.children(tree.root or 0, "dobj"))
+    return node.tag == "JJ" and ends and named and tree.nodes[node.head].tag.startswith(("NN", "VB"))

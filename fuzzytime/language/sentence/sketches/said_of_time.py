@@ -102,8 +102,8 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
     if clause.day_part is not None and clause.distance is None:
         # "On the morning of the party on friday"
-        day, part = time.said.time, clause.day_part.said.time
-        both = joined(day, part) if isinstance(day, Wall) and isinstance(part, Wall) else None
+        day, half = time.said.time, clause.day_part.said.time
+        both = joined(day, half) if isinstance(day, Wall) and isinstance(half, Wall) else None
         said = said if both is None else replace(said, time=both)
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1

@@ -138,6 +138,8 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     node = tree.nodes[root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
     past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.past_be)
+    # "The meeting has been moved"
+    past = past or (node.tag == "VBN" and "been" in helping and bool(helping & closed.have))
     # "In no time the tent was up"
     led = node.lower in closed.past_be and root > 0
     named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led

@@ -31,6 +31,9 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     if root and tree.nodes[0].lower in lexicon.appointing:
         # "Schedule lunch at noon" asks for it.
         return False
+    if not root and any(node.tag in {"DT", "PRP$"} for node in tree.nodes[1:2]):
+        # "Book the meeting room from three to four": no noun stands right before an article.
+        return False
     if tree.nodes[0].lower in lexicon.addressing and any(_is_person(n, lexicon) for n in tree.nodes[1:2]):
         # "Text Jo Smith at five"
         return False

@@ -188,6 +188,10 @@ class Reader(Stated):
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
         named = self.words(direct, verb)
         yield named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        # "Do the backup daily"
+        often = [p for p in self.tree.children(verb, "advmod", "npadvmod") if p > verb and self.timed(p)]
+        below = ((p, self.tree.nodes[d]) for p in often for d in self.tree.below(p) if not self.timed(d))
+        yield self.words([p for p, node in below if node.relation == "det"], verb)
         # "Do ten minutes of yoga"
         of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
         yield self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)

@@ -182,6 +182,9 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
         turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
         turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
         return Tree(tree.text, tuple(turned), tree.lexicon)
+    doing = _with_one_doing(tree)
+    if doing is not None:
+        return doing
     being = (p for p, node in enumerate(tree.nodes) if node.tag == "POS" and p + 1 in timed)
     verb = next(being, None)
     if root is None or verb is None or verb != root + 1 or not tree.nodes[root].tag.startswith("NN"):
@@ -192,6 +195,31 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
     nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
+
+
+OWNED = frozenset({"'s", "’s"})
+"""How an owner's mark is typed that may be "is"."""
+
+
+def _with_one_doing(tree: Tree) -> Tree | None:
+    """Give "the plumber's coming at nine" its helping verb, taken for an owner's mark; None without one."""
+    root = tree.root
+    mark = -1 if root is None else root - 1
+    if (
+        root is None
+        or mark < 1
+        or tree.nodes[mark].lower not in OWNED
+        or not tree.nodes[root].lower.endswith("ing")
+    ):
+        return None
+    who, nodes = tree.nodes[mark].head, list(tree.nodes)
+    if nodes[who].head != root or nodes[who].relation not in {"nsubj", "poss"} or not nodes[root].may_act:
+        return None
+    nodes[who] = replace(nodes[who], relation="nsubj")
+    nodes[mark] = replace(nodes[mark], tag="VBZ", lemma="be", head=root, relation="aux")
+    lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
+    nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
     return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
