@@ -121,12 +121,21 @@ class Rows:
             self.row.add(Step(places[0], skills[places[0]]))
 
     def join(
-        self, reading: Reading, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted]
+        self,
+        reading: Reading,
+        made: Sequence[tuple[Instruction, range]],
+        skills: Sequence[Interpreted],
+        lexicon: Lexicon,
     ) -> None:
-        """Let what one sentence joins by "and" follow, where it goes on with the same thing, or with none."""
+        """Let what one sentence joins by "and" follow, where it goes on with the same thing, or with none.
+
+        Behind a comma alone, only what leaves its thing unsaid follows: "boil the rice, drain, serve".
+        """
         for (first, before), (second, after) in pairwise(made):
-            between = reading.text[first.span[1] : second.span[0]].strip(" ,").lower()
-            if between == "and" and len(before) == len(after) == 1 and _goes_on_with(first, second):
+            between = reading.text[first.span[1] : second.span[0]].strip()
+            joined = between.strip(" ,").lower() == "and" and _goes_on_with(first, second)
+            joined = joined or (between == "," and _leaves_out(first, second, lexicon))
+            if joined and len(before) == len(after) == 1:
                 one, other = (Step(place, skills[place]) for place in (before[0], after[0]))
                 if other.ordered and not other.timed:
                     self.precedences.append(one.precedence(other))
@@ -257,6 +266,14 @@ def _goes_on_with(first: Instruction, second: Instruction) -> bool:
     # "…, and pick up a pizza on the way back"
     onward = (other.place or "").startswith(ON_THE_WAY)
     return onward or other.object is None or shares_thing(one, other)
+
+
+def _leaves_out(first: Instruction, second: Instruction, lexicon: Lexicon) -> bool:
+    """Whether what is to be done has no thing of its own, and needs one: it is that of the one before."""
+    one, other = first.operation, second.operation
+    if one is None or other is None or one.stated or other.stated or one.object is None:
+        return False
+    return other.object is None and other.place is None and other.lemma not in lexicon.intransitive
 
 
 def _repeats(interpreted: Interpreted) -> bool:

@@ -109,7 +109,9 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
         begun = next((one.requirement for other, one in found if _leads(other, one, phrase)), None)
         here = moment
         if begun is not None and begun.earliest is not None:
-            here = replace(moment, since=begun.earliest, carried=False, listed=False, follows=True)
+            here = replace(
+                moment, since=begun.earliest, carried=False, listed=False, follows=True, onto=False
+            )
         try:
             some = grounded(phrase, text, here)
         except UngroundedError as error:

@@ -23,6 +23,11 @@ def test_plain_lines_are_free() -> None:
     assert not told(["chop the onions", "wash the rice", "set the table"]).interpretation.order
 
 
+def test_what_leaves_its_thing_out_follows_behind_a_comma() -> None:
+    assert order(told(["boil the potatoes for 15 minutes, drain, then mash them"])) == ["s1", "s1.2", "s1.3"]
+    assert not told(["boil the rice, chop the onion, wash the pan"]).interpretation.order
+
+
 def test_a_numbered_list_says_that_its_order_holds() -> None:
     lines = [f"{number}. {line}" for number, line in enumerate(RECIPE, 1)]
     assert order(told([*lines, "water the plants"]))[:4] == ["s1", "s2", "s3", "s4"]

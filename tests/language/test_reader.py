@@ -366,6 +366,52 @@ def test_nothing_is_said_to_be_unused_where_all_is_read() -> None:
     assert unused == [("Stay behind after class to tidy the art room", "'art room' is not used")]
 
 
+@pytest.mark.parametrize(
+    ("text", "name", "left"),
+    [
+        ("Serve the soup, not the salad", "serve the soup", ["salad"]),
+        ("Serve the soup, not the salad, with bread", "serve the soup with bread", ["salad"]),
+        ("Put it in the fridge, not in the freezer, at noon", "put it in the fridge", ["freezer"]),
+        ("Call Tom, not Tim, at six", "call Tom", ["Tim"]),
+    ],
+)
+def test_what_is_denied_beside_what_is_meant_is_not_done(text: str, name: str, left: list[str]) -> None:
+    reading = language().read(text, now=NOW)
+    (instruction,) = reading.instructions
+    assert instruction.operation is not None
+    assert instruction.operation.name == name
+    unused = [text[slice(*r.span)] for r in reading.remarks if r.message.endswith("is not used")]
+    assert unused == left
+
+
+@pytest.mark.parametrize(
+    "text", ["No calls between 12 and 1", "No lunch at noon", "There is no school on friday"]
+)
+def test_what_is_not_to_be_asks_for_nothing(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert all(instruction.operation is None for instruction in reading.instructions)
+    assert "what is not to be" in " ".join(remark.message for remark in reading.remarks)
+
+
+@pytest.mark.parametrize("text", ["No later than six call mum", "No rush, call mum", "No, call mum at six"])
+def test_no_alone_forbids_nothing(text: str) -> None:
+    operations = [instruction.operation for instruction in language().read(text, now=NOW).instructions]
+    assert [operation.name for operation in operations if operation is not None] == ["call mum"]
+
+
+def test_a_number_that_counts_something_else_is_no_time() -> None:
+    reading = language().read("Change the oil every 3 months or 3000 miles", now=NOW)
+    assert [r.text for r in reading.instructions[0].requirements] == ["every 3 months"]
+    assert [remark.message for remark in reading.remarks] == ["'3000 miles' is not used"]
+
+
+@pytest.mark.parametrize("text", ["The call's been moved to 4", "The meeting has been moved to 4"])
+def test_what_has_been_done_is_not_done_again(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert all(instruction.operation is None for instruction in reading.instructions)
+    assert "tells what was" in " ".join(remark.message for remark in reading.remarks)
+
+
 def test_a_time_on_a_day_that_is_not_known_is_pointed_at() -> None:
     reading = language().read("Fetch the cake by noon the day before the christening", now=NOW)
     (remark, _) = reading.remarks

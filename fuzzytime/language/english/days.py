@@ -40,6 +40,18 @@ def weekday(number: int) -> Calendar:
     return Fields(weekday=number)
 
 
+@grammar.rule("days", "a|any|some <weekday>", weight=0.5)
+def any_weekday(number: int) -> Calendar:
+    """A monday: the next."""
+    return Fields(weekday=number)
+
+
+@grammar.rule("days", "a|any|some weekend")
+def any_weekend() -> Calendar:
+    """A weekend: the next."""
+    return Deictic(Which.THIS, Weekend())
+
+
 @grammar.rule("days", "the? <feast>")
 def feast(found: Feast) -> Calendar:
     """Christmas, thanksgiving."""

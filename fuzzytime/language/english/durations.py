@@ -84,8 +84,9 @@ def sum_of(first: Duration, second: Duration) -> Duration | None:
     if AFTERTHOUGHT in first.hedges:
         # "At least thirty minutes, ideally two hours"
         return None
-    # "a day an hour" is a frequency, no sum.
-    if second.indefinite and len(first.terms) == 1 and first.terms[0][0] != 1:
+    # "a day an hour", "an hour a day" are frequencies, no sums.
+    often = first.terms[0][0] != 1 or second.seconds > first.seconds
+    if second.indefinite and len(first.terms) == 1 and often:
         return None
     return replace(first, terms=(*first.terms, *second.terms), ordinal_end=second.ordinal_end)
 

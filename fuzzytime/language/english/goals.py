@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.clocks import with_half
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
@@ -20,9 +21,13 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.requirements import LOWER, UPPER
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
+
+ISH = "ish"
+"""The hedge behind a clock time: "sevenish"."""
 
 
 @grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<offset>|<word>")
@@ -117,6 +122,13 @@ def hedged_after(goal: Goal, hedge: str) -> Goal | None:
         clock = replace(goal.time.clock, bare=False, pair=False)
         goal = replace(goal, time=replace(goal.time, clock=clock))
     return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
+
+
+@grammar.rule("goal", "<clock> -? ish in? the? <meridiem>", weight=0.2)
+def ish_in_half(clock: Clock, half: Half) -> Goal | None:
+    """7ish am."""
+    found = with_half(clock, half)
+    return None if found is None else Goal(Wall(clock=found), (ISH,))
 
 
 def _distance(time: Time) -> Offset | None:

@@ -115,6 +115,12 @@ def every_nth(number: int, unit: UnitWord) -> Repeat | None:
     return of_unit(unit, number) if number > 0 else None
 
 
+@grammar.rule("repeat", "q <integer> -? <unit>", weight=0.5)
+def as_prescribed(number: Integer, unit: UnitWord) -> Repeat | None:
+    """Q4h, as prescriptions have it."""
+    return of_unit(unit, number.value) if number.value > 0 else None
+
+
 @grammar.rule("repeat", "a? daily", "everyday", "day in day out", "each day of the week")
 def daily() -> Repeat:
     """Daily."""
@@ -161,6 +167,12 @@ def quarterly() -> Repeat:
 def yearly() -> Repeat:
     """Yearly."""
     return of_unit(UnitWord(Unit.YEAR, 1, "year"))
+
+
+@grammar.rule("repeat", "on an? <repeat> basis", weight=0.5)
+def on_a_basis(often: Repeat) -> Repeat:
+    """On a daily basis."""
+    return often
 
 
 @grammar.rule("times", "once")
@@ -235,7 +247,7 @@ def so_often_by(number: int, said: Said) -> Repeat | None:
 def so_long_each(duration: Duration, unit: UnitWord) -> Said | None:
     """For twenty minutes a day: each day, and how long."""
     longer = UNIT_SECONDS[unit.unit] * unit.count > duration.seconds and unit.unit not in SMALL
-    if not longer or len(unit.form) == 1 or duration.indefinite:
+    if not longer or len(unit.form) == 1:
         return None
     lasting = replace(duration, hedges=())
     return Said(of_unit(unit), Constraint.EVERY, "for", duration.hedges, lasting=lasting)

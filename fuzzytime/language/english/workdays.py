@@ -61,9 +61,9 @@ def within_few_workdays(*said: Preposition | Which | tuple[int, int]) -> Said | 
     return within_workdays(*(part for part in said if not isinstance(part, tuple)), counts[1])
 
 
-@grammar.rule("days", "the? next|following working|business|work day", weight=0.6)
+@grammar.rule("days", "the? next|following working|business|work day", "a|any weekday|workday", weight=0.6)
 def next_workday() -> Calendar:
-    """The next working day."""
+    """The next working day, any weekday."""
     return Workdays(1, TODAY)
 
 

@@ -6,13 +6,14 @@ are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to, one_by_one
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.numerals import numeral_pieces
+from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Phrase
 
@@ -22,26 +23,49 @@ WIDTH = 0.35
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """A text's words and everything the grammar finds in them."""
+    """A text's words, everything the grammar finds in them, and the tables that it found it by."""
 
     text: str
     words: tuple[Word, ...]
     cells: list[Cell]
+    lexicon: Lexicon = field(repr=False)
 
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
         """Apply a grammar to a text."""
-        words = _parted([_spelt(word, lexicon) for word in words_of(text)], lexicon)
+        words = _parted([_spelt(word, lexicon) for word in _with_quotes(text, grammar, lexicon)], lexicon)
         lexical = {}
         for start in range(len(words)):
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
             if found:
                 lexical[start] = found
-        return cls(text, words, grammar.parse(words, lexical))
+        return cls(text, words, grammar.parse(words, lexical), lexicon)
 
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
         return [piece for cell in self.cells for piece in cell.get(category, {}).values()]
+
+
+def _with_quotes(text: str, grammar: Grammar, lexicon: Lexicon) -> list[Word]:
+    """Cut a text into words; what is quoted is one, as no word in it is a time of what is asked for.
+
+    Only where it is nothing but a bound time it may be one: feed the cat "at six".
+    """
+    words = list(words_of(text))
+    for start, end in quotes_in(text):
+        if _is_time(text[start + 1 : end - 1], grammar, lexicon):
+            continue
+        inside = [place for place, word in enumerate(words) if start <= word.start < end]
+        said = Word(text[start:end].lower(), start, end, words[inside[0]].glued)
+        words[inside[0] : inside[-1] + 1] = [said]
+    return words
+
+
+def _is_time(text: str, grammar: Grammar, lexicon: Lexicon) -> bool:
+    """Whether a text is a time with its preposition, from its first word to its last."""
+    scanned = Scanned.of(text, grammar, lexicon)
+    bound = [phrase for phrase in phrases_of(scanned, lexicon) if phrase.said.preposition is not None]
+    return [(phrase.first, phrase.end) for phrase in bound] == [(0, len(scanned.words))]
 
 
 def _spelt(word: Word, lexicon: Lexicon) -> Word:
@@ -104,14 +128,14 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     found = [
         one
         for phrase in read
-        for one in (one_by_one(phrase, scanned.words) if phrase.said.listed else (phrase,))
+        for one in (one_by_one(phrase, scanned.words, lexicon) if phrase.said.listed else (phrase,))
     ]
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
-        found[place] = in_half(found[place], found[place + 1], scanned.words)
+        found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)
     return tuple(found)
 
 

@@ -50,6 +50,9 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         if wall.days is not None and not here.carried:
             # "On friday mow at ten and rake at six": the six of that day that follows, however late.
             follows += [moment for moment in plausible if here.since < moment]
+        if not follows and here.onto and not here.carried:
+            # "Open it at noon and close it at ten", however late that is.
+            follows = [moment for moment in moments if here.since < moment]
         chosen = next(iter(follows), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
@@ -112,8 +115,11 @@ def same_day_after(here: Standpoint, clock: Clock) -> list[datetime]:
     """Give the moments of a clock time on the day of what it follows with the same thing."""
     if not here.onto or here.since is None or here.since.date() <= here.now.date():
         return []
+    if here.since.time() < EARLY:
+        # "Run it at midnight and report by six": the morning that follows.
+        return []
     there = (midnight(here.since.date()) + timedelta(seconds=seconds) for seconds in clock.candidates())
-    return sorted(moment for moment in there if moment > here.since)
+    return sorted(moment for moment in there if moment >= here.since)
 
 
 def before_due(here: Standpoint, clock: Clock) -> list[datetime]:

@@ -48,7 +48,7 @@ from fuzzytime.language.sentence.together.lengths import (
     told_alone,
     unknown_length,
 )
-from fuzzytime.language.sentence.together.pairs import leads_to
+from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
@@ -140,13 +140,14 @@ class _Composer:
     ) -> Moment:
         """Give what the times of a sketch count from, as what stands beside it says."""
         sketch = sketches[place]
+        then = sketch.part.segment.connective == "then"
         return replace(
             self.moment,
             listed=place > 0 and sketch.part is sketches[place - 1].part,
-            follows=sketch.part.segment.connective == "then",
+            follows=then,
             due=due_of(self.draft.text, sketches[:place], sketch, instructions),
             leads=leads_to(sketches, place, self.draft.text),
-            onto=self.moment.leads is not None,
+            onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
         )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
@@ -199,7 +200,7 @@ class _Composer:
         operation, requirements, duration = without_denial(
             sketch.operation, requirements, duration, connected, said
         )
-        requirements = due_when_needed(requirements, operation, said)
+        requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import BE, being, happening
+from fuzzytime.language.sentence.clauses.conditions import being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
@@ -28,6 +28,9 @@ COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
 COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
+OF_EVENTS = frozenset({"of", "during"})
+"""The last words of markers behind which a noun stands: "on the day of the party", "during the film"."""
+
 EVENTFUL = frozenset({"after", "before", "until", "into"})
 """Clauses that may be a noun: "after the meeting"."""
 
@@ -86,7 +89,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if here in timed or _is_counted(tree, here) or _binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
-        yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+        kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
+        yield _Try(place, kind, Front(marker.start, start), clause, source.sound[start:end])
 
 
 def _is_counted(tree: Tree, place: int) -> bool:
@@ -117,7 +121,7 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
-        return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))
+        return node.lemma not in lexicon.doing.being or bool(tree.children(root, *COMPLEMENTS))
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:

@@ -79,9 +79,10 @@ def on_days_of_events(
 
 def _days_away(clause: Clause) -> int | None:
     """Give how many whole days a clause is from its event; None where it counts none."""
-    if clause.marker == ON_THE_DAY:
-        return 0
     distance = clause.distance
+    if clause.marker == ON_THE_DAY or (clause.day_part is not None and distance is None):
+        # "On the day of the party", "on the morning of the party"
+        return 0
     if distance is None or any(unit in SUB_DAY for _, unit in distance.terms) or distance.until is not None:
         return None
     return round(distance.seconds / DAY.total_seconds()) * (-1 if clause.kind in FIRST else 1)

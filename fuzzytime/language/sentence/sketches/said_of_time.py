@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.leftovers import not_understood
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
+from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.expressions import (
     Edge,
     Offset,
@@ -56,7 +57,9 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
     follows = bool(draft.text[:first].strip())
-    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset, follows=follows)
+    clauses, passed = with_deadlines(
+        clauses, phrases, draft.text, part.offset, draft.scanned.lexicon, follows=follows
+    )
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
@@ -97,6 +100,11 @@ def _dated(draft: Draft, clause: Clause, time: Phrase) -> Phrase:
     # "By close of school on Tuesday"
     edge = Edge.LAST if clause.edge is EventEdge.END or clause.marker.startswith("by") else Edge.START
     said = replace(time.said, constraint=constraint, preposition=preposition, edge=edge)
+    if clause.day_part is not None and clause.distance is None:
+        # "On the morning of the party on friday"
+        day, half = time.said.time, clause.day_part.said.time
+        both = joined(day, half) if isinstance(day, Wall) and isinstance(half, Wall) else None
+        said = said if both is None else replace(said, time=both)
     if clause.distance is not None and isinstance(time.said.time, Wall):
         direction = 1 if constraint is Constraint.AFTER else -1
         distance = Offset(replace(clause.distance, hedges=()), direction, time.said.time)

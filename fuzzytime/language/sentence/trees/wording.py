@@ -5,17 +5,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Tree
 
 CLOSING = {">": "<", ")": "(", "]": "["}
 """Marks, and those that they close."""
 
-LISTED = frozenset({",", "and", "&", "or"})
-"""What joins the numbers of a list."""
 
-REACHING = frozenset({"to", "-"})
-"""What joins the first and the last number of several: "steps 1 to 7"."""
+DENYING = "not"
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,17 +54,21 @@ class Wording:
                         # "Drive ten minutes north", "a ten minute walk"
                         continue
                     break
+                if self._is_contrasted(place, verb):
+                    # "Serve the soup, not the salad"
+                    continue
                 found.append(place)
         return sorted(set(found))
 
     def with_numbers(self, words: Sequence[int]) -> list[int]:
         """Give words with the numbers that things are called by: "valve 1", "rooms 3, 4 and 5"."""
+        closed = self.lexicon.closed
         found = set(words)
         found.update(p + 1 for p in words if self._is_called_by(p + 1))
         for place in sorted(found):
-            joints = LISTED
+            joints = closed.coordinators
             if place and self.tree.nodes[place - 1].tag == "NNS":
-                joints = LISTED | REACHING
+                joints = closed.coordinators | closed.range_joints
             end: int | None = place
             while end is not None and self._counts(end):
                 found.update(range(place, end + 1))
@@ -102,10 +104,35 @@ class Wording:
             return None
         return None if self._is_noun(behind + 1) else behind
 
+    def _is_contrasted(self, place: int, verb: int) -> bool:
+        """Whether a word is of something that is not meant: "the soup, not the salad"."""
+        if self.tree.nodes[place].text == ",":
+            # The comma on either side of it
+            return self._contrasts(place + 1) or self._is_contrasted(place - 1, verb)
+        while place > verb and self.tree.nodes[place].text != ",":
+            if self._contrasts(place):
+                return True
+            place -= 1
+        return False
+
+    def _contrasts(self, place: int) -> bool:
+        """Whether a "not" denies something else that is named behind it, and no verb or adjective."""
+        nodes = self.tree.nodes
+        if nodes[place].lower != DENYING or not 0 < place < len(nodes) - 1:
+            return False
+        behind = nodes[place + 1]
+        led = nodes[place - 1].text == "," and behind.tag.startswith(("NN", "PRP", "CD", "JJ", "IN", "DT"))
+        return led or (behind.tag in {"DT", "PRP$"} and nodes[place - 1].tag.startswith("NN"))
+
     def _describes(self, place: int) -> bool:
         """Whether a word about time belongs to a noun behind it: "a ten minute walk"."""
         head = next((p for p in self.tree.above(place) if not self.timed(p)), place)
         return head > place and self.tree.nodes[head].lower in self.lexicon.lasting
+
+    def _ends_named(self, place: int, end: int) -> bool:
+        """Whether one end of a word is no mark, or it is quoted."""
+        text = self.tree.nodes[place].text
+        return _names(text[end]) or is_quoted(text)
 
     def _closes(self, kept: Sequence[int]) -> bool:
         """Whether the mark behind some words closes what is opened among them: "flowers & <wine>"."""
@@ -116,9 +143,9 @@ class Wording:
     def said(self, words: Sequence[int]) -> str | None:
         """Give words as typed, single spaces between those that stood apart, without marks at the ends."""
         kept = list(words)
-        while kept and not _names(self.tree.nodes[kept[-1]].text[-1]):
+        while kept and not self._ends_named(kept[-1], -1):
             kept.pop()
-        while kept and not _names(self.tree.nodes[kept[0]].text[0]):
+        while kept and not self._ends_named(kept[0], 0):
             kept.pop(0)
         if kept and self._closes(kept):
             kept.append(kept[-1] + 1)

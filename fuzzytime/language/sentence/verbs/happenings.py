@@ -6,7 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
 from fuzzytime.language.sentence.trees.tags import SINGULAR
-from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
 from fuzzytime.requirement import Constraint
 
@@ -31,12 +31,23 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
     if root and tree.nodes[0].lower in lexicon.appointing:
         # "Schedule lunch at noon" asks for it.
         return False
+    if not root and any(node.tag in {"DT", "PRP$"} for node in tree.nodes[1:2]):
+        # "Book the meeting room from three to four": no noun stands right before an article.
+        return False
+    if tree.nodes[0].lower in lexicon.addressing and any(_is_person(n, lexicon) for n in tree.nodes[1:2]):
+        # "Text Jo Smith at five"
+        return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     # "Incision at eight"
     listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
+
+
+def _is_person(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word names somebody."""
+    return node.tag == "NNP" or node.lower in lexicon.persons
 
 
 def _leads_particle(tree: Tree, lexicon: Lexicon) -> bool:
@@ -73,7 +84,11 @@ def happening_at(
         verb=node.lower,
         lemma="be",
         span=(node.start, node.end),
-        object=(named or node.text).removesuffix(" and").removesuffix("'s").removesuffix("\u2019s"),
+        object=(named or node.text)
+        .removesuffix(" and")
+        .rstrip(" ,")
+        .removesuffix("'s")
+        .removesuffix("\u2019s"),
         stated=True,
         attended=node.lower not in lexicon.frames
         and (spans or (node.lower in lexicon.taken and node.lower not in lexicon.happening)),

@@ -3,8 +3,8 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.grammar.quotes import is_quoted
+from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
 from fuzzytime.language.sentence.verbs.called import worker_doing
@@ -79,7 +79,7 @@ class Reader(Stated):
 
     def _takes(self, verb: int) -> bool:
         """Whether a verb says how long something takes, and of nothing that is done."""
-        taking = self.tree.nodes[verb].lemma in self.lexicon.doing["taking"]
+        taking = self.tree.nodes[verb].lemma in self.lexicon.doing.taking
         return taking and not self.tree.children(verb, "xcomp")
 
     # -- particles --------------------------------------------------------------------------------------
@@ -168,7 +168,16 @@ class Reader(Stated):
             return [place for place in self.words([clause.noun], verb) if place in about]
         words = next((found for found in self._objects(verb, particle) if found), [])
         kept = [*self._before_noun(words, verb), *(place for place in words if place != particle)]
-        return self._called_by_time(self.with_numbers(kept))
+        return self._with_quoted(self._called_by_time(self.with_numbers(kept)), verb)
+
+    def _with_quoted(self, words: list[int], verb: int) -> list[int]:
+        """Give an object with what is quoted behind it, or behind the verb: "send mum the word "hello""."""
+        behind = max(words, default=verb) + 1
+        said = self.tree.nodes[behind : behind + 1]
+        quoted = any(
+            is_quoted(n.text) and not any(overlap((n.start, n.end), t) for t in self.times) for n in said
+        )
+        return [*words, behind] if quoted else words
 
     def _objects(self, verb: int, particle: int | None) -> Iterator[list[int]]:
         """Give what may be a verb's object, the likeliest first; some are empty."""
@@ -179,6 +188,10 @@ class Reader(Stated):
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
         named = self.words(direct, verb)
         yield named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
+        # "Do the backup daily"
+        often = [p for p in self.tree.children(verb, "advmod", "npadvmod") if p > verb and self.timed(p)]
+        below = ((p, self.tree.nodes[d]) for p in often for d in self.tree.below(p) if not self.timed(d))
+        yield self.words([p for p, node in below if node.relation == "det"], verb)
         # "Do ten minutes of yoga"
         of = (p for d in direct if self.timed(d) for p in self.tree.children(d, "prep"))
         yield self.words([p for o in of for p in self.tree.children(o, "pobj")], verb)
@@ -202,7 +215,8 @@ class Reader(Stated):
         behind = verb + 2 if particle == verb + 1 else verb + 1
         near = [p for p in names if self.tree.reach(p)[0] == behind]
         owned = [p for p in names if self.tree.children(p, "poss")]
-        owned += [p for p in near if self.tree.children(p, "det")]
+        # "Text Jo Smith at five"
+        owned += [p for p in near if self.tree.children(p, "det") or self.tree.nodes[p].tag == "NNP"]
         named = owned or [p for p in names if p == behind and self._is_named(p)]
         # "Walk the dog morning and night"
         led = [p for p in near if self.timed(p) and self.tree.children(p, "compound")]
@@ -234,7 +248,10 @@ class Reader(Stated):
 
     def _is_clock(self, place: int) -> bool:
         """Whether a word is of a clock time, and no day."""
-        return self.tree.nodes[place].tag == "CD" or self.tree.nodes[place].lower in OF_CLOCKS
+        return (
+            self.tree.nodes[place].tag == "CD"
+            or self.tree.nodes[place].lower in self.lexicon.beside.of_clocks
+        )
 
     def _asked(self, verb: int) -> list[int]:
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""
