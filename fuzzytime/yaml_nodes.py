@@ -134,7 +134,11 @@ class Reader(Document):
         """Give one text, or a list of texts; none may be empty."""
         if isinstance(node, Scalar):
             return (self.phrase(node, key),)
-        return tuple(self.phrase(item, f"{key}[{i}]") for i, item in enumerate(self.sequence(node, key)))
+        # Word tables hold thousands: the path of one is made where it has a mistake.
+        return tuple(
+            item.text if isinstance(item, Scalar) and item.text.strip() else self.phrase(item, f"{key}[{i}]")
+            for i, item in enumerate(self.sequence(node, key))
+        )
 
     def choices(self, node: Node, key: str, known: Collection[str]) -> tuple[str, ...]:
         """Give one text, or a list of texts, that must all be known ones."""

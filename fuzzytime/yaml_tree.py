@@ -153,12 +153,13 @@ class _Builder:
                 self._add(Scalar(event.value, mark.line, mark.column, mark.index, quoted))
                 return
             self._nodes -= 1
+        if isinstance(event, yaml.CollectionEndEvent):
+            self._add(self._closed(self._stack.pop()))
+            return
         place = _place(event)
         if isinstance(event, yaml.DocumentStartEvent) and self.document is not None:
             raise TreeError("a file must hold one document", place.line, place.column)
-        if isinstance(event, yaml.CollectionEndEvent):
-            self._add(self._closed(self._stack.pop()))
-        elif isinstance(event, yaml.NodeEvent):
+        if isinstance(event, yaml.NodeEvent):
             self._nodes += 1
             if self._nodes > MAX_NODES:
                 raise TreeError(

@@ -57,6 +57,23 @@ def test_a_link_leads_to_a_file_and_out_of_no_book(path: Path) -> None:
         assert ROOT / "docs" not in path.parents or ROOT / "docs" in target.parents, link
 
 
+def test_the_files_of_a_language_are_where_the_book_says() -> None:
+    text = (ROOT / "docs" / "language.md").read_text("utf-8").partition("## To add a language")[2]
+    rows = re.findall(r"^\| `([^`]+)` \|", text.partition("## ")[0], re.MULTILINE)
+    assert len(rows) > 5
+    assert all((ROOT / path).exists() for path in rows)
+
+
+def test_the_groups_of_words_that_the_book_tells_of_are_in_the_tables() -> None:
+    text = (ROOT / "docs" / "language.md").read_text("utf-8")
+    words = (ROOT / "rules" / "lexicon.yaml").read_text("utf-8")
+    (row,) = re.findall(r"`(noun openers: \[[^`]+\])`", text)
+    assert all(
+        f"\n{section}:\n  source: " in words for section in ("doing", "closed_classes", "beside_times")
+    )
+    assert f"\n  {row}" in words
+
+
 def test_the_reference_of_the_json_is_that_of_its_schema() -> None:
     specification = importlib.util.spec_from_file_location("reference", ROOT / "docs" / "reference.py")
     assert specification is not None

@@ -16,6 +16,7 @@ from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
 from fuzzytime.interpreter.told_anew import meant, on_its_day, told_anew
 from fuzzytime.language import (
     Instruction,
+    Lexicon,
     News,
     NewsKind,
     Reading,
@@ -159,7 +160,7 @@ class Gathering:
         """Make an instruction's skills; where there is none to make, say why."""
         if is_spoiled(instruction, reading, remarks_of(reading, wish)):
             return []
-        why_none = _why_nothing(instruction, reading)
+        why_none = _why_nothing(instruction, reading, self.maker.lexicon)
         if why_none is None:
             try:
                 made = self.maker.spoken(wish, reading, instruction, inside)
@@ -219,7 +220,7 @@ class Gathering:
         if instruction.way is None or target is None or not meant:
             return
         operation = self.skills[meant[0]].operation
-        if operation is not None and operation.lemma in self.maker.lexicon.doing["leaving"]:
+        if operation is not None and operation.lemma in self.maker.lexicon.doing.leaving:
             # "We leave at six, the drive takes an hour"
             self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
             return
@@ -273,9 +274,9 @@ def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
 
 
-def _why_nothing(instruction: Instruction, reading: Reading) -> str | None:
+def _why_nothing(instruction: Instruction, reading: Reading, lexicon: Lexicon) -> str | None:
     """Say why an instruction asks for nothing; None where it asks for something."""
-    if reported(reading) is not None:
+    if reported(reading, lexicon) is not None:
         return "tells what was done, and asks for nothing"
     if instruction.operation is None:
         return "says a time but nothing to do"

@@ -208,7 +208,7 @@ class Maker:
             # What happens by itself needs nobody's hands: "the guests arrive at six".
             if length is not None:
                 return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
-            if operation.lemma in self.lexicon.doing["ending"]:
+            if operation.lemma in self.lexicon.doing.ending:
                 # "The shift ends at two": that is a moment.
                 return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
             known = self._happening(operation) or (table if table.known else None)

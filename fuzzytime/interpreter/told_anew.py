@@ -28,7 +28,7 @@ def meant(
     found = [place for place, one in enumerate(skills) if _may_be(news, one, wish, lexicon)]
     if news.several is None:
         return min(found, key=lambda place: _distance(skills[place], told), default=None)
-    fitting = [place for place in found if _is_several(skills[place]) is news.several]
+    fitting = [place for place in found if _is_several(skills[place], lexicon) is news.several]
     return next(reversed(fitting or found), None)
 
 
@@ -44,8 +44,8 @@ def _may_be(news: News, one: Interpreted, wish: SpokenWish, lexicon: Lexicon) ->
     return news.marked or seconds_between(one.wish.given, wish.given) > 0
 
 
-def _is_several(one: Interpreted) -> bool:
-    return one.operation is not None and is_several(one.operation.object or "")
+def _is_several(one: Interpreted, lexicon: Lexicon) -> bool:
+    return one.operation is not None and is_several(one.operation.object or "", lexicon)
 
 
 def _distance(one: Interpreted, told: float) -> tuple[bool, float]:

@@ -8,6 +8,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import TYPE_CHECKING
 
+from fuzzytime.english import BEFORE_PARTICLES
 from fuzzytime.requirement import Anchor, Recurrence, TimeRequirement
 
 if TYPE_CHECKING:
@@ -21,10 +22,6 @@ Span = tuple[int, int]
 def overlap(one: Span, other: Span) -> bool:
     """Whether two stretches have a character in common."""
     return one[0] < other[1] and other[0] < one[1]
-
-
-PRONOUNS = frozenset({"me", "us", "you", "him", "her", "it", "them", "that", "this", "those", "these"})
-"""Objects that stand before a particle: "wake me up"."""
 
 
 class Order(StrEnum):
@@ -71,7 +68,7 @@ class Operation:
     def name(self) -> str:
         """The operation in words, without its time: "place the pan on the stove", "wake me up"."""
         inner = (self.particle, self.object)
-        if self.object is not None and self.object.lower() in PRONOUNS:
+        if self.object is not None and self.object.lower() in BEFORE_PARTICLES:
             inner = (self.object, self.particle)
         said: tuple[str | None, ...] = (self.verb, *inner, self.complement, self.place)
         if self.lemma == "be" and (self.complement or self.place):

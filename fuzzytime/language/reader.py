@@ -168,15 +168,15 @@ class Language:
         """
         wanted = list(dict.fromkeys(text for text in texts if text.strip()))
         if not wanted:
-            return [Tree(text, ()) for text in texts]
+            return [Tree(text, (), self.lexicon) for text in texts]
         package = installed_model()
-        known = self.cache.known(wanted, package) if self.cache is not None else {}
+        known = self.cache.known(wanted, package, self.lexicon) if self.cache is not None else {}
         missing = [text for text in wanted if text not in known]
         made = self._parsed(missing, package)
-        return [known.get(text) or made.get(text) or Tree(text, ()) for text in texts]
+        return [known.get(text) or made.get(text) or Tree(text, (), self.lexicon) for text in texts]
 
     def _parsed(self, texts: Sequence[str], package: ModelPackage) -> dict[str, Tree]:
-        made = {tree.text: tree for tree in parsed(texts, package)}
+        made = {tree.text: tree for tree in parsed(texts, package, self.lexicon)}
         if self.cache is not None:
             self.cache.keep(made.values(), package)
         return made

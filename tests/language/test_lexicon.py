@@ -1,16 +1,21 @@
 """Word tables are read whole, and every mistake in them has its line and column."""
 
 import re
+from dataclasses import fields, replace
+from datetime import datetime
 from pathlib import Path
 
 import pytest
 
 from fuzzytime.errors import DocumentError
-from fuzzytime.language import read_lexicon, shipped_lexicon
+from fuzzytime.language import Language, Lexicon, find_times, read_lexicon, shipped_lexicon
 from fuzzytime.language.finding import shipped_grammar
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
 from fuzzytime.resources import rules_directory
+from fuzzytime.yaml_nodes import Reader
 
 LEXICON = (rules_directory() / "lexicon.yaml").read_text("utf-8")
+ROOT = Path(__file__).parents[2]
 CALENDAR = (rules_directory() / "calendar.yaml").read_text("utf-8")
 
 
@@ -53,7 +58,7 @@ def test_the_shipped_tables_have_no_mistake(tmp_path: Path) -> None:
             r"amounts\.a few: corners must not decrease",
         ),
         ("amounts:\n", "amounts:\n  a few: {}\n", r"amounts\.a few: keys must differ"),
-        ("results: [", "result: [", r"unknown key 'result'"),
+        ("results:\n", "result:\n", r"unknown key 'result'"),
     ],
 )
 def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str, said: str) -> None:
@@ -63,6 +68,123 @@ def test_a_mistake_among_the_words_is_located(tmp_path: Path, old: str, new: str
     found = mistakes(tmp_path, lexicon=changed)
     assert any(re.search(said, mistake) for mistake in found), found
     assert any(re.match(rf"lexicon\.yaml:({line}|{line + 1}|\d+):\d+:", mistake) for mistake in found)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("landmarks:\n", "landmarks:\n  sauce: ours\n", r"landmarks.sauce: unknown key 'sauce'"),
+        (
+            "  wanting:    [",
+            "  wantng:    [",
+            r"verbs.wantng: unknown key 'wantng' (did you mean 'wanting'?)",
+        ),
+        (
+            "  third person singular: [",
+            "  third person singulr: [",
+            "closed_classes.third person singulr: unknown key",
+        ),
+        (
+            "  third person singular: [he, she]",
+            "  third person singular: he",
+            "closed_classes.third person singular: must be a list, got 'he'",
+        ),
+        (
+            "  third person singular: [he, she]",
+            "  third person singular: [he, she, he]",
+            "words of a group must differ, got 'he' twice",
+        ),
+        ("  articles: [the, a, an]", "  articles: [<possessives>]", "a group in another must stand above it"),
+        (
+            "  third person singular: [he, she]",
+            "  third person singular: [he, []]",
+            "must be a text, got a list",
+        ),
+        ("  again: [again, then", '  again: ["", then', "beside_times.again: must not be empty"),
+        ("  minus: [", "  minos: [", "beside_times.minos: unknown key 'minos' (did you mean 'minus'?)"),
+        ("  beginning: [start,", "  beginning: [start, start,", "must differ, got 'start' twice"),
+        ("  past alike: [lay, saw]", "  past alike: [lay, saw]\n  future: [go]", "doing.future: unknown key"),
+        (
+            "  keeping: [keep, leave]",
+            "  keeping: {keep: leave}",
+            "doing.keeping: must be a list, got a mapping",
+        ),
+    ],
+)
+def test_a_mistake_in_a_group_is_told_at_its_line(tmp_path: Path, old: str, new: str, said: str) -> None:
+    assert LEXICON.count(old) == 1
+    changed = LEXICON.replace(old, new)
+    line = changed[: changed.index(new)].count("\n") + 1 + new.strip("\n").count("\n")
+    found = [mistake for mistake in mistakes(tmp_path, lexicon=changed) if said in mistake]
+    assert [mistake.split(":")[1] for mistake in found] == [str(line)]
+
+
+def test_a_group_that_is_missing_is_told(tmp_path: Path) -> None:
+    row = next(line for line in LEXICON.splitlines(keepends=True) if line.startswith("  minus: ["))
+    (mistake,) = mistakes(tmp_path, lexicon=LEXICON.replace(row, ""))
+    assert mistake.endswith("beside_times: missing key 'minus'")
+
+
+def test_a_section_that_is_no_list_of_words_is_told(tmp_path: Path) -> None:
+    wrong = LEXICON.replace(
+        "fillers:\n  source: ours\n  words: [", "fillers:\n  source: ours\n  words: [[], "
+    )
+    (mistake,) = mistakes(tmp_path, lexicon=wrong)
+    assert "fillers.words[0]: must be a text, got a list" in mistake
+
+
+def test_a_group_holds_the_words_of_the_groups_in_it() -> None:
+    closed = shipped_lexicon().closed
+    assert closed.articles | closed.possessives == closed.noun_openers
+    assert (
+        closed.first_person
+        < closed.first_and_third_person
+        < closed.personal_pronouns
+        < closed.subject_pronouns
+    )
+
+
+def changed(tmp_path: Path, old: str, new: str) -> Lexicon:
+    """Give the word tables with one row changed, as somebody's own."""
+    assert LEXICON.count(old) == 1
+    (tmp_path / "lexicon.yaml").write_text(LEXICON.replace(old, new), "utf-8")
+    return read_lexicon(tmp_path / "lexicon.yaml", rules_directory() / "calendar.yaml")
+
+
+def test_a_word_that_is_added_to_a_group_is_understood_by_the_grammar(tmp_path: Path) -> None:
+    text, now = "move thy 3 pm to five", datetime.fromisoformat("2026-03-04T09:00")
+    own = changed(
+        tmp_path,
+        "  possessives: [<sure possessives>, his, her]",
+        "  possessives: [<sure possessives>, his, her, thy]",
+    )
+    assert [found.text for found in find_times(text, now).requirements] == ["3 pm to five"]
+    assert [found.text for found in find_times(text, now, own).requirements] == ["to five"]
+
+
+def test_a_word_that_is_added_to_a_group_is_understood_in_a_sentence(tmp_path: Path) -> None:
+    text, now = "ditch all meetings after three", datetime.fromisoformat("2026-03-04T09:00")
+    own = changed(tmp_path, "  dropping: [cancel, drop,", "  dropping: [ditch, cancel, drop,")
+    language = Language.shipped()
+    assert language.read(text, now=now).instructions[0].requirements
+    assert not replace(language, lexicon=own).read(text, now=now).instructions[0].requirements
+
+
+def test_every_section_of_words_says_where_they_are_from() -> None:
+    reader = Reader.of_file(rules_directory() / "lexicon.yaml")
+    sections = reader.mapping(reader.root(), "")
+    unsourced = [name for name, node in sections.items() if "source" not in reader.keys(node)]
+    assert unsourced == ["fuzzytime", "language"]
+
+
+def test_every_group_of_words_is_asked_for_by_a_rule_or_another_group() -> None:
+    code = "".join(
+        path.read_text("utf-8") for part in ("fuzzytime", "cli") for path in (ROOT / part).rglob("*.py")
+    )
+    asked = set(re.findall(r"\b(?:closed|beside|doing|pronouns)\.(\w+)", code))
+    held = {name.replace(" ", "_") for name in re.findall(r"<([\w ]+)>", LEXICON)}
+    for kind in (ClosedClasses, BesideTimes, Doing):
+        assert {field.name for field in fields(kind)} <= asked | held
 
 
 @pytest.mark.parametrize(

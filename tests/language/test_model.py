@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from fuzzytime.language import installed_model, model_files
+from fuzzytime.language import installed_model, model_files, shipped_lexicon
 from fuzzytime.language.sentence.trees import model
 from fuzzytime.language.sentence.trees.model import (
     FileState,
@@ -51,11 +51,11 @@ def test_without_a_model_the_error_names_what_to_install(monkeypatch: pytest.Mon
 
 def test_a_model_that_does_not_load_is_an_error_of_ours() -> None:
     with pytest.raises(ModelError, match="must load"):
-        list(parsed(["text"], ModelPackage("no_such_model", "1.0")))
+        list(parsed(["text"], ModelPackage("no_such_model", "1.0"), shipped_lexicon()))
 
 
 @pytest.mark.parametrize("text", ["flip  the\npancakes", "\ud800 go", " lead", "🍞 bake", "a\u0301 b"])
 def test_words_of_a_tree_are_where_they_stand_in_the_text(text: str) -> None:
-    (tree,) = parsed([text], installed_model())
+    (tree,) = parsed([text], installed_model(), shipped_lexicon())
     assert all(text[node.start : node.end] == node.text for node in tree.nodes)
     assert all(node.text.strip() for node in tree.nodes)

@@ -1,5 +1,6 @@
 """Dependency trees built by hand, so that tests of the sentence need no model."""
 
+from fuzzytime.language import shipped_lexicon
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 
@@ -15,7 +16,7 @@ def tree(*rows: str) -> Tree:
         lemma = row[0].split("/")[1] if "/" in row[0] else word.lower()
         nodes.append(Node(word, place, place + len(word), row[1], lemma, row[2], words.index(row[3])))
         place += len(word) + 1
-    return Tree(" ".join(words), tuple(nodes))
+    return Tree(" ".join(words), tuple(nodes), shipped_lexicon())
 
 
 PLACE_THE_PAN = tree(

@@ -118,7 +118,8 @@ def test_a_variable_of_nothing_is_a_mistake_at_its_place(tmp_path: Path) -> None
 def test_every_word_that_begins_a_clause_has_a_row() -> None:
     lexicon = Reader.of_file(rules_directory() / "lexicon.yaml")
     clauses = lexicon.mapping(lexicon.mapping(lexicon.root(), "")["clauses"], "clauses")
-    said = {form for kind, forms in clauses.items() for form in lexicon.strings(forms, kind)}
+    kinds = {kind: forms for kind, forms in clauses.items() if kind != "source"}
+    said = {form for kind, forms in kinds.items() for form in lexicon.strings(forms, kind)}
     tables = shipped_tables(Profile.EVERYDAY)
     # "Right after" is no clause's word but a hedge of one.
     assert said - tables.clauses.keys() - tables.prepositions.keys() <= tables.time_hedges.keys()

@@ -2,8 +2,8 @@
 
 import pytest
 
+from fuzzytime.english import singular_forms
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.tables.durations import singular_forms
 from fuzzytime.times import MINUTE
 
 RULEBOOK = Rulebook.shipped()

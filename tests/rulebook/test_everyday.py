@@ -226,7 +226,7 @@ def lexicon(section: str) -> list[str]:
     """Give the words of a section, without those that language never hands on: vague repetitions."""
     reader = Reader.of_file(rules_directory() / "lexicon.yaml")
     entries = reader.mapping(reader.mapping(reader.root(), "")[section], section)
-    return [text for text, entry in entries.items() if not _is_repetition(entry)]
+    return [text for text, entry in entries.items() if text != "source" and not _is_repetition(entry)]
 
 
 def _is_repetition(entry: Node) -> bool:

@@ -24,7 +24,7 @@ NOW = ("--now", "2026-03-04T09:00")
         (("plan", "tests/data/latin1.txt"), Exit.BAD_DATA),
         (("plan", "tests/data/broken.yaml"), Exit.BAD_DATA),
         (("plan", "tests/data/mistakes.yaml"), Exit.BAD_DATA),
-        (("plan",), Exit.USAGE),
+        (("plan",), Exit.NO_INPUT),
         (("plan", "--nonsense"), Exit.USAGE),
         (("plan", "-i", "x", "--now", "yesterday"), Exit.USAGE),
         (("plan", "-i", "x", "--ctx", "nothing=1"), Exit.USAGE),
@@ -112,6 +112,28 @@ def test_a_pipe_into_the_bare_command_is_planned(tmp_path: Path) -> None:
     done = ran(folder=tmp_path, stdin=b"stir the soup soon\n")
     assert (done.code, done.err) == (Exit.FINE, "")
     assert "stir the soup" in done.out
+
+
+def test_a_pipe_into_plan_needs_no_name(tmp_path: Path) -> None:
+    done = ran("plan", folder=tmp_path, stdin=b"stir the soup soon\nand so on\n")
+    assert done.code == Exit.FINE
+    assert "stir the soup" in done.out
+    assert "<stdin>:2: " in done.err
+
+
+def test_instructions_given_as_options_leave_a_pipe_to_others(tmp_path: Path) -> None:
+    done = ran("plan", "-i", "call mum soon", folder=tmp_path, stdin=b"stir the soup soon\n")
+    assert "call mum" in done.out
+    assert "stir" not in done.out
+
+
+def test_at_a_terminal_plan_says_what_it_wants_instead_of_waiting(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("fuzzytime_cli.inputs.source.is_piped", lambda: False)
+    done = ran("plan", folder=tmp_path)
+    assert (done.code, done.out) == (Exit.USAGE, "")
+    assert done.err == "fuzzytime: say what to plan: a file, - for standard input, or -i TEXT\n"
 
 
 def test_a_line_without_end_is_refused_in_few_words_and_the_rest_is_planned(tmp_path: Path) -> None:

@@ -14,7 +14,6 @@ from fuzzytime_cli.options import (
     Moment,
     OutputFile,
     Solving,
-    TaskFile,
     Understanding,
     flattened,
 )
@@ -34,7 +33,12 @@ MOST_REJECTED = 20
 
 @flattened
 def plan(
-    file: TaskFile = None,
+    file: Annotated[
+        str | None,
+        typer.Argument(
+            help="Instructions, one a line; a YAML task file; or - for standard input, as without both."
+        ),
+    ] = None,
     instruction: Instructions = None,
     output_format: Annotated[
         PlanFormat | None,
@@ -54,7 +58,10 @@ def plan(
 ) -> None:
     """Plan instructions: print the best schedule and how well each wish is satisfied."""
     from fuzzytime_cli.assembly import Assembly
+    from fuzzytime_cli.inputs.source import STDIN, is_piped
 
+    if file is None and not instruction and is_piped():
+        file = STDIN
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)

@@ -1,6 +1,5 @@
 """`fuzzytime run`: a plan carried out in time."""
 
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -75,6 +74,7 @@ def run(
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import request_from, request_of
     from fuzzytime_cli.faults import UsageError
+    from fuzzytime_cli.inputs.source import STDIN, is_piped
     from fuzzytime_cli.live import programs
     from fuzzytime_cli.live.start import Settings
     from fuzzytime_cli.live.start import run as carried_out
@@ -85,7 +85,7 @@ def run(
         raise UsageError("--simulate and --speed: a simulated run is as fast as can be")
     if limit is not None and not program:
         raise UsageError("--limit needs --exec PROGRAM: what it may end")
-    listens = file != "-" and sys.stdin is not None and not sys.stdin.isatty()
+    listens = file != STDIN and is_piped()
     if wait_for_done and not listens and follow is None:
         raise UsageError("--wait-for-done needs somebody to say so: a pipe, or --follow FILE")
     settings = Settings(

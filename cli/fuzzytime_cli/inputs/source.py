@@ -16,6 +16,11 @@ MAX_BYTES = 16 << 20
 STDIN = "-"
 
 
+def is_piped() -> bool:
+    """Tell whether standard input is there and is not a terminal, where nobody would know what is awaited."""
+    return sys.stdin is not None and not sys.stdin.isatty()
+
+
 @dataclass(frozen=True, slots=True)
 class Source:
     """Where text came from, as a person would name it, and the text."""

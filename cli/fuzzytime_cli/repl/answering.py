@@ -117,7 +117,7 @@ def _focus(scene: Scene, positions: list[int]) -> int | None:
 
 def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
     """Give the places of waiting skills that all of some words name; without words of what was spoken of."""
-    leaving = scene.conversation.interpreter.language.lexicon.doing["leaving"]
+    leaving = scene.conversation.interpreter.language.lexicon.doing.leaving
     if names and names <= leaving | SETTING_OFF:
         # "When do I have to leave?"
         going = ((place, one.operation) for place, one in waiting(scene))

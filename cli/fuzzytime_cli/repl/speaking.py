@@ -36,7 +36,7 @@ def are_about(language: Language, lines: Sequence[str], now: datetime) -> list[b
     """
     readings = language.read_independent([(line, now) for line in lines])
     return [
-        about_wishes(line, now, language.lexicon) is not None or bool(reported(reading))
+        about_wishes(line, now, language.lexicon) is not None or bool(reported(reading, language.lexicon))
         for line, reading in zip(lines, readings, strict=True)
     ]
 
@@ -79,7 +79,8 @@ def _told(scene: Scene, words: str) -> Reply | None:
     FuzzytimeError
         If nothing that is known was done.
     """
-    operation = reported(scene.conversation.interpreter.language.read(words, now=scene.now))
+    language = scene.conversation.interpreter.language
+    operation = reported(language.read(words, now=scene.now), language.lexicon)
     if operation is None:
         return None
     names = content_words(operation.object) | {operation.lemma}

@@ -8,12 +8,8 @@ from fuzzytime.language.grammar.lexicon import longest_match
 DIRECTIONS = ("later", "earlier")
 REFERRED = ("last", "everything")
 FOR = "for"
-KEEPING = frozenset({"keep", "leave"})
-"""What is said of what was dropped or changed, for it to stay as it was."""
 
 DOING = "do"
-BETWEEN = frozenset({"and", "with", "for"})
-"""Words between the two that are swapped."""
 
 
 def change(said: Said) -> About | None:
@@ -58,7 +54,9 @@ def _swapped(said: Said) -> About | None:
     rest = rest.until(len(rest.words) - 1) if rest.forms[-1:] in {("around",), ("over",)} else rest
     if not rest.words or rest.is_in("both"):
         return About(kind=AboutKind.SWAP, both=True, certain=True)
-    joint = next((place for place, word in enumerate(rest.forms) if word in BETWEEN), 0)
+    joint = next(
+        (place for place, word in enumerate(rest.forms) if word in said.lexicon.closed.joints_of_swaps), 0
+    )
     one, other = rest.until(joint), rest.behind(joint + 1)
     if not joint or not other.words:
         return None
@@ -117,7 +115,7 @@ def _corrected(said: Said) -> About | None:
             break
         place += len(form) if form is not None else 1
     rest = said.behind(place)
-    if place and rest.forms[:1] and rest.forms[0] in KEEPING and _is_last(rest.behind(1)):
+    if place and rest.forms[:1] and rest.forms[0] in said.lexicon.doing.keeping and _is_last(rest.behind(1)):
         # "No wait, keep it"
         return About(kind=AboutKind.UNDO, certain=True)
     delayed = _by(rest)

@@ -6,12 +6,13 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from enum import StrEnum
 
+from fuzzytime.english import EMPTY, singular
 from fuzzytime.language.about_wishes.said import CLOCKED, TO, Said
 from fuzzytime.language.finding import find_times
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Span
 from fuzzytime.language.sentence.references.mentions import verb_forms
-from fuzzytime.language.sentence.trees.content_words import EMPTY, content_words, singular
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Constraint, TimeRequirement
 
 CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
@@ -19,9 +20,6 @@ CLAUSES = re.compile(r"(?:[^,.;!?]|[,.;!?](?=\S))+")
 
 ANEW = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
 """What says when something happens."""
-
-ONE_OF_MANY = frozenset({"a", "an", "some", "another", "more"})
-"""Words before what was not spoken of yet."""
 
 SEVERAL = r"\bthey"
 BE = "be"
@@ -199,7 +197,9 @@ class _Clause:
     def _news_of(self, kind: NewsKind, left: Said, tables: frozenset[str], *, by: float = 0.0) -> News | None:
         """Give news of what the words that are left name; None where they say more than that."""
         forms = left.forms
-        if ONE_OF_MANY & set(forms) or not all(form.replace("'", "").isalnum() for form in forms):
+        if self.lexicon.closed.indefinite_determiners & set(forms) or not all(
+            form.replace("'", "").isalnum() for form in forms
+        ):
             return None
         names = frozenset(singular(form) for form in forms if form not in EMPTY)
         if not (names or "they" in tables):
@@ -216,8 +216,8 @@ def _joint(words: str) -> int:
 
 def _verbs(happening: Operation, lexicon: Lexicon) -> frozenset[str]:
     """Give the words for what something that happens does."""
-    arriving = lexicon.doing["arriving"]
-    beginning = lexicon.doing["beginning"] - arriving | {BE}
+    arriving = lexicon.doing.arriving
+    beginning = lexicon.doing.beginning - arriving | {BE}
     alike = arriving if happening.lemma in arriving else frozenset[str]()
     if happening.lemma in beginning:
         # "The meeting starts at four", which was at three

@@ -1,13 +1,12 @@
 """Reports of how it goes: "done", "the soup is ready", "I'm ten minutes late", "five more minutes"."""
 
+from fuzzytime.english import EMPTY
 from fuzzytime.language.about_wishes.about import About, AboutKind
 from fuzzytime.language.about_wishes.said import Said
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Reading
-from fuzzytime.language.sentence.trees.content_words import EMPTY
-from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS
 
 PAST = frozenset({"VBN", "VBD"})
-BEING = frozenset({"is", "are", "'s", "'re"})
 WITH = "with"
 ON = "on"
 
@@ -78,7 +77,7 @@ def _finished(said: Said) -> About | None:
     for place, word in enumerate(said.forms):
         subject, mark, being = word.partition("'")
         state = said.behind(place + 1)
-        if (mark + being if mark else word) in BEING and _is_over(state):
+        if (mark + being if mark else word) in said.lexicon.closed.third_person_be and _is_over(state):
             # "The soup is ready", "it's done"
             thing = said.until(place)
             owner = thing if not mark else Said(f"{thing.text} {subject}".strip(), said.now, said.lexicon)
@@ -99,7 +98,7 @@ def _is_over(state: Said) -> bool:
     return "finished" in tables and not left.words
 
 
-def reported(reading: Reading) -> Operation | None:
+def reported(reading: Reading, lexicon: Lexicon) -> Operation | None:
     """Give what somebody tells to have done: "I've fed the cat", "we called mum"; None without one."""
     if len(reading.instructions) != 1:
         return None
@@ -114,5 +113,7 @@ def reported(reading: Reading) -> Operation | None:
     if operation.verb.lower() == operation.lemma:
         # "I put the bins out" may be what who speaks does, or did
         return None
-    speaks = any(part.relation == "nsubj" and part.text.lower() in SPEAKERS for part in parts)
-    return operation if speaks and operation.object not in PRONOUNS else None
+    speaks = any(
+        part.relation == "nsubj" and part.text.lower() in lexicon.closed.first_person for part in parts
+    )
+    return operation if speaks and operation.object not in lexicon.closed.anaphors else None

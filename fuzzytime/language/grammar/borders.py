@@ -5,46 +5,14 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint
 
-ONLY = frozenset({"just", "only", "right"})
-"""Hedges of what stands behind them."""
-
-COMPARING = frozenset({"less", "more", "longer", "shorter", "earlier", "later"})
-"""Words behind which "than" makes a length of time a difference."""
-
-SAYING = frozenset(["is", "are", "was", "will", "starts", "begins", "ends", "finishes", "comes", "goes"])
-"""Words behind which stands what is said of the thing before them: "lunch is at twelve"."""
-
-NAMED = frozenset({"the", "a", "an", "my", "your", "our", "their"})
-"""Words behind which a preposition is the name of a thing: "lock the till at six"."""
-
-PREPOSITIONS = frozenset(
-    {"at", "in", "during", "through", "throughout", "over", "all", "from", "until", "till"}
-)
-"""Words behind which "on" belongs to the verb: "leave it on through the night"."""
-
 LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
-
-HALVES = frozenset({"am", "pm", "a.m.", "p.m.", "o'clock", "oclock"})
-"""Words that belong to the hour before them."""
-
-OFF = frozenset({"before", "after", "early", "earlier", "late"})
-"""Words behind a length of time that make it a distance."""
-
-LED = frozenset({"at", "in", "by", "before", "after", "to", "for", "from", "until", "till", "on"})
-"""Prepositions behind "round" that are no part of a hedge."""
-
-BEING = frozenset({"be", "been", "am", "are", "is", "was", "'m", "'re", "'s", "running", "too", "so", "very"})
-"""Words behind which "late" says how somebody is."""
-
-JOINING = frozenset({"and", "or", "but", "then", "please"})
-"""Words behind which something else is said."""
 
 TENS = 10
 FEAST_WORDS = 3
@@ -52,9 +20,6 @@ FEAST_WORDS = 3
 
 BANK_HOLIDAY = ["bank", "holiday"]
 """Words before a weekday on a date that is not known here."""
-
-REPEATING = frozenset({"every", "each", "all", "any", "daily", "weekly", "always"})
-"""Words behind which "but" takes out: "every day but sunday"."""
 
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
@@ -65,14 +30,16 @@ class Borders:
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
         self.words = words
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.texts = around.texts
         self.around = around
         self.measures = Measures(words, lexicon)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
-        compared = self.around.follower(piece) == "than" and self.texts[piece.end - 1] in COMPARING
+        compared = (
+            self.around.follower(piece) == "than" and self.texts[piece.end - 1] in self.beside.comparing
+        )
         # "Twenty minutes earlier than usual"
         return (
             compared
@@ -104,7 +71,7 @@ class Borders:
         if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
-        return further or not (follower in JOINING or self.around.opens(piece.start))
+        return further or not (follower in self.closed.further_clause or self.around.opens(piece.start))
 
     def _hedges_what_follows(self, piece: Piece) -> bool:
         """Whether its last words wish for the time behind them: "after six, preferably | around seven"."""
@@ -146,7 +113,9 @@ class Borders:
             return False
         verb = piece.start - 1
         while verb > 0 and (
-            self.around.timely(verb) or self.measures.is_number(verb) or self.texts[verb] in NAMED
+            self.around.timely(verb)
+            or self.measures.is_number(verb)
+            or self.texts[verb] in self.closed.sure_noun_openers
         ):
             verb -= 1
         return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
@@ -187,7 +156,7 @@ class Borders:
         if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
             # "When you have ten minutes left"
             return True
-        return self.texts[piece.end - 1] in ONLY and self.texts[piece.end - 2] == ","
+        return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","
 
     def runs_on(self, piece: Piece) -> bool:
         """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
@@ -230,7 +199,7 @@ class Borders:
     def _says_how(self, piece: Piece) -> bool:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""
         first = self.texts[piece.start]
-        return first in {"late", "early"} and self.around.before(piece) in BEING
+        return first in {"late", "early"} and self.around.before(piece) in self.beside.being_late
 
     def _says_order(self, piece: Piece) -> bool:
         """Whether it begins with where something comes among others: "feed the cat first at six"."""
@@ -238,7 +207,7 @@ class Borders:
         wall = piece.value.time
         days = wall.days if isinstance(wall, Wall) and wall.clock is not None else None
         alone = isinstance(days, Fields) and days == Fields(day=days.day)
-        return ordinal and alone and self.around.before(piece) not in NAMED
+        return ordinal and alone and self.around.before(piece) not in self.closed.sure_noun_openers
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
@@ -260,18 +229,18 @@ class Borders:
             # "Not today but tomorrow"
             return True
         bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
-        return bound or (earlier[-1:] == [","] and not REPEATING & set(earlier))
+        return bound or (earlier[-1:] == [","] and not self.beside.repeating & set(earlier))
 
     def _holds_particle(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
-        if rest[-1:] == ["on"] and self.around.follower(piece) in OWNING:
+        if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest[:1] != [] and rest[0] in LED:
+        if first in {"round", "around"} and rest[:1] != [] and rest[0] in self.beside.behind_round:
             # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
             moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
             return first == "round" or moved or rest[0] not in {"in", "at"}
@@ -283,7 +252,7 @@ class Borders:
             # "Shut them in at dusk"
             return True
         # "Put the washing on first"
-        return first == "on" and (bool(PREPOSITIONS & {*rest[:1]}) or rest == ["first"])
+        return first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
@@ -296,17 +265,22 @@ class Borders:
         # "Check in 24 hours before the flight", "clock in five minutes early"
         time = piece.value.time
         distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
-        return distance and self.around.follower(piece) in OFF
+        return distance and self.around.follower(piece) in self.beside.distances
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""
         alone = piece.end - piece.start == 1 and piece.start == 0
         apart = alone or self.texts[piece.end - 2] == ","
-        return apart and self.around.follower(piece) in SAYING and isinstance(piece.value.time, Wall)
+        return (
+            apart and self.around.follower(piece) in self.beside.saying and isinstance(piece.value.time, Wall)
+        )
 
     def _is_named(self, piece: Piece) -> bool:
         """Whether its preposition names a thing: "the till"."""
-        return self.around.before(piece) in NAMED and (self.texts[piece.start],) in self.lexicon.clauses
+        return (
+            self.around.before(piece) in self.closed.sure_noun_openers
+            and (self.texts[piece.start],) in self.lexicon.clauses
+        )
 
     def _is_object(self, piece: Piece) -> bool:
         """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
@@ -323,12 +297,16 @@ class Borders:
             # "After the first one is done", "a day before the second coat"
             return True
         counted = isinstance(said.time, Offset)
-        if counted and self.around.follower(piece) in HALVES:
+        if counted and self.around.follower(piece) in self.beside.of_hours:
             # "Two hours before the 6 am flight"
             return True
         wall = said.time.anchor if isinstance(said.time, Offset) else said.time
         if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
             return False
         marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
-        owning = (place for place in range(piece.start + 1, piece.end - 1) if self.texts[place] in OWNING)
+        owning = (
+            place
+            for place in range(piece.start + 1, piece.end - 1)
+            if self.texts[place] in self.closed.noun_openers
+        )
         return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)

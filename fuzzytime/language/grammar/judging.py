@@ -9,8 +9,8 @@ from fuzzytime.language.grammar.lengths import Lengths
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
-from fuzzytime.language.grammar.ranges import BINDING, Ranges
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, SINGLE, Surroundings
+from fuzzytime.language.grammar.ranges import Ranges
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
@@ -28,25 +28,10 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 
-HEDGING = frozenset(
-    ["at", "least", "most", "about", "around", "roughly", "nearly", "almost", "up", "to", "just", "over"]
-)
-"""Words between "for" and a length of time."""
-
-POLITE = frozenset({"please", "thanks", ".", "!", "?", ",", ";", ":"})
 OF_HOURS = frozenset(
     {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
 )
 """Prepositions of minutes past an hour that is not said: "at half past"."""
-
-BEHIND_MARKS = frozenset({"", ",", ".", ";", "!", ")", "and", "then", "but", "so", "into"})
-"""What may stand behind how long something has gone on: "at 20 minutes, turn it"."""
-
-LOOKING = frozenset(
-    {"look", "looks", "looking", "looked", "run", "take", "takes", "chase", "go", "named"}
-    | {"as", "like", "from", "than"}
-)
-"""Words behind which "after" and "before" are no time of what is done: "whom you look after", "as before"."""
 
 
 class Judge:
@@ -54,7 +39,7 @@ class Judge:
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
         self.words = words
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.texts = [word.text for word in words]
         self.measures = Measures(words, lexicon)
         self.around = Surroundings(words, lexicon)
@@ -101,7 +86,7 @@ class Judge:
         if said.preposition == INTO:
             # "Set the timer at 20 minutes", "at 8 and 20 minutes later"
             set_to = self.around.before(piece) in self.lexicon.appointing
-            return not set_to and self.around.follower(piece) in BEHIND_MARKS
+            return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
         return self._accepts_other(piece, said)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
@@ -122,7 +107,7 @@ class Judge:
             return False
         if self.texts[piece.end - 1] in {"before", "after"} and (isinstance(time, (Offset, TimeWord))):
             # "Call me ten minutes after"; but "after lunch call me", and "the night before".
-            looks = self.around.before(piece) in LOOKING and isinstance(time, TimeWord)
+            looks = self.around.before(piece) in self.beside.looking_after and isinstance(time, TimeWord)
             led = piece.start > 0 and not looks and not self.around.timely(piece.start - 1)
             # "Mow the front before and the back after"; but "before and after lunch"
             joined = self.around.follower(piece) == "and" and self.texts[piece.end + 1 : piece.end + 2] != [
@@ -135,7 +120,7 @@ class Judge:
             # "Walk at ten to the gate", "half past the volume"
             follower = self.around.follower(piece)
             sure = said.preposition in OF_HOURS or bool(said.hedges)
-            counts = follower in OWNING or self.measures.is_number(piece.end)
+            counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
             return sure and not counts and self.around.may_end(piece)
         if isinstance(time, Coming) and time.direction < 0:
             # "In the last five minutes": of what, is not said; in what is asked for, never of the past.
@@ -162,7 +147,10 @@ class Judge:
         return self.texts[place] in self.lexicon.ordinals and named and not self.around.timely(place + 1)
 
     def _accepts_repeat(self, piece: Piece) -> bool:
-        if self.around.follower(piece) in {"before", "after"} and self.texts[piece.end - 2] in SINGLE:
+        if (
+            self.around.follower(piece) in {"before", "after"}
+            and self.texts[piece.end - 2] in self.closed.singular_determiners
+        ):
             # "Gate 22 an hour before take-off"
             return False
         if "to" in {piece.value.preposition, self.around.before(piece)}:
@@ -173,7 +161,11 @@ class Judge:
             return False
         if piece.rule == "repeated_days.parts_alone":
             # "The morning and evening", "dawn, noon and dusk", "morning and evening classes"
-            led = self.around.before(piece) in OWNING | BINDING | {"this", "in", ","}
+            led = self.around.before(piece) in self.closed.noun_openers | self.beside.binding_ranges | {
+                "this",
+                "in",
+                ",",
+            }
             if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
                 return False
         # "Most evenings": which, is not said.
@@ -184,7 +176,7 @@ class Judge:
     def _lasts(self, piece: Piece) -> bool:
         """Whether "for" stands before it, or before its hedges: "for at least an hour beforehand"."""
         place = piece.start - 1
-        while place > 0 and self.texts[place] in HEDGING:
+        while place > 0 and self.texts[place] in self.beside.hedging_lengths:
             place -= 1
         return place >= 0 and self.texts[place] == "for"
 
@@ -243,7 +235,7 @@ class Judge:
     def _is_number_for(self, piece: Piece) -> bool:
         """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
         place = piece.start + 1
-        behind = OF_CLOCKS & {*self.texts[place + 1 : place + 2]}
+        behind = self.beside.of_clocks & {*self.texts[place + 1 : place + 2]}
         joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
         return self.measures.is_number(place) and not joined and not self._is_sure(place)
 
@@ -270,7 +262,7 @@ class Judge:
     def _is_whole(self, piece: Piece) -> bool:
         """Whether it is all that is said."""
         outside = [*self.texts[: piece.start], *self.texts[piece.end :]]
-        return all(text in POLITE for text in outside)
+        return all(text in self.beside.polite_ends for text in outside)
 
     def _accepts_alone(self, said: Said) -> bool:
         time = said.time

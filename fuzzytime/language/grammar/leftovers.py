@@ -2,11 +2,10 @@
 
 from collections.abc import Iterator, Sequence
 
-from fuzzytime.language.grammar.borders import SAYING
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
-from fuzzytime.language.grammar.surroundings import OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import UnitWord
 from fuzzytime.requirement import Unit
@@ -16,9 +15,6 @@ TELLING = frozenset(
     | {"unfinished"}
 )
 """Categories of pieces that look like time."""
-
-AWAY = frozenset({"ahead", "beforehand", "early", "earlier", "late"})
-"""Words that say that a length of time is a distance: "an hour ahead"."""
 
 WEEKEND = "weekend"
 WEEKENDING = frozenset({"over", "during", "at", "on", "for", "by", "before", "after", "until", "till"})
@@ -67,7 +63,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or _is_title(piece, around)
                     or _is_share(piece, scanned)
                     or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
-                    or (around.describes(piece) and around.follower(piece) not in AWAY)
+                    or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
                     or _is_compound(piece, around)
                 ):
                     continue
@@ -94,7 +90,7 @@ def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings)
 
 def _binds(around: Surroundings, place: int) -> bool:
     """Whether a preposition that binds times, and an article, stand at a place."""
-    return around.texts[place] in WEEKENDING and around.texts[place + 1] in OWNING
+    return around.texts[place] in WEEKENDING and around.texts[place + 1] in around.closed.noun_openers
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:
@@ -108,7 +104,7 @@ def _is_title(piece: Piece, around: Surroundings) -> bool:
     """Whether it is a part of the day that begins the name of a thing: "Evening tablets at nine"."""
     named = around.follower(piece)
     known = named in around.lexicon.function_words or around.timely(piece.end)
-    told = named in SAYING
+    told = named in around.lexicon.beside.saying
     return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
 
 
@@ -136,7 +132,7 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
         known = called in around.lexicon.function_words or called in around.lexicon.entries
         if not known and called not in around.lexicon.numbers:
             return True
-    named = around.before(piece) in {"the", "a", "my", "your", "our", "by", "per", "each"}
+    named = around.before(piece) in around.closed.of_units
     behind = around.texts[piece.start - 2] if piece.start > 1 else ""
     bound = behind in {"in", "for", "during", "within", "of", "at", "on", "until", "before", "after", "by"}
     return piece.category == "unit" and named and not bound

@@ -3,27 +3,18 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.english import PARTICIPLE
 from fuzzytime.language.grammar.lent import is_heated, lasts_minutes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
-from fuzzytime.language.grammar.surroundings import POSSESSIVES
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
 from fuzzytime.requirement import Constraint, Unit
 
-LISTING = frozenset({",", "and", "&", "or"})
-"""Words between the times of a list."""
-
-AGAIN = frozenset({"again", "then", "once", "more", "also"})
-"""Words between two times of the same thing: "at seven and again at seven pm"."""
-
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
-
-PARTICIPLE = "ing"
-"""The ending of a verb that goes on beside another."""
 
 NOON = 12 * 3600
 
@@ -97,7 +88,7 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
-    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in POSSESSIVES)
+    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in lexicon.closed.possessives)
     # "Move bingo from two to three": what has no article is done, and is no thing.
     named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
     if not named or not lexicon.moving & set(before):
@@ -117,17 +108,17 @@ def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase
     return phrase if days is None else replace(phrase, said=Said(Wall(days), None, "for"))
 
 
-def one_by_one(phrase: Phrase, words: Sequence[Word]) -> list[Phrase]:
+def one_by_one(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> list[Phrase]:
     """Give each time of a list as a phrase of its own: "in 10, 20 and 30 minutes"."""
     times = (replace(phrase.said, listed=()), *phrase.said.listed)
     found = []
     first = phrase.first
     for place, said in enumerate(times):
-        while words[first].text in LISTING:
+        while words[first].text in lexicon.closed.coordinators:
             first += 1
         rest = range(first, phrase.end)
         last = place == len(times) - 1
-        end = phrase.end if last else next(at for at in rest if words[at].text in LISTING)
+        end = phrase.end if last else next(at for at in rest if words[at].text in lexicon.closed.coordinators)
         found.append(
             replace(phrase, said=said, first=first, end=end, span=(words[first].start, words[end - 1].end))
         )
@@ -140,14 +131,19 @@ def _counted(number: Duration, unit: Unit) -> Duration:
     return Duration(((number.terms[0][0], unit),))
 
 
-def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word]) -> Phrase:
+def in_half(phrase: Phrase, following: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Lend a clock time the half of the day of the next in a list: "at 6, 6:10 and 6:20 am".
 
     Of the same number twice, the first is in the other half: "at 7 and again at 7 pm".
     """
-    joints = {word.text for word in words[phrase.end : following.first]} - AGAIN
+    joints = {word.text for word in words[phrase.end : following.first]} - lexicon.beside.again
     first, second = phrase.said.time, following.said.time
-    if not joints or joints - LISTING or not isinstance(first, Wall) or not isinstance(second, Wall):
+    if (
+        not joints
+        or joints - lexicon.closed.coordinators
+        or not isinstance(first, Wall)
+        or not isinstance(second, Wall)
+    ):
         return phrase
     if first.clock is None or second.clock is None or first.days is not None or first.part is not None:
         return phrase

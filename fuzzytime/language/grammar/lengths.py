@@ -1,20 +1,10 @@
 """Whether a length of time is one where it stands, and not a difference, a share or a distance."""
 
-from fuzzytime.language.grammar.borders import COMPARING
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import longest_match
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.meaning.expressions import Duration, Said
 from fuzzytime.requirement import Constraint, Unit
-
-ASKED = frozenset({"me", "us", "just"})
-"""Words before "a second" that make it no length of time."""
-
-UNCOUNTED = frozenset({"by", "the", "last", "final", "past", "previous", "minus", "plus"})
-"""Words before a length of time that make it another thing than how long: "by ten minutes"."""
-
-HELPING = frozenset({"should", "will", "would", "may", "might", "must", "can", "to", "it'll", "that'll"})
-"""Verbs that help the one behind them."""
 
 
 class Lengths(Standing):
@@ -23,14 +13,16 @@ class Lengths(Standing):
     def accept(self, piece: Piece, said: Said, duration: Duration) -> bool:
         """Whether a length of time is one here."""
         last = duration.until or duration
-        if self.around.follower(piece) in COMPARING and self.texts[piece.end + 1 : piece.end + 2] == ["than"]:
+        if self.around.follower(piece) in self.beside.comparing and self.texts[
+            piece.end + 1 : piece.end + 2
+        ] == ["than"]:
             # "For a minute less than the packet says"
             return False
         if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
             # "By half an hour" is no hour.
             return False
         lasts = self.texts[piece.start - 1 : piece.start] == ["last"] and self._is_helped(piece.start - 1)
-        if said.preposition is None and self.around.before(piece) in UNCOUNTED and not lasts:
+        if said.preposition is None and self.around.before(piece) in self.beside.not_how_long and not lasts:
             # "Push the call back by thirty minutes", "through the eight minutes"
             return False
         aged = said.preposition is None and self.around.before(piece) == "at"
@@ -51,7 +43,7 @@ class Lengths(Standing):
             # "Raise it to 20 an hour", "at 60 kilometres an hour"
             return False
         asked = {self.around.before(piece), self.texts[piece.start]}
-        if last.ordinal_end and alone and ASKED & asked:
+        if last.ordinal_end and alone and self.beside.no_length & asked:
             # "Give me a second"
             return False
         if last.ordinal_end or last.bare_end:
@@ -76,7 +68,7 @@ class Lengths(Standing):
 
     def _is_helped(self, place: int) -> bool:
         """Whether a helping verb stands right before a word, which is a verb then: "should last"."""
-        return place > 0 and self.texts[place - 1] in HELPING
+        return place > 0 and self.texts[place - 1] in self.closed.modals_before_lengths
 
     def _is_counting(self, piece: Piece) -> bool:
         """Whether a number without a unit counts units behind it: "in two business days"."""
@@ -88,8 +80,8 @@ class Lengths(Standing):
         follower = self.around.follower(piece)
         if follower == "of":
             # "Do ten minutes of yoga"
-            return self.around.before(piece) in self.lexicon.doing["spending"]
-        if self.around.before(piece) in self.lexicon.doing["spent"]:
+            return self.around.before(piece) in self.lexicon.doing.spending
+        if self.around.before(piece) in self.lexicon.doing.spent:
             # "Spend an hour cleaning", "take ten minutes to tidy up"
             return follower.endswith("ing") or follower == "to" or self.around.may_end(piece)
         return follower in self.lexicon.lasting or self.around.may_end(piece)

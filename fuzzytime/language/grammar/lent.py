@@ -4,23 +4,17 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS, OWNING, Surroundings
+from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import HALFWAY, Duration, Repeat, Said, Time, TimeWord, Wall
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
-
-MAY_FOLLOW = frozenset({"", ".", ",", ";", "!", "and", "then", "at", "on", "in", "until", "while"})
-"""Words behind a number of minutes without their unit."""
 
 FEWEST_MINUTES = 10
 """So many minutes at least something is in an oven; fewer are people."""
 
 DEGREES_DIGITS = 3
 """Digits of a temperature, and of no hour."""
-
-STOPS = frozenset({",", ".", ";", "and", "then"})
-"""Words behind which another order begins."""
 
 
 def lacks_unit(said: Said) -> bool:
@@ -40,7 +34,7 @@ def lacks_unit(said: Said) -> bool:
 def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
     """Whether what stands right before "for" and a number goes on for minutes: "grill", "warm up"."""
     verb, *particle = before[-2:] or [""]
-    settles = verb in lexicon.doing["settling"] and not lexicon.particles.keys().isdisjoint(particle)
+    settles = verb in lexicon.doing.settling and not lexicon.particles.keys().isdisjoint(particle)
     return settles or bool(lexicon.timing_alone.intersection(before[-1:]))
 
 
@@ -56,7 +50,7 @@ class Lent:
     """What stands around numbers without a unit, and whether it tells their unit."""
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.around = around
         self.texts = [word.text for word in words]
 
@@ -81,19 +75,19 @@ class Lent:
             place
             for place in range(piece.start)
             if self.texts[place] in self.lexicon.timing
-            and (place == 0 or self.texts[place - 1] not in OWNING)
+            and (place == 0 or self.texts[place - 1] not in self.closed.noun_openers)
         ]
-        whole = not verbs or not STOPS & set(self.texts[verbs[-1] : piece.start])
+        whole = not verbs or not self.beside.stops & set(self.texts[verbs[-1] : piece.start])
         before = self.texts[: piece.start]
         told = lasts_minutes(before, self.lexicon) or is_heated(before, piece.value.time)
         told = told or (bool(verbs) and whole)
-        return told and self.around.follower(piece) in MAY_FOLLOW
+        return told and self.around.follower(piece) in ({""} | self.beside.behind_minutes)
 
     def seats(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it is for how many: "a table for four on friday"; but "for seven sharp"."""
         clock = time.clock if isinstance(time, Wall) else None
         hour = clock is not None and clock.is_open and clock.half is None and clock.grain is Unit.HOUR
-        worded = not OF_CLOCKS & set(self.texts[piece.start : piece.end])
+        worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")
         laid = self.texts[max(0, begin - 4) : begin - 2] == ["on", "the"]
         counted = worded and not laid and not piece.value.hedges

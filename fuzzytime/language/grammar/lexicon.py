@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
 from fuzzytime.language.grammar.words import Word, joins, words_of
 from fuzzytime.language.meaning.expressions import Edge
 from fuzzytime.language.policy import Hours, Policy
@@ -60,6 +61,10 @@ class Lexicon:
         Adverbs that say nothing of how something is done: "just", "also".
     doing
         Verbs, and what is said like one, by what they say of what happens or ask for.
+    closed
+        Determiners, pronouns, auxiliaries, conjunctions, prepositions and adverbs, in small groups.
+    beside
+        Words around a time, in small groups by what they make of it.
     past
         Irregular forms of verbs of what is over.
     told
@@ -156,7 +161,9 @@ class Lexicon:
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]
-    doing: Mapping[str, frozenset[str]]
+    doing: Doing
+    closed: ClosedClasses
+    beside: BesideTimes
     past: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]
     spacing: Mapping[str, frozenset[str]]

@@ -8,33 +8,14 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
-BEHIND_VERBS = frozenset(
-    {"the", "a", "an", "my", "your", "our", "his", "her", "their", "this", "these", "those", "it", "them"}
-    | {"me", "us", "all", "some", "on", "off", "up", "down", "out"}
-)
-"""Words that may follow a verb, and hardly a noun that is counted."""
-
-STATING = (["is"], ["are"], ["was"], ["runs"], ["goes"])
-OWNED = frozenset({"my", "your", "our", "his", "her", "their", "the", "a"})
-"""Words around what is no verb."""
-
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
 NEARLY = frozenset({"around", "about"})
 
-COPULAS = frozenset({"is", "are", "was", "were", "has", "have"})
-CLOCKS = frozenset({"it", "time", "clock", "hour"})
-"""What a number that it is at may be the hour of: "when it is past six"."""
 
 NEAR = 8
 """Words before a number that decide whether it is an amount."""
-
-REACHING = frozenset({"to", "and", "-"})
-"""What joins the numbers of things."""
-
-AGAIN = frozenset({"every", "each", "on"})
-"""First words of a repetition that no number before it counts."""
 
 
 class Measures:
@@ -42,7 +23,7 @@ class Measures:
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
         self.words = words
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.texts = [word.text for word in words]
 
     def measured(self, piece: Piece) -> bool:
@@ -62,12 +43,16 @@ class Measures:
         """Whether a clause says that something is a number: "when the queue is longer than 4"."""
         *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
         clause = any((text,) in self.lexicon.clauses for text in before)
-        return clause and verb in COPULAS and subject not in CLOCKS
+        return clause and verb in self.closed.stative_verbs and subject not in self.beside.clock_subjects
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
         text, behind = self.texts[place], self.texts[place + 1 : place + 3]
-        joined = text == "and" and behind[-1] in BEHIND_VERBS and behind[0] not in BEHIND_VERBS
+        joined = (
+            text == "and"
+            and behind[-1] in self.closed.behind_verbs
+            and behind[0] not in self.closed.behind_verbs
+        )
         return joined or text in {".", ";", "!", "?", "then"}
 
     def _measures(self, place: int, piece: Piece) -> bool:
@@ -84,10 +69,12 @@ class Measures:
         if self.texts[piece.start] not in {"by", "from", "up"}:
             return False
         following = self.texts[place + 1 : piece.start + 1]
-        if following[:1] in STATING or (place and self.texts[place - 1] in OWNED):
+        if not self.beside.stating.isdisjoint(following[:1]) or (
+            place and self.texts[place - 1] in self.closed.noun_openers
+        ):
             # "My shift is from 7 to 3": a thing, and no verb.
             return False
-        named = OWNED.intersection(self.texts[max(0, place - 2) : place])
+        named = self.closed.noun_openers.intersection(self.texts[max(0, place - 2) : place])
         if text in lexicon.frames and place + 1 == piece.start and named:
             # "The late shift from 2 to 10"
             return False
@@ -102,12 +89,16 @@ class Measures:
     def is_rate(self, piece: Piece) -> bool:
         """Whether a repetition says how much in how long: "to 20 an hour", "at five km per hour"."""
         first = piece.start
-        while first > 2 and self.texts[first - 2] in REACHING and self.is_number(first - 3):
+        while (
+            first > 2
+            and self.texts[first - 2] in self.closed.range_joints_or_and
+            and self.is_number(first - 3)
+        ):
             # "Repeat steps 1 to 7 every 40 minutes"
             first -= 2
         named = self.texts[first - 2 : first - 1] if first > 1 else []
         called = {text.removesuffix(end) for text in named for end in ("", "s")}
-        again = self.texts[first] in AGAIN
+        again = self.texts[first] in self.beside.first_of_repetitions
         if self.is_number(piece.start - 1) and not again and not (self.lexicon.measure_nouns & called):
             # "Within two working days"; but "pick from bin 4 daily", "take 2 every four hours"
             return True

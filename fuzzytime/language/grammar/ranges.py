@@ -2,13 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
-
-BINDING = frozenset(
-    {"at", "by", "until", "till", "before", "after", "from", "around", "about", "since", "for", "between"}
-)
-"""First words behind which two numbers may be the ends of a time: "between 5 and 6"."""
 
 
 class Ranges(Standing):
@@ -19,7 +13,7 @@ class Ranges(Standing):
         if self.around.is_put_off(piece):
             # As in "Reschedule the 3 pm to 4:30".
             return False
-        if self.texts[piece.start] in OWNING and not self.around.may_end(piece):
+        if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):
             # "The Monday to Friday timetable"
             return False
         if self.around.is_owned(piece):
@@ -37,7 +31,7 @@ class Ranges(Standing):
             isinstance(time.first, Wall)
             and time.first.bare
             and not clocked
-            and self.texts[piece.start] not in BINDING
+            and self.texts[piece.start] not in self.beside.binding_ranges
         ):
             # "Keep it above 15 until the end of april"
             return False
@@ -53,4 +47,4 @@ class Ranges(Standing):
         sometime = piece.value.preposition == "between" and "between" in first
         # "Any time after lunch but before four"
         led = first if first[1:2] == ["time"] else first[:2]
-        return bool(BINDING & set(led)) or "than" in first or sometime
+        return bool(self.beside.binding_ranges & set(led)) or "than" in first or sometime

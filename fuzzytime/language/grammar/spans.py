@@ -6,7 +6,7 @@ are chosen that together explain most words in the fewest pieces.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
 from fuzzytime.language.grammar.judging import Judge
@@ -23,11 +23,12 @@ WIDTH = 0.35
 
 @dataclass(frozen=True, slots=True)
 class Scanned:
-    """A text's words and everything the grammar finds in them."""
+    """A text's words, everything the grammar finds in them, and the tables that it found it by."""
 
     text: str
     words: tuple[Word, ...]
     cells: list[Cell]
+    lexicon: Lexicon = field(repr=False)
 
     @classmethod
     def of(cls, text: str, grammar: Grammar, lexicon: Lexicon) -> "Scanned":
@@ -38,7 +39,7 @@ class Scanned:
             found = [*numeral_pieces(words, start, lexicon), *lexicon.pieces(words, start)]
             if found:
                 lexical[start] = found
-        return cls(text, words, grammar.parse(words, lexical))
+        return cls(text, words, grammar.parse(words, lexical), lexicon)
 
     def pieces(self, category: str) -> list[Piece]:
         """Give all pieces of a category, by their start."""
@@ -127,14 +128,14 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     found = [
         one
         for phrase in read
-        for one in (one_by_one(phrase, scanned.words) if phrase.said.listed else (phrase,))
+        for one in (one_by_one(phrase, scanned.words, lexicon) if phrase.said.listed else (phrase,))
     ]
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
-        found[place] = in_half(found[place], found[place + 1], scanned.words)
+        found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)
     return tuple(found)
 
 

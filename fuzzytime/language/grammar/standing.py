@@ -15,7 +15,7 @@ class Standing:
         self, words: Sequence[Word], lexicon: Lexicon, measures: Measures, around: Surroundings
     ) -> None:
         self.words = words
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.texts = [word.text for word in words]
         self.measures = measures
         self.around = around

@@ -5,32 +5,13 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import BEHIND_VERBS, NEAR
+from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic
 
-SENTENCE_STARTS = frozenset({".", ";", "!", "?", ",", "and", "then", "please"})
-OWNING = frozenset({"the", "a", "an", "my", "our", "your", "his", "her", "their"})
-"""Words that open a noun: "the Sunday suit"."""
-POSSESSIVES = frozenset({"my", "our", "your", "his", "her", "their"})
-BOUND_FOR = frozenset({"to", "from", "into", "out", "back", "home", "and", "then", "please"})
-"""Words behind a train that is called by its time."""
-WAYS = frozenset({"back", "forward", "up", "down", "ahead", "out"})
-"""Words between what is given another time and that time: "push it back to nine"."""
-OF_CLOCKS = frozenset({"o'clock", "oclock", "am", "pm", "a.m.", "p.m.", ":", "half", "quarter", "past"})
-PLURALS = frozenset(
-    {"people", "men", "women", "children", "feet", "fish", "sheep", "dozen", "hundred", "percent"}
-)
-"""Words that may be counted and do not look it."""
-ASKING = frozenset({"can", "could", "would", "will"})
-"""Verbs before "you" that ask for something politely."""
-SPENDING = frozenset({"spend", "all", "throughout"})
-"""Words behind which a part of the day is when: "spend the afternoon cleaning"."""
-
-SINGLE = frozenset({"one", "1", "a", "an"})
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
     | {"part", "day", "weekday", "month", "day_part", "unit"}
@@ -43,7 +24,7 @@ class Surroundings:
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon) -> None:
         self.words = words
-        self.lexicon = lexicon
+        self.lexicon, self.closed, self.beside = lexicon, lexicon.closed, lexicon.beside
         self.texts = [word.text for word in words]
         self._pieces: dict[int, list[Piece]] = {}
 
@@ -76,21 +57,23 @@ class Surroundings:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""
         behind = self.texts[piece.end + 1] if piece.end + 1 < len(self.texts) else ""
         follower = self.follower(piece)
-        plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in PLURALS
+        plural = (follower.endswith("s") and not follower.endswith("ss")) or follower in self.beside.plurals
         # "By five call mum": what more than one counts is a plural.
-        counted = self.texts[piece.end - 1] not in SINGLE and piece.end - piece.start > 1
+        counted = (
+            self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
+        )
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
         called = follower in self.lexicon.addressing and behind in self.lexicon.persons
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
-        orders = called or behind in BEHIND_VERBS or (number and counted and led)
+        orders = called or behind in self.closed.behind_verbs or (number and counted and led)
         return self.opens(piece.start) and orders and not plural
 
     def opens(self, place: int) -> bool:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
         *_, first, before = (".", ".", *self.texts[:place])
-        asked = before == "you" and first in ASKING
-        return asked or before in SENTENCE_STARTS or before in self.lexicon.addresses
+        asked = before == "you" and first in self.closed.requesting_modals
+        return asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
@@ -128,14 +111,14 @@ class Surroundings:
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
         before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""
-        acted = before[:1].isalpha() and before not in self.lexicon.function_words | SPENDING
+        acted = before[:1].isalpha() and before not in self.lexicon.function_words | self.beside.spending
         # "Pack the bags the evening before the trip"
         led = self.texts[place + 1 : place + 2] in (["before"], ["after"])
         return acted and not led and not self.timely(place - 2) and self.is_part(place)
 
     def is_spent(self, piece: Piece) -> bool:
         """Whether it is what somebody does something in: "spend the evening sorting photos"."""
-        return self.before(piece) in SPENDING and self.follower(piece).endswith("ing")
+        return self.before(piece) in self.beside.spending and self.follower(piece).endswith("ing")
 
     def is_name(self, piece: Piece) -> bool:
         """Whether it is who is called: "invite June and April", "phone May"."""
@@ -156,19 +139,19 @@ class Surroundings:
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
-        return self.before(piece) in POSSESSIVES or self.before(piece).endswith("'s")
+        return self.before(piece) in self.closed.possessives or self.before(piece).endswith("'s")
 
     def is_put_off(self, piece: Piece) -> bool:
         """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
-        owner = piece.start if self.texts[piece.start] in OWNING else piece.start - 1
-        owning = owner > 0 and (self.texts[owner] in OWNING or self.is_owned(piece))
+        owner = piece.start if self.texts[piece.start] in self.closed.noun_openers else piece.start - 1
+        owning = owner > 0 and (self.texts[owner] in self.closed.noun_openers or self.is_owned(piece))
         return owning and self.texts[owner - 1] in self.lexicon.rescheduling
 
     def is_caught(self, piece: Piece) -> bool:
         """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York"."""
         owner = piece.start - 1
         behind = self.follower(piece)
-        ends = not behind[:1].isalnum() or behind in BOUND_FOR or self.timely(piece.end)
+        ends = not behind[:1].isalnum() or behind in self.beside.bound_for or self.timely(piece.end)
         return owner > 0 and self.texts[owner - 1] in self.lexicon.catching and ends
 
     def cites(self, place: int) -> bool:
@@ -185,14 +168,15 @@ class Surroundings:
     def puts_off(self, piece: Piece) -> bool:
         """Whether it is the new time of what has one: "move my 3 o'clock to 5", "change the alarm to 7"."""
         place = piece.start - 1
-        while place > 0 and self.texts[place] in WAYS:
+        while place > 0 and self.texts[place] in self.beside.put_off:
             place -= 1
         begin = place
         while begin > 0 and (
-            self.words[begin].is_digits or self.texts[begin] in OF_CLOCKS | self.lexicon.numbers.keys()
+            self.words[begin].is_digits
+            or self.texts[begin] in self.beside.of_clocks | self.lexicon.numbers.keys()
         ):
             begin -= 1
-        clock = begin < place and self.texts[begin] in OWNING
+        clock = begin < place and self.texts[begin] in self.closed.noun_openers
         named = clock or self.texts[place] in self.lexicon.events
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
@@ -208,7 +192,7 @@ class Surroundings:
             worded = all(word.is_letters for word in self.words[piece.start : piece.end])
             return wall.days is None and wall.clock.full_day and worded
         days = wall.days.of if isinstance(wall.days, Deictic) else wall.days
-        owned = self.texts[piece.start] in OWNING
+        owned = self.texts[piece.start] in self.closed.noun_openers
         if owned and isinstance(days, Weekend):
             # "The weekend market"
             return True

@@ -4,7 +4,6 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
-from fuzzytime.language.grammar.surroundings import OWNING, POSSESSIVES, SENTENCE_STARTS
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -21,17 +20,8 @@ NAMING = frozenset({"on", "to", "for", "of"})
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
-GREETING = frozenset({"good", "happy", "merry"})
-"""What makes a part of the day, or a feast, a greeting: "good morning", "happy new year"."""
-
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
-
-STOPS = frozenset({"", ".", ",", ";", "!", "and", "then", "please"})
-"""Words behind which a thing is not described further."""
-
-JOINTS = frozenset({",", "and", "&", "or", "/"})
-"""What stands between days of the week in a list."""
 
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
@@ -62,7 +52,11 @@ class Walls(Standing):
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._accepts_pair(piece, said)
-        if wall.part is not None and wall.part.place and self.texts[piece.end - 2] in OWNING:
+        if (
+            wall.part is not None
+            and wall.part.place
+            and self.texts[piece.end - 2] in self.closed.noun_openers
+        ):
             # "Before bed", but "before the bed is made"
             return False
         if wall.weak:
@@ -70,15 +64,15 @@ class Walls(Standing):
             # "Ask about lunch": what a meal is asked about.
             bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
             # "After the 10 o'clock feed"
-            clocked = self.around.follower(piece) in {"o'clock", "oclock", "am", "pm", "a.m.", "p.m."}
+            clocked = self.around.follower(piece) in self.beside.of_hours
             return bound and not clocked and self.around.may_end(piece)
         part = wall.days is None and wall.clock is None
         ends = self.around.may_end(piece) or self.around.is_spent(piece)
         if part and said.preposition in {None, "to", "of"} and not ends:
             # "Switch to night mode"
             return False
-        owned = self.texts[piece.end - 2] in OWNING and piece.end - piece.start > 1
-        inside = piece.start > 0 and self.around.before(piece) not in SENTENCE_STARTS
+        owned = self.texts[piece.end - 2] in self.closed.noun_openers and piece.end - piece.start > 1
+        inside = piece.start > 0 and self.around.before(piece) not in self.beside.sentence_starts
         if part and owned and inside and not ends:
             # "The kettle for the night staff"
             return False
@@ -103,9 +97,9 @@ class Walls(Standing):
     def _is_listed(self, piece: Piece) -> bool:
         """Whether another day of the week stands beside it: "on mon, wed and fri"."""
         before, behind = piece.start - 1, piece.end
-        while before > 0 and self.texts[before] in JOINTS:
+        while before > 0 and self.texts[before] in self.closed.coordinators_of_days:
             before -= 1
-        while behind < len(self.texts) and self.texts[behind] in JOINTS:
+        while behind < len(self.texts) and self.texts[behind] in self.closed.coordinators_of_days:
             behind += 1
         return any(place >= 0 and self.around.is_weekday(place) for place in (before, behind))
 
@@ -114,7 +108,9 @@ class Walls(Standing):
         led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
         if led and self._is_of_thing(piece):
             return True
-        return self.around.follower(piece) in JOINTS and self._counts_things(piece, wall)
+        return self.around.follower(piece) in self.closed.coordinators_of_days and self._counts_things(
+            piece, wall
+        )
 
     def _is_of_thing(self, piece: Piece) -> bool:
         """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
@@ -155,9 +151,11 @@ class Walls(Standing):
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
         if self.texts[piece.end - 1] == THING:
-            return self.around.follower(piece) not in STOPS
+            return self.around.follower(piece) not in ({""} | self.beside.behind_things)
         served = self._is_ambiguous(piece.end - 1) or not self.around.may_end(piece)
-        greeting = self.around.before(piece) in GREETING and (wall.clock is None or wall.days is not None)
+        greeting = self.around.before(piece) in self.beside.greeting and (
+            wall.clock is None or wall.days is not None
+        )
         return greeting or (self.texts[piece.start] == "with" and served)
 
     def _is_part_of_noun(self, piece: Piece, said: Said, wall: Wall) -> bool:
@@ -201,14 +199,14 @@ class Walls(Standing):
         if "to" in {said.preposition, before} and self.around.names_place(piece):
             return True
         # "Turn on the ten o'clock news", "the slides for the Monday meeting"
-        owned = bool(OWNING & set(self.texts[piece.start + 1 : piece.end][:1]))
+        owned = bool(self.closed.noun_openers & set(self.texts[piece.start + 1 : piece.end][:1]))
         inside = said.preposition == "in" and isinstance(wall.days, Fields) and wall.days.weekly
         if (said.preposition in NAMING or inside) and owned and not self.around.may_end(piece):
             return True
         # "My day planner"
         return (
             said.preposition is None
-            and self.texts[piece.start] in POSSESSIVES
+            and self.texts[piece.start] in self.closed.possessives
             and not self.around.may_end(piece)
         )
 

@@ -8,7 +8,6 @@ from fuzzytime.language.instruction import Operation, Remark
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.waiting import INVERTING
 from fuzzytime.language.sentence.sketches.pronouns import resolved_object, thing_of_clause_in_front
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.doubts import doubts_of, nothing_to_do, unasked, unused_orders
@@ -29,7 +28,9 @@ def asked_of(
         doubts = _doubts(sketch, draft, lexicon)
         remarks += doubts
         if doubts:
-            found.append(replace(sketch, operation=None, clauses=unasked(sketch.clauses, draft.text)))
+            found.append(
+                replace(sketch, operation=None, clauses=unasked(sketch.clauses, draft.text, lexicon))
+            )
         elif operation is None:
             remarks += nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard)
             found.append(sketch)
@@ -49,5 +50,5 @@ def _doubts(sketch: Sketch, draft: Draft, lexicon: Lexicon) -> list[Remark]:
     first, end = part.segment.span
     front = draft.text[first : part.offset].partition(" ")[0].lower()
     # "Should the bell ring, open the door" asks nothing.
-    span = (part.offset if front in INVERTING else first, end)
+    span = (part.offset if front in lexicon.closed.conditional_inversion else first, end)
     return list(doubts_of(draft.text, span, draft.scanned.words, sketch, lexicon))

@@ -201,7 +201,7 @@ class _Composer:
         operation, requirements, duration = without_denial(
             sketch.operation, requirements, duration, connected, said
         )
-        requirements = due_when_needed(requirements, operation, said)
+        requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)
         self.remarks += sketch.remarks

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from fuzzytime.english import PLACING, singular_forms
 from fuzzytime.errors import FuzzytimeError
 
 
@@ -110,7 +111,7 @@ def _words(thing: str | None) -> tuple[str, ...]:
     before it ("the lid of the pot", "a cup of coffee"), and what follows another preposition is a place.
     """
     said = re.findall(r"[^\W\d_]+(?:['\u2019-][^\W\d_]+)*", (thing or "").lower())
-    place = next((i for i, word in enumerate(said) if i and word in _PREPOSITIONS), len(said))
+    place = next((i for i, word in enumerate(said) if i and word in PLACING), len(said))
     found: list[str] = []
     for part in _parts(said[:place]):
         for start in range(len(part)):
@@ -129,26 +130,3 @@ def _parts(words: list[str]) -> list[list[str]]:
         else:
             parts[-1].append(word)
     return [part for part in parts if part]
-
-
-_PREPOSITIONS = frozenset(
-    ("in", "on", "for", "with", "from", "to", "at", "into", "onto", "by", "under", "over")
-)
-
-
-def singular_forms(word: str) -> list[str]:
-    """Give a noun and what it may be the plural of.
-
-    >>> singular_forms("eggs"), singular_forms("dishes"), singular_forms("berries"), singular_forms("glass")
-    (['eggs', 'egg'], ['dishes', 'dishe', 'dish'], ['berries', 'berrie', 'berry'], ['glass'])
-    """
-    forms = [word]
-    if word.endswith("s") and not word.endswith("ss") and len(word) > 3:
-        forms.append(word[:-1])
-        if word.endswith("ies"):
-            forms.append(word[:-3] + "y")
-        elif word.endswith("es"):
-            forms.append(word[:-2])
-        if word.endswith("ves"):
-            forms += [word[:-3] + "f", word[:-3] + "fe"]
-    return forms

@@ -4,11 +4,11 @@ import re
 from dataclasses import dataclass
 
 from fuzzytime.context import Context
+from fuzzytime.english import denies
 from fuzzytime.requirement import Condition
 from fuzzytime.rulebook.logic.formula import And, Formula, Happened, Is, Not, Or
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.wording.phrases import (
-    denies,
     event_named,
     in_numbers,
     naming,

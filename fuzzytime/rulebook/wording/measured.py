@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from fuzzytime.context import Context, Signal
 from fuzzytime.context.units import convert, fits, measured_in, symbol
+from fuzzytime.english import NAMELESS
 from fuzzytime.requirement import Comparison
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.variables import Source, Variable
@@ -13,7 +14,7 @@ from fuzzytime.rulebook.wording.phrases import in_numbers, plain, ways_to_name, 
 MOST_SHOWN = 4
 """Signals that a reason names at most."""
 
-_NAMELESS = frozenset(("", "it", "they", "there", "temperature"))
+_NAMELESS = NAMELESS | {"", "temperature"}
 
 
 @dataclass(frozen=True, slots=True)

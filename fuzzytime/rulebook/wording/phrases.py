@@ -5,21 +5,14 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
+from fuzzytime.english import DETERMINERS, of_any_tense, singular_forms
 from fuzzytime.rulebook.tables.contents import Tables
-from fuzzytime.rulebook.tables.durations import singular_forms
 from fuzzytime.rulebook.tables.variables import Term, Variable
 
-_DETERMINERS = frozenset(
-    ("the", "a", "an", "my", "your", "our", "his", "her", "its", "their", "this", "that", "these", "those")
-)
-_DENIALS = re.compile(r"\b(?:not|no longer|never|neither|\w+n't)\b")
-_FORMS_OF_HAVE = frozenset(("has", "have", "had", "just", "already", "finally"))
-_FORMS_OF_BE = frozenset(("is", "are", "was", "were", "been", "gets", "got"))
-_BE = "is"
 REMEMBERED = 16384
 """Texts whose plain form is remembered: those of tables are compared with each that is said."""
 
-_ENDING = re.compile(r"(?<=\w{3})(?:(?<=([^aeiou]))\1(?=ing|ed))?(?:ing|ed|es|s|e)$")
+_tenseless = lru_cache(maxsize=REMEMBERED)(of_any_tense)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +50,7 @@ def _longest(ways: Iterable[str], text: str) -> str:
 def event_named(text: str, tables: Tables) -> str | None:
     """Find the event that a text names, in whatever tense, by the longest words."""
     said = plain(text)
-    for form in (str, _of_any_tense):
+    for form in (str, _tenseless):
         found = [
             (len(word), signal.name)
             for signal in tables.signals.values()
@@ -68,13 +61,6 @@ def event_named(text: str, tables: Tables) -> str | None:
         if found:
             return max(found)[1]
     return None
-
-
-@lru_cache(maxsize=REMEMBERED)
-def _of_any_tense(text: str) -> str:
-    """Give a plain text without tenses, as far as these are regular: "courier has come" is "courier come"."""
-    words = (_BE if word in _FORMS_OF_BE else word for word in text.split() if word not in _FORMS_OF_HAVE)
-    return " ".join(_ENDING.sub("", word) for word in words)
 
 
 def event_at_end(text: str, tables: Tables) -> str | None:
@@ -114,12 +100,7 @@ def ways_to_say(term: Term) -> tuple[str, ...]:
 def plain(text: str) -> str:
     """Give a text in lower case, without punctuation and determiners."""
     words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", text.lower().replace("\u2019", "'"))
-    return " ".join(word for word in words if word not in _DETERMINERS)
-
-
-def denies(text: str) -> bool:
-    """Tell whether a clause denies what it says: "is not hot", "is no longer hot", "isn't hot"."""
-    return _DENIALS.search(text.lower().replace("\u2019", "'")) is not None
+    return " ".join(word for word in words if word not in DETERMINERS)
 
 
 def within(words: str, text: str) -> bool:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 
 from fuzzytime.context import Context
+from fuzzytime.english import denies
 from fuzzytime.requirement import Anchor, Condition
 from fuzzytime.rulebook.logic.formula import Direction, Formula, Happened, Is, Not, Operator, Window
 from fuzzytime.rulebook.logic.grammar import SOFTNESS
@@ -12,7 +13,6 @@ from fuzzytime.rulebook.wording.joined import joined
 from fuzzytime.rulebook.wording.lookup import UNIT_LENGTHS
 from fuzzytime.rulebook.wording.measured import candidates
 from fuzzytime.rulebook.wording.phrases import (
-    denies,
     event_named,
     names,
     naming,

@@ -3,8 +3,8 @@
 Few jobs
     ``small``: Held-Karp over sets.
 One agent
-    ``labels`` with a ``memory``, ``merging`` them, and ``backward`` over them; below a rising ``threshold``;
-    ``dominance``.
+    ``labels`` with a ``memory``, ``merging`` them, and ``backward`` over them; below a rising ``threshold``,
+    as far as they ``reach``; ``dominance``.
 Several agents
     ``shares`` of the work, and ``fitting`` them together; else a ``flow`` that is solved by ``milp``.
 """

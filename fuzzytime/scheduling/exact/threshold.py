@@ -21,6 +21,7 @@ from fuzzytime.scheduling.exact.backward import used_below
 from fuzzytime.scheduling.exact.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.exact.labels import Found
 from fuzzytime.scheduling.exact.labels import Labels as LabelProgram
+from fuzzytime.scheduling.exact.reach import Reach
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -41,8 +42,8 @@ FAST, SLOW = 0.6, 0.97
 PATIENCE = 0.4
 """Of the time left, for a higher bound of very many skills, as long as it rises at all."""
 
-LEAST = 0.05
-"""Of the gap, the threshold is above the bound at least; where labels fail even so, the gap stays."""
+FIRST = 0.1
+"""Of the gap, the first threshold is above the bound, and what the exact program may be left besides."""
 
 DOUBTFUL = 0.01
 """The gap in cost, by weight, from which on the schedule may be what is wrong, rather than the bound."""
@@ -122,21 +123,19 @@ class _Search(GridSearch):
 
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
-        cells = self.watch.limits.memory // 16
         self.lower = max(self.lower, relaxation.lower)
-        # A grid that follows a solved one has few starts, on more slots.
-        budget = cells // (4 if self._is_solved else 16)
         width = BROAD_BEAM if self._are_very_many else BEAM
+        reach = Reach.within(self.watch.limits.memory, width, is_solved=self._is_solved)
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
         pays = True
         self._known_on_grid = np.inf
         if searching and self._is_early_search_worth():
             pays = self._search_near(relaxation, width)
-        delta = 0.1 * (self.best.cost - self.lower) + self.left_over
+        reach.delta = FIRST * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
-            threshold = self._threshold(delta)
-            program, found = self.labels(relaxation, threshold, budget, None)
+            threshold = reach.threshold(self.lower, self.best.cost, self._known_on_grid)
+            program, found = self.labels(relaxation, threshold, reach.cells, None)
             if self.is_closed():
                 return True
             if found.exact and self.best.cost <= threshold:
@@ -144,36 +143,20 @@ class _Search(GridSearch):
                 self._is_solved = True
                 return True
             if found.exact:
-                delta *= 2
-            elif budget < cells:
+                reach.prove(patiently=self._are_very_many)
+            elif reach.widen():
                 self._raise(relaxation)
-                budget, width, delta = 4 * budget, 6 * width, delta / 2
                 if searching and pays:
-                    pays = self._search_near(relaxation, width)
+                    pays = self._search_near(relaxation, reach.width)
                 if self.is_closed():
                     return True
-            elif self._reach(delta) > LEAST * (self.best.cost - self.lower):
-                delta = self._reach(delta) / 2
-            else:
+            elif not reach.shorten(threshold, self.lower, self.best.cost, self._known_on_grid):
                 known = self.best.cost
                 if searching:
-                    self._search_near(relaxation, width)
+                    self._search_near(relaxation, reach.width)
                 if self.best.cost >= known:
                     return False
         return self.best.cost - self.lower <= CLOSED * self.problem.weight
-
-    def _threshold(self, delta: float) -> float:
-        """Give what labels must stay below: a little above the bound, or what the best schedule costs.
-
-        That is where a schedule of the grid is known below that little: it would only be found again, and one
-        run below the best tells all.
-        """
-        threshold = min(self.best.cost, self.lower + delta)
-        return self.best.cost if self._known_on_grid < threshold else threshold
-
-    def _reach(self, delta: float) -> float:
-        """Give how far above the bound a threshold may be at which labels have something new to tell."""
-        return min(delta, self._known_on_grid - self.lower)
 
     def _raise(self, relaxation: Relaxation) -> None:
         """Make the bound as high as it goes, which takes less long than many more labels.
@@ -219,10 +202,12 @@ class _Search(GridSearch):
         if self._are_very_many:
             self._kick()
         self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
-        if not self._are_very_many:
+        if self._are_very_many:
+            if self._is_doubtful():
+                self._search_stretches(relaxation)
+        elif known - self.best.cost < PAYS * left:
+            # Below a good schedule, as a beam finds it, labels mostly take no longer than kicks.
             self._kick()
-        elif self._is_doubtful():
-            self._search_stretches(relaxation)
         if self.best.cost < known and not self.is_closed():
             relaxation.fix(self.best.cost)
         return known - self.best.cost >= PAYS * left

@@ -5,8 +5,10 @@ from pathlib import Path
 from fuzzytime.errors import DocumentError
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon, form_of
 from fuzzytime.language.grammar.spelling import misspellings
+from fuzzytime.language.grammar.word_groups import BesideTimes, ClosedClasses, Doing
 from fuzzytime.language.grammar.word_tables.days import read_clocks, read_days, read_parts, read_units
 from fuzzytime.language.grammar.word_tables.feasts import read_feasts
+from fuzzytime.language.grammar.word_tables.groups import read_groups
 from fuzzytime.language.grammar.word_tables.policies import read_policy, read_usual_hours
 from fuzzytime.language.grammar.word_tables.speech import (
     read_amounts,
@@ -30,6 +32,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     """
     speech = Tables(words, _SPEECH)
     days = Tables(calendar, _CALENDAR)
+    for section, names in _ROWS.items():
+        speech.rows(section, names)
     read_prepositions(speech)
     read_hedges(speech)
     read_words(speech)
@@ -45,9 +49,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     indicators = {" ".join(form): name for form, name in by_form(speech, "indicators").items()}
     policy = read_policy(days)
     usual_hours = read_usual_hours(days)
-    mistakes = (*speech.reader.mistakes, *days.reader.mistakes)
-    if mistakes:
-        raise DocumentError(mistakes)
+    doing = read_groups(speech, "doing", Doing)
+    closed = read_groups(speech, "closed_classes", ClosedClasses)
+    beside = read_groups(speech, "beside_times", BesideTimes)
     entries: dict[str, list[Entry]] = {}
     for entry in (*speech.entries, *days.entries):
         entries.setdefault(entry.words[0], []).append(entry)
@@ -55,7 +59,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
     function_words = speech.single_words("function_words")
     kept = {form[0] for form in speech.words("spelling", "kept")}
     known = kept | entries.keys() | number_words.keys() | function_words
-    return Lexicon(
+    lexicon = Lexicon(
         entries={first: tuple(found) for first, found in entries.items()},
         numbers=number_words,
         magnitudes={
@@ -86,7 +90,9 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         },
         places=speech.single_words("places"),
         vague_adverbs=speech.single_words("vague_adverbs"),
-        doing=_by_use(speech, "doing"),
+        doing=doing,
+        closed=closed,
+        beside=beside,
         past=_by_use(speech, "past"),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
@@ -143,12 +149,19 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         usual_hours=usual_hours,
         policy=policy,
     )
+    # A list that is asked for twice has its mistakes twice.
+    mistakes = {*speech.reader.mistakes, *days.reader.mistakes}
+    if mistakes:
+        raise DocumentError(tuple(mistakes))
+    return lexicon
 
 
 def _by_use(speech: Tables, section: str) -> dict[str, frozenset[str]]:
     """Give the words of a section by what they do."""
-    rows = ((name.text, speech.words(section, name.text)) for name, _ in speech.rows(section))
-    return {name: frozenset(" ".join(form) for form in forms) for name, forms in rows}
+    return {
+        name.text: frozenset(" ".join(form) for form in speech.forms(node, f"{section}.{name.text}"))
+        for name, node in speech.rows(section)
+    }
 
 
 _SPEECH = (
@@ -158,8 +171,36 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling",
+    "passing", "doing", "past", "circling", "closed_classes", "beside_times",
 )  # fmt: skip
+_ROWS = {
+    "indicators": ("start", "finish", "throughout"),
+    "verbs": (
+        "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "addressing",
+    ),
+    "spelling": ("words", "kept"),
+    "timing": ("verbs", "alone"),
+    "rescheduling": ("moving", "verbs", "events"),
+    "connectives": ("then", "meanwhile", "first"),
+    "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
+    "told": (
+        "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",
+        "between", "helping", "enough", "allowing", "for it",
+    ),
+    "asides": ("naming", "back", "helping", "taking", "whom"),
+    "spacing": ("leading", "beside", "nouns", "turns"),
+    "instances": ("first", "further"),
+    "conversation": (
+        "dropping", "clearing", "swapping", "undoing", "redoing", "delaying", "later", "earlier", "last",
+        "everything", "both", "speaker", "late", "they", "being", "anew", "early", "rescheduled", "cancelled",
+        "present", "perfect", "absent", "finished", "having", "unstarted", "yet", "wrong", "unable", "more",
+        "needing", "open", "doing", "moment", "plan", "what", "showing", "when", "lasting", "why",
+        "supposing", "filling", "first", "instead", "letting", "answering",
+    ),
+    "measures": ("verbs", "nouns", "changing", "dividing", "counting", "amounts"),
+}  # fmt: skip
+"""Sections whose rows rules ask for by name: all of them, and no other."""
+
 _CALENDAR = (
     "numbers", "magnitudes", "ordinals", "fractions", "units", "weekdays", "months", "ambiguous",
     "days", "days_on", "deictics", "all_meals", "parts", "day_halves", "day_parts", "shares", "edges",

@@ -1,18 +1,26 @@
 """One file of word tables: its sections, and the entries gathered from them."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 from typing import Any
 
 from fuzzytime.language.grammar.lexicon import Entry, form_of
 from fuzzytime.times import parse_clock
-from fuzzytime.yaml_nodes import Node, Reader, Scalar
+from fuzzytime.yaml_nodes import Mapping, Node, Reader, Scalar
 
 FULL_STOP_BELOW = 6
 """Words shorter than this may be typed with a full stop, as abbreviations are."""
 
 MORE_WORDS = 0.1
 """What each further word of a form weighs: "sometime around" is one preposition, not one and a hedge."""
+
+NO_WORD = "a way to say something must hold a word, got none"
+
+SOURCE = "source"
+"""The key of a section that says where its words are from."""
+
+WORDS = "words"
+"""The key of a list that has a source."""
 
 Form = tuple[str, ...]
 
@@ -24,28 +32,44 @@ class Tables:
         self.reader = Reader.of_file(path)
         names = ("fuzzytime", "language", *sections)
         self.sections = self.reader.mapping(self.reader.root(), "", names, names)
+        self._rows: dict[str, dict[str, tuple[Scalar, Node]]] = {}
+        self._sourced()
         self.entries: list[Entry] = []
         self.seen: dict[tuple[Form, str], int] = {}
         if "fuzzytime" in self.sections:
             self.reader.whole(self.sections["fuzzytime"], "fuzzytime", 1, 1)
 
-    def rows(self, section: str) -> list[tuple[Scalar, Node]]:
-        """Give the keys and values of a section."""
-        node = self.sections.get(section)
-        if node is None:
-            return []
-        values = self.reader.mapping(node, section)
-        keys = self.reader.keys(node)
-        return [(keys[name], value) for name, value in values.items()]
+    def _sourced(self) -> None:
+        """Read where the words of sections are from; a list with a source stands under "words" beside it."""
+        for name, node in self.sections.items():
+            found = {key.text: value for key, value in node.entries} if isinstance(node, Mapping) else {}
+            if SOURCE in found:
+                self.reader.phrase(found[SOURCE], f"{name}.{SOURCE}")
+
+    def rows(self, section: str, names: Collection[str] | None = None) -> list[tuple[Scalar, Node]]:
+        """Give the keys and values of a section, without its source.
+
+        Where ``names`` are given, at first, they are the keys that must be there, and no other may be.
+        """
+        if section not in self._rows:
+            node = self.sections.get(section)
+            known = None if names is None else (*names, SOURCE)
+            values = {} if node is None else self.reader.mapping(node, section, known, names or ())
+            keys = {} if node is None else self.reader.keys(node)
+            self._rows[section] = {
+                name: (keys[name], value) for name, value in values.items() if name != SOURCE
+            }
+        return list(self._rows[section].values())
 
     def forms(self, node: Node, key: str) -> list[Form]:
         """Give ways to say something, cut into words."""
         found = []
         for text in self.reader.strings(node, key):
-            if form_of(text):
-                found.append(form_of(text))
-            else:
-                self.reader.mistake(node, key, "a way to say something must hold a word, got none")
+            form = form_of(text)
+            if form:
+                found.append(form)
+            elif text.strip():
+                self.reader.mistake(node, key, NO_WORD)
         return found
 
     def table(
@@ -83,6 +107,9 @@ class Tables:
     def add(self, node: Node, key: str, category: str, value: object, forms: Iterable[Form]) -> None:
         """Add entries; the same words must not have two meanings in one category."""
         for form in forms:
+            if not form:
+                self.reader.mistake(node, key, NO_WORD)
+                continue
             self.entries.append(Entry(form, category, value, MORE_WORDS * (len(form) - 1)))
             if self.seen.setdefault((form, category), len(self.entries)) != len(self.entries):
                 self.reader.mistake(
@@ -103,10 +130,11 @@ class Tables:
         node = self.sections.get(section)
         if node is None:
             return []
-        if key is None:
+        if key is None and not isinstance(node, Mapping):
             return self.forms(node, section)
-        fields = self.reader.mapping(node, section)
-        return self.forms(fields[key], f"{section}.{key}") if key in fields else []
+        self.rows(section, (WORDS,) if key is None else None)
+        row = self._rows[section].get(key or WORDS)
+        return [] if row is None else self.forms(row[1], f"{section}.{key or WORDS}")
 
     def single_words(self, section: str, key: str | None = None) -> frozenset[str]:
         """Give a section, or a list within it, of forms that are one word each."""

@@ -14,20 +14,8 @@ from fuzzytime.requirement import Constraint
 BESIDE = 2
 """Words of a unit, or a part of a day, behind its article: "the day", "the evening"."""
 
-DENYING = frozenset({"don't", "dont", "don’t", "not", "never"})
-"""Words of what is not to be done until then."""
-
-NAMING = frozenset({"which", "that"})
-"""Words that begin what is said of an event: ", which it's forecast to do around three"."""
-
-WAS = frozenset({"was", "were"})
-"""Verbs of what is over."""
-
 LONGEST_ASIDE = 6
 """Words at most before the time of an event in what is said of it."""
-
-CLOSING = frozenset({",", ".", ";", "!", ")", "and"})
-"""What ends it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +46,7 @@ class BeforeMarker:
 
     def behind_denied(self, place: int, form: tuple[str, ...]) -> int | None:
         """Give where "after" stands in "don't … until ten minutes after it", None in other words."""
-        denied = any(word.text in DENYING for word in self.words[:place])
+        denied = any(word.text in self.lexicon.closed.negators_as_typed for word in self.words[:place])
         if not denied or self.lexicon.clauses.get(form) != "until":
             return None
         behind = place + len(form)
@@ -69,17 +57,20 @@ class BeforeMarker:
 
     def aside(self, end: int) -> Phrase | None:
         """Give when an event is, by an aside behind it: "before the party, which is on the 21st"."""
+        closed = self.lexicon.closed
         texts = [word.text for word in self.words]
         if texts[end : end + 1] == ["("]:
             return next((phrase for phrase in self.phrases if phrase.first == end + 1), None)
-        if texts[end : end + 1] != [","] or texts[end + 1 : end + 2] not in [[word] for word in NAMING]:
+        if texts[end : end + 1] != [","] or closed.nonrestrictive_relatives.isdisjoint(
+            texts[end + 1 : end + 2]
+        ):
             return None
         told = (phrase for phrase in self.phrases if end + 2 < phrase.first <= end + 2 + LONGEST_ASIDE)
         time = next(told, None)
-        if time is None or not CLOSING.isdisjoint(texts[end + 2 : time.first]):
+        if time is None or not closed.end_of_an_event.isdisjoint(texts[end + 2 : time.first]):
             return None
-        closes = time.end == len(texts) or texts[time.end] in CLOSING
-        over = not WAS.isdisjoint(texts[end + 2 : time.first])
+        closes = time.end == len(texts) or texts[time.end] in closed.end_of_an_event
+        over = not closed.past_be.isdisjoint(texts[end + 2 : time.first])
         return (_before_now(time) if over else time) if closes else None
 
     def part_of_day(self, place: int) -> Phrase | None:

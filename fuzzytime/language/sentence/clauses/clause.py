@@ -2,12 +2,10 @@
 
 from dataclasses import dataclass, replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration, Phrase
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference
-
-GETTING = frozenset({"get", "be"})
-THERE = frozenset({"here", "there", "in", "back", "home"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,11 +40,12 @@ class Clause:
     side: Constraint | None = None
     day_part: Phrase | None = None
 
-    @property
-    def is_there(self) -> bool:
+    def is_there(self, lexicon: Lexicon) -> bool:
         """Whether it says of somebody that they have come: "when they get here", "while she is in"."""
-        known = self.condition is not None and not THERE.isdisjoint({self.condition.word, self.object})
-        return self.verb in GETTING and known
+        known = self.condition is not None and not lexicon.closed.adverbs_of_arrival.isdisjoint(
+            {self.condition.word, self.object}
+        )
+        return self.verb in lexicon.doing.getting and known
 
     def moved(self, by: int) -> "Clause":
         """Give the same clause that many characters further on."""

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from fuzzytime.english import REFLEXIVE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -15,16 +16,6 @@ STATED = frozenset({"when", "if", "until"})
 
 NAMING = frozenset({"after", "before", "until", "into", "within", "halfway"})
 """Clauses that may name an event."""
-
-REFLEXIVE = ("self", "selves")
-"""How pronouns end that are no event: "clean up after yourselves"."""
-
-FINISHING = frozenset({"finish", "stop", "complete"})
-"""Verbs that say of what is done that it is over."""
-
-CONJUNCTIONS = frozenset({"while", "whilst", "as"})
-"""Markers behind which something goes on: "during the film" names it."""
-
 
 NOUNS = ("NN", "VBG", "CD", "PRP", "JJ")
 
@@ -70,7 +61,7 @@ class Contents:
 
     def _finished(self, verb: int, nodes: Sequence[int]) -> int:
         """Give what is done that a verb says to be over: "once it has finished welding"."""
-        if self.tree.nodes[verb].lemma not in FINISHING:
+        if self.tree.nodes[verb].lemma not in self.lexicon.doing.stopping:
             return verb
         below = (
             p for p in self.tree.children(verb, "xcomp") if p in nodes and self.tree.nodes[p].tag == "VBG"
@@ -105,13 +96,15 @@ class Contents:
                 text = " ".join(
                     self.tree.nodes[p].text for p in sorted(self.tree.below(place)) if p in inside
                 )
-                if text.lower() not in {"you", "i", "we", "they", "he", "she"}:
+                if text.lower() not in self.lexicon.closed.personal_pronouns:
                     return text
         return None
 
     def event(self, clause: Clause, nodes: Sequence[int]) -> Clause | None:
         """Read a noun as what is measured from: "before the meeting", "until the end of the film"."""
-        together = clause.kind == "while" and clause.marker not in CONJUNCTIONS
+        together = (
+            clause.kind == "while" and clause.marker not in self.lexicon.closed.subordinators_of_simultaneity
+        )
         named = clause.edge is not None or clause.kind in NAMING or clause.marker == "by"
         if not (together or named) or not self.tree.nodes[nodes[-1]].tag:
             return None

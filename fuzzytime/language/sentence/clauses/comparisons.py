@@ -17,10 +17,7 @@ MOST_BEHIND = 6
 MOST_OF = 5
 """Words up to "of" that may say what the number is: "an internal temperature of"."""
 
-_ARTICLES = frozenset({"a", "an", "the", "its"})
 _THOUSANDS = re.compile(r"\d{1,3}(?:,\d{3})+(?:\.\d+)?")
-_TO = ("and", "to", "-")
-_MINUS = frozenset({"-", "minus"})
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,13 +40,13 @@ def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Itera
     place = inside[0]
     while place < last:
         form = longest_match(words, place, lexicon.comparisons)
-        end = _number_place(words, place, form) if form is not None else place
+        end = _number_place(words, place, form, lexicon) if form is not None else place
         number = _number(scanned, end, last, lexicon) if form is not None else None
         if form is None or number is None:
             place += 1
             continue
         side, until = lexicon.comparisons[form], None
-        if number.end < last and words[number.end].text in _TO:
+        if number.end < last and words[number.end].text in lexicon.closed.range_joints_or_and:
             until = _number(scanned, number.end + 1, last, lexicon)
         ranges = side in (Side.AT, Side.BETWEEN) and until is not None and until.value > number.value
         if ranges and until is not None:
@@ -69,14 +66,14 @@ def _comparisons(scanned: Scanned, inside: list[int], lexicon: Lexicon) -> Itera
         place = stop
 
 
-def _number_place(words: tuple[Word, ...], place: int, form: tuple[str, ...]) -> int:
+def _number_place(words: tuple[Word, ...], place: int, form: tuple[str, ...], lexicon: Lexicon) -> int:
     """Give the place behind a form and what the number is of: "reaches", "reaches a temperature of"."""
     for text in form:
         while words[place].text != text:
             # A hyphen that joins the form's words.
             place += 1
         place += 1
-    if words[place : place + 1] and words[place].text in _ARTICLES:
+    if words[place : place + 1] and words[place].text in lexicon.closed.before_numbers:
         noun = next(
             (p for p in range(place, min(place + MOST_OF, len(words))) if words[p].text == "of"), None
         )
@@ -90,7 +87,7 @@ def _number(scanned: Scanned, place: int, last: int, lexicon: Lexicon) -> _Numbe
     if place >= last or longest_match(words, place, lexicon.comparisons):
         # "Is above 150": the words behind "is" say on which side.
         return None
-    if words[place].text in _MINUS:
+    if words[place].text in lexicon.beside.minus:
         positive = _number(scanned, place + 1, last, lexicon)
         return positive and _Number(-positive.value, positive.end, positive.hedges)
     run, end = _typed_number(words, place, last)

@@ -7,18 +7,6 @@ from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJ
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Condition
 
-BE = frozenset(
-    {"be", "become", "get", "turn", "feel", "look", "seem", "stay", "run", "go", "sound", "smell", "taste"}
-)
-GOING = frozenset({"go", "run", "turn", "stay", "look"})
-"""Verbs that say that something is so, and alone that it is done: "when you go"."""
-
-SHORT_BE = frozenset({"m", "re", "s", "'m", "'re", "'s"})
-"""How "am", "are" and "is" are often typed: "when im back"."""
-
-STARTING = frozenset({"start", "begin", "stop", "cease"})
-"""What goes on is what matters: "when it starts to rain"."""
-
 UNLESS = "unless"
 """The marker whose clause must not hold."""
 
@@ -50,6 +38,7 @@ def is_wish(tree: Tree, words: Sequence[Word]) -> bool:
 
 def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Condition:
     """Read "the pan is very hot": subject, hedges, word; another form keeps its text only."""
+    doing = tree.lexicon.doing
     inside = set(nodes)
     subjects = [p for p in tree.children(verb, *GRAMMATICAL_SUBJECTS) if p in inside]
     if not subjects:
@@ -75,11 +64,11 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         for p in nodes
         if p == nodes[-1] == verb + 1 and tree.nodes[p].relation in {"prep", "prt"} and not tree.children(p)
     ]
-    if (node.lemma not in BE and node.lower not in SHORT_BE) or not said:
-        starts = node.lemma in STARTING
+    if (node.lemma not in doing.being and node.lower not in tree.lexicon.closed.clipped_be) or not said:
+        starts = node.lemma in doing.phases
         below = [p for p in tree.children(verb, "xcomp") if p in inside and starts]
         below += [p for p in nodes if p == verb + 1 and tree.nodes[p].tag == "VBG" and starts]
-        acts = node.lemma not in BE or node.lemma in GOING
+        acts = node.lemma not in doing.being or node.lemma in doing.being_or_doing
         action = tree.nodes[below[0]].lower if below else node.lower if acts else None
         return Condition(text=text, subject=subject or None, word=action, negated=negated)
     last = said[-1]

@@ -1,14 +1,10 @@
 """Whether a time behind a clause is when its event is: "before the guests arrive at seven"."""
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.conditions import BE
-from fuzzytime.language.sentence.trees.named import SPEAKERS_AND_ASKED
 from fuzzytime.requirement import Constraint
-
-DOERS = SPEAKERS_AND_ASKED | {"they", "he", "she"}
-"""Subjects that come and go."""
 
 OVER = frozenset({"after", "when"})
 """Clauses that wait for the end of something, or for what becomes so."""
@@ -17,10 +13,12 @@ AHEAD = frozenset({"before"})
 """Clauses that name what something is to be done before."""
 
 
-def happens(clause: Clause) -> bool:
+def happens(clause: Clause, lexicon: Lexicon) -> bool:
     """Whether something happens: "when it opens", "when I get in"; not "when it is hot"."""
     subject = None if clause.condition is None else clause.condition.subject
-    return clause.verb not in {*BE, None} or (subject in DOERS and clause.verb != "be")
+    return clause.verb not in {*lexicon.doing.being, None} or (
+        subject in lexicon.closed.personal_pronouns and clause.verb != "be"
+    )
 
 
 def is_apart(phrase: Phrase, kind: str) -> bool:

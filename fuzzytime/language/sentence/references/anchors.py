@@ -18,19 +18,7 @@ from fuzzytime.language.sentence.references.mentions import (
     is_done_with,
 )
 from fuzzytime.language.sentence.trees.content_words import content_words
-from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
-
-HOME = frozenset({"back", "home"})
-"""Where who speaks comes to: "I'll be back about six"."""
-
-BACK = frozenset({"it", "that", "this"})
-"""Words for an event that is the instruction before."""
-
-END = frozenset({"the end", "the very end"})
-"""Words for the end of what goes on."""
-
-COMING_BACK = frozenset({"they", "he", "she", "it"})
 
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
@@ -63,6 +51,8 @@ class Anchors:
 
     def target_of(self, clause: Clause) -> int | None:
         """Give the position of the instruction that a clause is about, None where there is none."""
+        closed = self.lexicon.closed
+        doing = self.lexicon.doing
         here = [(self.first + place, operation) for place, operation in enumerate(self.own)]
         beside = [(place, operation) for place, operation in reversed(here) if place != self.position]
         # Of equals the nearest: among those before it the last, among those behind the first.
@@ -75,17 +65,29 @@ class Anchors:
             # "Add the carrots an hour before it's done"
             return self.going_on()
         over = condition is not None and condition.word in self.lexicon.results
-        over = over and condition is not None and condition.subject in BACK
-        phases = self.lexicon.doing["beginning"] | self.lexicon.doing["ending"]
+        over = over and condition is not None and condition.subject in closed.singular_anaphors
+        phases = doing.beginning | doing.ending
         happens = (over or clause.verb in phases) and last >= 0 and self._is_stated(last)
-        if (clause.is_event or happens) and (over or (clause.object or "").lower() in BACK) and last >= 0:
+        if (
+            (clause.is_event or happens)
+            and (over or (clause.object or "").lower() in closed.singular_anaphors)
+            and last >= 0
+        ):
             # "The meeting starts at three, remind me ten minutes before it", "… before it starts"
             return last
-        if clause.is_event and (clause.object or "").lower() in END and self.mentions.lasting:
+        if (
+            clause.is_event
+            and (clause.object or "").lower() in self.lexicon.beside.the_end
+            and self.mentions.lasting
+        ):
             # "Add the hops 15 minutes before the end"
             return self.going_on()
         target = best_of(clause, chain(beside, self._given(clause)), self.lexicon)
-        if target is None and condition is not None and condition.subject in COMING_BACK | SPEAKERS_AND_ASKED:
+        if (
+            target is None
+            and condition is not None
+            and condition.subject in closed.third_person | closed.first_and_second_person
+        ):
             target = self._arrival(clause)
         if target is not None or not self.awaits:
             return target
@@ -101,22 +103,29 @@ class Anchors:
             or not self.mentions.lasting
         ):
             return False
-        return condition.subject in BACK and condition.word in self.lexicon.results
+        return (
+            condition.subject in self.lexicon.closed.singular_anaphors
+            and condition.word in self.lexicon.results
+        )
 
     def _arrival(self, clause: Clause) -> int | None:
         """Give the latest that comes, of whoever "they" are: "before they arrive".
 
         Who speaks comes where the latest journey leads: "when we get there".
         """
-        if clause.verb not in self.lexicon.doing["arriving"] and not clause.is_there:
+        doing = self.lexicon.doing
+        if clause.verb not in doing.arriving and not clause.is_there(self.lexicon):
             return None
-        if clause.condition is not None and clause.condition.subject in SPEAKERS_AND_ASKED:
+        if (
+            clause.condition is not None
+            and clause.condition.subject in self.lexicon.closed.first_and_second_person
+        ):
             here = [(self.first + place, one) for place, one in enumerate(self.own) if one is not None]
-            back = (place for place, one in (*here, *self.just_before()) if _comes_back(one))
+            back = (place for place, one in (*here, *self.just_before()) if _comes_back(one, self.lexicon))
             known = next(back, None)
             if known is not None:
                 return known
-            leaving = self.lexicon.doing["leaving"]
+            leaving = doing.leaving
             goes = ((place, one.lemma) for place, one in self.just_before())
             return next((place for place, lemma in goes if lemma in leaving), None)
         coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
@@ -140,7 +149,7 @@ class Anchors:
 
     def done_with(self, thing: str | None) -> int | None:
         """Give the latest instruction before it that is about a thing; None for none, and for a person."""
-        words = content_words(thing.split()[-1] if thing else None) - PRONOUNS
+        words = content_words(thing.split()[-1] if thing else None) - self.lexicon.closed.anaphors
         if not words or words & self.lexicon.persons:
             return None
         for place in range(self.position - 1, self.first - 1, -1):
@@ -157,7 +166,7 @@ class Anchors:
     def lasting(self, thing: str | None, text: str) -> Anchor:
         """Give the instruction that a thing is of: "the bread takes an hour"; without one, that before it."""
         words = content_words(thing)
-        if words and not words <= PRONOUNS:
+        if words and not words <= self.lexicon.closed.anaphors:
             named = Clause("length", "", (0, 0), (0, 0), object=thing, is_event=True)
             return Anchor(text=text, object=thing, target=self.target_of(named))
         return Anchor(text=text, target=self.position - 1 if self.position else None)
@@ -174,7 +183,7 @@ class Anchors:
         edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
         if clause.edge is not None:
             edge = clause.edge
-        elif (clause.object or "").lower() in END or self._is_done_soon(clause):
+        elif (clause.object or "").lower() in self.lexicon.beside.the_end or self._is_done_soon(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
@@ -204,9 +213,10 @@ class Anchors:
 
     def _edge_of_phase(self, verb: str | None) -> Edge | None:
         """Give the edge of what happens that a verb is about; None where it is about neither."""
-        if verb in self.lexicon.doing["beginning"]:
+        doing = self.lexicon.doing
+        if verb in doing.beginning:
             return Edge.START
-        return Edge.END if verb in self.lexicon.doing["ending"] else None
+        return Edge.END if verb in doing.ending else None
 
     def is_asked(self, target: int) -> bool:
         """Whether an instruction asks for something to be done."""
@@ -222,7 +232,7 @@ class Anchors:
     def goes_on(self, operation: Operation) -> bool:
         """Whether what is told is what something with a time does then, told right before in its text."""
         before = self.operation_at(self.position - 1) if self.position > self.first else None
-        beginning = self.lexicon.doing["beginning"] | {BE}
+        beginning = self.lexicon.doing.beginning | {BE}
         begins = before is not None and before.stated and before.lemma in beginning
         return begins and before is not None and before.object == operation.object
 
@@ -251,7 +261,11 @@ class Anchors:
         return self.position - 1 if self.position > self.first or not before else before[-1]
 
 
-def _comes_back(operation: Operation) -> bool:
+def _comes_back(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether somebody who speaks is said to be back then: "we'll be home by six"."""
     said = {operation.particle, operation.place, operation.complement, operation.object}
-    return operation.stated and operation.lemma in {BE, "get", "come"} and not HOME.isdisjoint(said)
+    return (
+        operation.stated
+        and operation.lemma in {BE, "get", "come"}
+        and not lexicon.closed.back_home.isdisjoint(said)
+    )

@@ -11,10 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
-from fuzzytime.language.sentence.trees.named import PRONOUNS, is_several, may_be_it, names_person
-
-ALL = frozenset({"everything", "everyone", "everybody", "all", "both", "each"})
-"""Words for all that is meant, whatever that is."""
+from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
 BE = "be"
 SAME_VERB = 2.0
@@ -32,7 +29,7 @@ def shares_thing(one: Operation, other: Operation) -> bool:
 
 def comes(happening: Operation, lexicon: Lexicon) -> bool:
     """Whether somebody or something is said to come, and is not there before."""
-    return happening.stated and happening.lemma in lexicon.doing["arriving"]
+    return happening.stated and happening.lemma in lexicon.doing.arriving
 
 
 def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> bool:
@@ -66,9 +63,9 @@ class Mentions:
             return
         named = operation.object
         if named is not None and names_person(named, self.lexicon):
-            self._people[is_several(named)].append(position)
+            self._people[is_several(named, self.lexicon)].append(position)
         if may_be_it(operation, self.lexicon):
-            self._things[is_several(operation.object or "")].append(position)
+            self._things[is_several(operation.object or "", self.lexicon)].append(position)
         if operation.negated:
             return
         words = content_words(operation.object)
@@ -115,11 +112,12 @@ class Mentions:
 
     def named_by(self, clause: Clause, stretch: range, *, backwards: bool) -> Iterator[int]:
         """Give the positions in a stretch that a clause may be about, the nearest end first."""
+        closed = self.lexicon.closed
         named, words = _names_of(clause)
         # Of operations that only the verb names, the nearest is as good as any.
         single = [self._bare.get(clause.verb or "", [])]
         single += [self._by_verb.get(noun, []) for noun in words]
-        if not named or named <= PRONOUNS | ALL:
+        if not named or named <= closed.anaphors | closed.universal_pronouns:
             single.append(self._by_verb.get(clause.verb or "", []))
         end = slice(-1, None) if backwards else slice(1)
         runs = [_within(run, stretch)[end] for run in single]
@@ -181,6 +179,7 @@ def best_of(
 
 def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
     """How well an operation fits a clause: 0 where it does not."""
+    closed = lexicon.closed
     named, doing = content_words(clause.object), lexicon.doing
     known = content_words(operation.object) | content_words(operation.place)
     shared = len(named & content_words(operation.object))
@@ -197,20 +196,22 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         return SAME_VERB
     # "While she is there" names no dinner that is at seven.
     same_verb = clause.verb == operation.lemma and (clause.verb != BE or shared > 0)
-    if same_verb and (shared or not named or named <= PRONOUNS | ALL or not known):
+    if same_verb and (
+        shared or not named or named <= closed.anaphors | closed.universal_pronouns or not known
+    ):
         return SAME_VERB + shared
-    goes_on = clause.verb == BE and word in doing["going on"] and clause.kind == "while"
-    if operation.stated and shared and (goes_on or clause.verb in doing["beginning"] | doing["ending"]):
+    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == "while"
+    if operation.stated and shared and (goes_on or clause.verb in doing.beginning | doing.ending):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared
-    if shared and clause.verb == "go" and operation.lemma in doing["putting"]:
+    if shared and clause.verb == "go" and operation.lemma in doing.putting:
         # "20 minutes before the cake goes in", where it is baked.
         return SAME_VERB + shared
     condition = clause.condition
     if condition is not None and condition.word is not None:
         # "When the rice is done", "once the table is set": its result.
         subject = content_words(condition.subject)
-        finished = condition.word in lexicon.results or clause.verb in doing["finished"]
+        finished = condition.word in lexicon.results or clause.verb in doing.finished
         if finished and not subject.isdisjoint(_nouns(operation.lemma)):
             # "Once the print is done", where the bracket is printed.
             return SAME_VERB

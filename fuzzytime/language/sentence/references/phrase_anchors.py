@@ -34,9 +34,6 @@ ORDERING = {
 }
 """The time words that are about the instruction before it."""
 
-BESIDE = frozenset({"during", "over", "with", "at"})
-"""Prepositions of what goes on: "during lunch"."""
-
 HOUR = "time"
 """The end of the name of when a meal is: "lunchtime"."""
 
@@ -94,7 +91,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     if part is not None and not part.meal and part.name.endswith(HOUR):
         # "Call her at lunchtime"
         part = replace(part, name=part.name.removesuffix(HOUR), meal=True)
-    beside = requirement.text.split()[0].lower() in BESIDE
+    beside = requirement.text.split()[0].lower() in anchors.lexicon.closed.prepositions_of_duration
     if phrase.said.beside:
         constraint = Constraint.BEFORE if phrase.said.edge is Bound.START else Constraint.AFTER
     if part is None or not part.meal or part.place:

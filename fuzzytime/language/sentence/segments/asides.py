@@ -16,7 +16,6 @@ from fuzzytime.language.meaning.expressions import Duration, Phrase
 OPENING = frozenset({",", "(", "-"})
 BRACKET = "("
 ENDING = frozenset({".", "!"})
-CLOSING = frozenset({",", ")", ".", "!", ";", "-", "and", "then", "so", "but", "before"})
 PURPOSE = 3
 """Words at most of what a length is for: "to cool down"."""
 
@@ -97,10 +96,12 @@ def _end(scanned: Scanned, phrase: Phrase) -> int | None:
     words = scanned.words
     behind = phrase.end
     if behind < len(words) and words[behind].text == "to":
-        marks = (p for p in range(behind, len(words)) if words[p].text in CLOSING)
+        marks = (
+            p for p in range(behind, len(words)) if words[p].text in scanned.lexicon.closed.end_of_an_aside
+        )
         closing = next(marks, len(words))
         behind = closing if closing - behind <= PURPOSE else behind
-    if behind < len(words) and words[behind].text not in CLOSING:
+    if behind < len(words) and words[behind].text not in scanned.lexicon.closed.end_of_an_aside:
         return None
     closes = behind < len(words) and words[behind].text == ")"
     return words[behind if closes else behind - 1].end

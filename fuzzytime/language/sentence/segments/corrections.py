@@ -11,9 +11,6 @@ from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Qua
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint
 
-SIDES = frozenset({"before", "after", "earlier", "later", "sooner"})
-"""What is denied of a time beside it: "at seven, not before"."""
-
 PAUSES = frozenset({",", "-", ".", "…", ";", ":"})
 
 
@@ -86,7 +83,7 @@ def _numbers_denied(scanned: Scanned, phrases: Sequence[Phrase]) -> Iterator[Rem
             continue
         alone = place < len(texts) and texts[place + 1 : place + 2] in ([], [","], ["."], ["!"], ["?"])
         # "At seven, not before"
-        side = place < len(texts) and texts[place] in SIDES
+        side = place < len(texts) and texts[place] in scanned.lexicon.closed.adverbs_of_order
         if alone and (side or (clock is not None and "integer" in scanned.cells[place])):
             span = (scanned.words[phrase.end].start, scanned.words[place].end)
             message = f"{texts[place]!r} is taken back beside {scanned.text[slice(*phrase.span)]!r}"

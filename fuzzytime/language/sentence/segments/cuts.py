@@ -6,7 +6,6 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
@@ -24,21 +23,6 @@ CHAIN = re.compile(r",?w(?:,w)*,?&")
 
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
-
-REMEMBERING = frozenset({"remember", "note", "mind"})
-"""Verbs that ask for nothing more than the one below them, beside those of forgetting."""
-
-AGAIN = frozenset({"back", "again", "then"})
-"""Words beside the other particle of a verb that is left out."""
-
-THEREAFTER = (
-    ["thereafter"],
-    ["afterwards"],
-    ["after", "that"],
-    ["from", "then", "on"],
-    ["from", "there", "on"],
-)
-"""Ends of a repetition that goes on from where the one before it is over."""
 
 SHORTEST_GAP = 2
 """Words at least between two times of which the second is another thing's: "and lunch"."""
@@ -83,7 +67,7 @@ def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
 def reminded(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
     """Give what is not to be forgotten, where that happens: "don't forget the plumber comes at four"."""
     root = part.tree.root
-    if root is None or part.tree.nodes[root].lemma not in lexicon.forgetting | REMEMBERING:
+    if root is None or part.tree.nodes[root].lemma not in lexicon.forgetting | lexicon.doing.remembering:
         return []
     if part.tree.children(root, "nsubj", "nsubjpass"):
         return []
@@ -155,7 +139,8 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
             continue
         between = {word.text for word in words[old.end : new.first]}
         said = [word.text for word in words[new.first : new.end]]
-        behind = next((form for form in THEREAFTER if said[-len(form) :] == form), None)
+        forms = (form.split() for form in part.tree.lexicon.beside.thereafter)
+        behind = next((form for form in forms if said[-len(form) :] == form), None)
         if behind is not None and between and between <= {"and", ",", "but", "&"}:
             joint = (words[new.end - len(behind)].start, new.span[1])
             return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)
@@ -165,7 +150,7 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
 def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
     texts = [word.text for word in between]
-    said = [text for text in texts[1:] if text not in AGAIN]
+    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition]
     # "And back up to 37 degrees"
     numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
     alone = len(said) == 1 or numbered
@@ -215,7 +200,11 @@ def _names_another(
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
     has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
-    named = led or between[1].text in OWNING or (has_object and between[0].text in {"and", ","})
+    named = (
+        led
+        or between[1].text in lexicon.closed.noun_openers
+        or (has_object and between[0].text in {"and", ","})
+    )
     return named and not others
 
 

@@ -7,7 +7,6 @@ from datetime import datetime
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned, phrases_of
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -106,7 +105,11 @@ class Draft:
         """The clock times that name an event behind them, and so are no times: "my four o'clock meeting"."""
         words = self.scanned.words
         walls = (p for p in self.scanned.pieces("wall") if p.value.clock is not None and not p.value.bare)
-        owned = (p for p in walls if p.start and words[p.start - 1].text in OWNING)
+        owned = (
+            p
+            for p in walls
+            if p.start and words[p.start - 1].text in self.scanned.lexicon.closed.noun_openers
+        )
         return tuple(
             Phrase(Said(p.value), p.start, p.end, (words[p.start].start, words[p.end - 1].end), NAMING)
             for p in sorted(owned, key=lambda piece: -piece.end)
@@ -239,7 +242,7 @@ def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
     moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
     moved[2] = replace(moved[2], relation="nummod", head=1)
-    return Tree(tree.text, tuple(moved))
+    return Tree(tree.text, tuple(moved), tree.lexicon)
 
 
 def _as_order(tree: Tree) -> Tree:
@@ -248,7 +251,11 @@ def _as_order(tree: Tree) -> Tree:
     first = tree.nodes[0] if tree.nodes else None
     if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
         return tree
-    return Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
+    return (
+        Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:]), tree.lexicon)
+        if tree.children(0, "dobj")
+        else tree
+    )
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

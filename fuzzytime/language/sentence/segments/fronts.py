@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import BE, being, happening
+from fuzzytime.language.sentence.clauses.conditions import being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
@@ -121,7 +121,7 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]
     if tree.children(root, *SUBJECTS, "expl") and node.is_verb:
-        return node.lemma not in BE or bool(tree.children(root, *COMPLEMENTS))
+        return node.lemma not in lexicon.doing.being or bool(tree.children(root, *COMPLEMENTS))
     if node.tag in {"VBG", "VBN", "JJ"}:
         return True
     if kind in EVENTFUL:

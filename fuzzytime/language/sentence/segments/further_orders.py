@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.segments.orders_beside_times import (
-    JOINTS,
     is_led_by_time,
 )
 from fuzzytime.language.sentence.segments.orders_in_front import (
@@ -14,12 +13,11 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
     first_of,
     order_behind_order,
 )
-from fuzzytime.language.sentence.segments.overlooked_orders import THEM, is_overlooked
+from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
 from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
-    FUTURE,
     being_behind_order,
     goes_on,
     order_behind_statement,
@@ -29,9 +27,6 @@ from fuzzytime.language.sentence.verbs.statements import (
 
 SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
-
-PAST_ALIKE = frozenset({"lay", "saw"})
-"""Bare verbs that are the past of another."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
@@ -73,7 +68,11 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
             return place
         if is_led_by_time(tree, place, timed, lexicon):
             return _behind_joint(tree, place, timed)
-    if place > 1 and _is_passive_order(tree, place) and tree.nodes[place - 1].lower in JOINTS:
+    if (
+        place > 1
+        and _is_passive_order(tree, place)
+        and tree.nodes[place - 1].lower in lexicon.closed.joints_of_orders
+    ):
         return place
     return _start_of_coordinate(tree, place, root, timed, lexicon)
 
@@ -90,7 +89,7 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
     """Give where begins what a bare verb asks for that the tree joins to the first: "…, and fry them"."""
     node = tree.nodes[place]
-    if place in {0, root} or not _is_bare(node) or node.relation not in COORDINATE:
+    if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in COORDINATE:
         return None
     denied = _denied_from(tree, place)
     if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and tree.children(place, "aux")):
@@ -99,7 +98,11 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
         # "Weld seam 3 at 11 and seam 4 at 12"
         return None
     start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
-    if start == 0 or tree.nodes[start - 1].lower not in JOINTS or _is_embedded(tree, place, root):
+    if (
+        start == 0
+        or tree.nodes[start - 1].lower not in lexicon.closed.joints_of_orders
+        or _is_embedded(tree, place, root)
+    ):
         return None
     if gone_to_do(tree, root, lexicon) == place:
         return None
@@ -119,7 +122,8 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     if node.tag != "VBG" or node.relation in EMBEDDED or node.lemma in lexicon.indicators:
         return False
     behind = next(
-        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in JOINTS), len(tree.nodes)
+        (p for p in range(place, len(tree.nodes)) if tree.nodes[p].lower in lexicon.closed.joints_of_orders),
+        len(tree.nodes),
     )
     apart = place - 1 in timed or tree.nodes[place - 1].text == ","
     before = any(earlier in timed for earlier in range(place))
@@ -130,13 +134,18 @@ def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
 
 def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
     """Whether it is what the same thing does next: "the roast goes in at ten and comes out at two"."""
+    closed = tree.lexicon.closed
     node = tree.nodes[place]
-    beside = node.relation == "conj" and node.head == root and tree.nodes[place - 1].lower in JOINTS
+    beside = (
+        node.relation == "conj"
+        and node.head == root
+        and tree.nodes[place - 1].lower in closed.joints_of_orders
+    )
     named = bool(tree.children(root, *ANY_SUBJECTS))
     told = tree.nodes[root].tag == node.tag == "VBZ" and named
     # "The show will last an hour and start at eight"
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
-    told = told or (named and bool(helping) and helping <= FUTURE | {"should"} and node.tag == "VB")
+    told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
     return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
 
 
@@ -160,9 +169,9 @@ def _is_passive_order(tree: Tree, place: int) -> bool:
     return bare and over.relation in COORDINATE and not tree.children(node.head, *ANY_SUBJECTS)
 
 
-def _is_bare(node: Node) -> bool:
+def _is_bare(node: Node, lexicon: Lexicon) -> bool:
     """Whether a verb has its bare form, whatever tense it was taken for: "put" is a past form too."""
-    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in PAST_ALIKE)
+    past = node.tag in {"VBD", "VBN"} and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
     # "Deburr it": what ends in no -s has no other person.
     bare = node.tag in IMPERATIVE or (node.tag == "VBZ" and not node.lower.endswith("s"))
     return bare or past
@@ -188,7 +197,9 @@ def _is_embedded(tree: Tree, place: int, root: int) -> bool:
         # "Leave the dough covered and shape it": a bare verb is no second participle.
         apart = node.tag in {"VBN", "VBG"} and tree.nodes[place].tag == "VB"
         # "Let the dough rest overnight and bake it in the morning": what rests bakes nothing.
-        acts = any(tree.nodes[p].lower in THEM for p in tree.children(place, "dobj"))
+        acts = any(
+            tree.nodes[p].lower in tree.lexicon.closed.it_or_them for p in tree.children(place, "dobj")
+        )
         apart = apart or (acts and node.relation == "ccomp" and not tree.children(above, "dobj", "dative"))
         if node.relation in EMBEDDED and node.tag not in FINITE and not apart:
             return True

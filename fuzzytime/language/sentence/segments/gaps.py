@@ -12,15 +12,7 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Duration
 
 BETWEEN = "between"
-PER = frozenset({"per", "a"})
 OWNING = frozenset({"'s", "’s", "'", "’"})
-JOINTS = frozenset({",", "and", "but", ";", "-"})
-EACH = frozenset({"each", "every", "one", "the"})
-"""Words before what is done several times: "between each coat"."""
-
-THEM = frozenset({"them", "each", "goes"})
-MARKS = frozenset({",", ".", ";", "!", ")", "and", "then", "but"})
-"""What may follow: "between the soup and the main course" names two things."""
 
 APART, EACH_ONE = "apart", "each"
 """What is said instead, which is shorter."""
@@ -29,7 +21,7 @@ APART, EACH_ONE = "apart", "each"
 def with_gaps(scanned: Scanned, lexicon: Lexicon) -> str:
     """Give a text of the same length in which gaps are so long "apart", and turns so long "each"."""
     text = scanned.text
-    if not {BETWEEN, *PER}.isdisjoint(word.text for word in scanned.words):
+    if not {BETWEEN, *lexicon.closed.rates}.isdisjoint(word.text for word in scanned.words):
         for before, (first, end), said in _gaps(scanned, lexicon):
             text = text[:first] + said.rjust(end - first) + text[end:]
             text = text[: before[0]] + " " * (before[1] - before[0]) + text[before[1] :]
@@ -49,39 +41,43 @@ def _gaps(scanned: Scanned, lexicon: Lexicon) -> Iterator[tuple[Span, Span, str]
             continue
         first = words[piece.end].start
         if words[place].text == BETWEEN:
-            end, led = _end(words, place + 1), _led(words, piece.start, lexicon)
+            end, led = _end(words, place + 1, lexicon), _led(words, piece.start, lexicon)
             if end is not None and led is not None:
                 yield (words[led].start, words[piece.start].start), (first, words[end - 1].end), APART
-        elif words[place].text in PER and place + 1 < len(words) and place == piece.end:
+        elif words[place].text in lexicon.closed.rates and place + 1 < len(words) and place == piece.end:
             turn = words[place + 1].text
-            if turn in lexicon.spacing["turns"] and _ends(words, place + 2):
+            if turn in lexicon.spacing["turns"] and _ends(words, place + 2, lexicon):
                 yield (first, first), (first, words[place + 1].end), EACH_ONE
 
 
-def _end(words: Sequence[Word], place: int) -> int | None:
+def _end(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     """Give where the name of what is between ends: "coats", "each coat", "them"."""
-    each = place < len(words) and words[place].text in EACH
+    closed = lexicon.closed
+    each = place < len(words) and words[place].text in closed.each_of_several
     behind = place + each
-    if each and behind < len(words) and words[behind].text in EACH:
+    if each and behind < len(words) and words[behind].text in closed.each_of_several:
         behind += 1
-    if each and words[place].text == "each" and _ends(words, behind):
+    if each and words[place].text == "each" and _ends(words, behind, lexicon):
         return behind
-    if behind >= len(words) or not words[behind].is_letters or not _ends(words, behind + 1):
+    if behind >= len(words) or not words[behind].is_letters or not _ends(words, behind + 1, lexicon):
         return None
     text = words[behind].text
-    return behind + 1 if each or text in THEM or text.endswith("s") else None
+    return behind + 1 if each or text in lexicon.beside.behind_gaps or text.endswith("s") else None
 
 
-def _ends(words: Sequence[Word], place: int) -> bool:
-    return place >= len(words) or words[place].text in MARKS
+def _ends(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    return place >= len(words) or words[place].text in lexicon.closed.end_of_a_gap
 
 
 def _led(words: Sequence[Word], place: int, lexicon: Lexicon) -> int | None:
     """Give where the words begin that lead to a gap: ", leaving", "with"; None where an order begins."""
+    closed = lexicon.closed
     first = place
     while first and words[first - 1].text in lexicon.spacing["leading"]:
         first -= 1
-    joined = first > 0 and (words[first - 1].text in JOINTS or words[first].text in lexicon.spacing["beside"])
-    if first and words[first - 1].text in JOINTS - {","} and first < place:
+    joined = first > 0 and (
+        words[first - 1].text in closed.joints_of_clauses or words[first].text in lexicon.spacing["beside"]
+    )
+    if first and words[first - 1].text in closed.joints_of_clauses - {","} and first < place:
         first -= 1
     return first if joined else None

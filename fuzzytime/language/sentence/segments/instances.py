@@ -18,9 +18,6 @@ MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 ONE = ("one",)
 TWO = 2
 
-JOINTS = MARKS | {"and", "&", "then"}
-"""What stands before a further one."""
-
 
 @dataclass(frozen=True, slots=True)
 class Instances:
@@ -65,7 +62,10 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
         # "Two alarms for tomorrow one at six and one at seven", as it is said
         told = bool(starts) or _has_number(words, place, lexicon)
         spoken = form == ONE and _times_behind(words, place) and told
-        if before.text not in (JOINTS if starts else MARKS) and not spoken:
+        if (
+            before.text not in (MARKS | lexicon.closed.joints_of_instances if starts else MARKS)
+            and not spoken
+        ):
             continue
         behind = place if form is None else place + len(form)
         if form is None or behind >= len(words):

@@ -1,14 +1,9 @@
 """Orders that trees overlook because a time stands beside them: "fry it for a minute, flip, fry it again"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
-
-JOINTS = frozenset({"and", "but", ",", ";", "&", "then", "please", "also", "so"})
-
-OBJECTS = frozenset({"it", "them", "me", "us", "him"})
 
 
 def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
@@ -41,6 +36,7 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
 
 def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     """Whether a joint and a time stand before a word with an object: "…, and at four clean the tank"."""
+    closed = lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ""
     first = place
@@ -49,16 +45,21 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
     bare = node.may_act and node.lower == node.lemma
     called = node.lower in lexicon.addressing and behind in lexicon.persons
-    return led and bare and (called or behind in OWNING | OBJECTS)
+    return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
 
 
 def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word behind a time is an order of one word: "fry it for a minute, flip, fry it again"."""
+    closed = lexicon.closed
     node = tree.nodes[place]
     behind = tree.nodes[place + 1].lower if place + 1 < len(tree.nodes) else ","
     bare = (node.may_act and node.lower == node.lemma) or node.lower in lexicon.alone
     counted = place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag == "CD"
-    return bare and tree.nodes[place - 1].lower in JOINTS and (counted or behind in JOINTS | ENDS)
+    return (
+        bare
+        and tree.nodes[place - 1].lower in closed.joints_of_orders
+        and (counted or behind in closed.joints_of_orders | ENDS)
+    )
 
 
 def begins_order(tree: Tree, lexicon: Lexicon) -> bool:

@@ -1,12 +1,7 @@
 """Where the root of a tree is no first order: "weld it, wait" has its first below the second."""
 
-from fuzzytime.language.sentence.segments.orders_beside_times import JOINTS
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.actions import ARE
-
-TELLING = frozenset({"should", "will", "'ll", "must"})
-"""Helping verbs of what is told behind an order: "watch the rice, it should be done in ten minutes"."""
 
 ANY_SUBJECTS = (*GRAMMATICAL_SUBJECTS, "csubj")
 COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
@@ -18,6 +13,7 @@ def order_behind_order(tree: Tree, root: int) -> int | None:
 
     So has a statement behind an order: "bring my coat, we leave at three".
     """
+    closed = tree.lexicon.closed
     subjects = tree.children(root, *ANY_SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
     brought = [p for p in tree.children(root, "aux") if p == start - 1 and tree.nodes[p].lower == "have"]
@@ -25,8 +21,12 @@ def order_behind_order(tree: Tree, root: int) -> int | None:
     start = min([start, *brought])
     joint = tree.nodes[start - 1].lower if start else ""
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
-    telling = TELLING | ARE if tree.nodes[root].tag == "VBG" else TELLING
-    if joint not in JOINTS or (subjects and joint != ",") or not helping <= telling:
+    telling = (
+        closed.predicting_modals | closed.present_be
+        if tree.nodes[root].tag == "VBG"
+        else closed.predicting_modals
+    )
+    if joint not in closed.joints_of_orders or (subjects and joint != ",") or not helping <= telling:
         return None
     orders = _orders_before(tree, root, start, joint)
     if subjects and not brought:

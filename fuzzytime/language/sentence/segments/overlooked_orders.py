@@ -1,9 +1,7 @@
 """Orders that a tree takes for something else: "wipe the rug and empty the bins"."""
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.sentence.segments.orders_beside_times import (
-    JOINTS,
     is_order_before_time,
     is_order_between_times,
     stands_alone,
@@ -11,8 +9,6 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tree import Tree
-
-THEM = frozenset({"it", "them"})
 
 
 def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -37,6 +33,7 @@ def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word taken for no verb has an object, or a particle: "wipe the rug and empty the bins"."""
+    closed = lexicon.closed
     node, before = tree.nodes[place], tree.nodes[place - 1].lower
     if (
         before in {"and", "&", ","}
@@ -44,25 +41,36 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         and (node.tag == "NN" or _stands_apart(tree, place))
     ):
         return True
-    if node.tag not in {"NN", "NNP", "JJ"} or before not in JOINTS or place + 2 >= len(tree.nodes):
+    if (
+        node.tag not in {"NN", "NNP", "JJ"}
+        or before not in closed.joints_of_orders
+        or place + 2 >= len(tree.nodes)
+    ):
         return False
     behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
-    if bare and (behind in THEM or (tree.nodes[place + 1].tag == "IN" and further in THEM)):
+    if bare and (
+        behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
+    ):
         # "Leave it for an hour and pat it dry", "move the sofa, vacuum behind it"
         return True
-    if node.relation in COORDINATE and node.may_act and behind in OWNING and tree.children(place, "dobj"):
+    if (
+        node.relation in COORDINATE
+        and node.may_act
+        and behind in closed.noun_openers
+        and tree.children(place, "dobj")
+    ):
         # "The painters come at nine, clear the room"
         return True
-    return node.relation == "conj" and before in {"and", "&"} and behind in OWNING
+    return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
 
 
 def _stands_apart(tree: Tree, place: int) -> bool:
     """Whether what a tree takes for an adjective describes nothing: "chop the onions, fry, then serve"."""
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    ends = all(word.lower in JOINTS | ENDS for word in behind)
+    ends = all(word.lower in tree.lexicon.closed.joints_of_orders | ENDS for word in behind)
     # "Keep it dark, cool"
     named = any(tree.nodes[p].tag.startswith("NN") for p in tree.children(tree.root or 0, "dobj"))
     return node.tag == "JJ" and ends and named and tree.nodes[node.head].tag.startswith(("NN", "VB"))

@@ -6,26 +6,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.surroundings import ASKING, OWNING
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import LATER, Offset, Phrase, TimeWord, Wall
 from fuzzytime.language.sentence.segments.named_events import beside, counts_event, heads
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
-TITLES = frozenset({"dr", "mr", "ms", "mrs", "st", "prof", "no", "vs", "approx", "ca", "etc"})
-"""Words that are typed with a full stop which ends nothing."""
-
-ADJECTIVES = frozenset({"next", "first", "finally", "lastly", "firstly"})
-"""Connectives that open an instruction only where it begins."""
 
 MEANWHILE = "meanwhile"
-SERIES = frozenset({"every", "each"})
-"""Words behind "at the same time" that make it a time of day."""
-
-OPENED = frozenset({"and", "but", "please", "then"})
-BOUND = frozenset({"by", "before", "until", "till", "from", "since", "after"})
-"""Words behind which "then" is a time: "by then"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,18 +68,18 @@ def segments_of(
         if place in inside and place not in vague:
             place += 1
             continue
-        opens = _opens(words, place, vague) and not counts_event(words, place, phrases, lexicon)
+        opens = _opens(words, place, vague, lexicon) and not counts_event(words, place, phrases, lexicon)
         found = longest_match(words, place, lexicon.connectives) if opens else None
         end = 0 if found is None else _end_of(words, place, len(found))
         if found is not None and lexicon.connectives[found] == MEANWHILE and end < len(words):
             # "At the same time every evening"
-            found = None if words[end].text in SERIES else found
+            found = None if words[end].text in lexicon.closed.distributives else found
         # "Do it when you're done": nothing follows.
         if found is not None and end < len(words) and words[end].text not in {*ENDS, "as"}:
             cuts.append((place, end, lexicon.connectives[found]))
             place = end
             continue
-        if words[place].text in ENDS and _is_end(text, words, place):
+        if words[place].text in ENDS and _is_end(text, words, place, lexicon):
             cuts.append((place, place + 1, ""))
         place += 1
     return list(_between(text, words, cuts, {phrase.first for phrase in phrases}, lexicon))
@@ -115,7 +103,10 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         # "After the wedding on the 21st, call mum"
         return
     # "My dentist appointment at ten, …" names what happens, "call at ten, …" asks for it.
-    named = all(word.text in OWNING | lexicon.taken for word in words[: first.first]) and first.first > 1
+    named = (
+        all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[: first.first])
+        and first.first > 1
+    )
     if not named and words[first.first - 1].text not in lexicon.happening:
         return
     behind = first.end + 1
@@ -144,7 +135,7 @@ def _stops(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> bool:
         return False
     word, object_ = words[phrase.end], words[phrase.end + 1].text
     inside = word.text in lexicon.function_words | lexicon.places
-    acts = not inside and object_ in OWNING | {"it", "them"}
+    acts = not inside and object_ in lexicon.closed.noun_openers | {"it", "them"}
     return word.capital or (acts and not _leads(phrase, words, lexicon))
 
 
@@ -161,22 +152,27 @@ def _end_of(words: Sequence[Word], place: int, length: int) -> int:
     return end + 1 if end < len(words) and words[end].text in {",", ":"} else end
 
 
-def _opens(words: Sequence[Word], place: int, vague: set[int]) -> bool:
+def _opens(words: Sequence[Word], place: int, vague: set[int], lexicon: Lexicon) -> bool:
     """Whether a connective here opens an instruction, and is no word inside one ("the next step").
 
     A vague time does where an instruction begins: "wipe the table; afterwards sweep the floor".
     """
+    closed = lexicon.closed
     if place + 1 >= len(words):
         return False
     before = words[place - 1].text if place else ","
-    if words[place].text == "then" and before in BOUND:
+    if words[place].text == "then" and before in closed.prepositions_of_time:
         return False
-    if place in vague and (not place or (before[0].isalnum() and before not in OPENED)):
+    if place in vague and (not place or (before[0].isalnum() and before not in closed.before_connectives)):
         return False
-    return words[place].text not in ADJECTIVES or before in OPENED or not before[0].isalnum()
+    return (
+        words[place].text not in closed.conjuncts
+        or before in closed.before_connectives
+        or not before[0].isalnum()
+    )
 
 
-def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
+def _is_end(text: str, words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a mark ends a sentence: it is no part of a number or an abbreviation."""
     word = words[place]
     if word.text != ".":
@@ -188,7 +184,9 @@ def _is_end(text: str, words: Sequence[Word], place: int) -> bool:
     if before is not None and before.glued and words[place - 2].is_digits:
         # "On the 21st": no saint.
         return True
-    return before is None or (not (len(before.text) == 1 and before.is_letters) and before.text not in TITLES)
+    return before is None or (
+        not (len(before.text) == 1 and before.is_letters) and before.text not in lexicon.closed.abbreviations
+    )
 
 
 def _between(
@@ -223,7 +221,7 @@ def _behind_opening(
         suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
-        elif (asked := _asked_before(words, begin, times)) is not None:
+        elif (asked := _asked_before(words, begin, times, lexicon)) is not None:
             begin = asked
         elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
             break
@@ -234,11 +232,15 @@ def _behind_opening(
     return begin
 
 
-def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int]) -> int | None:
+def _asked_before(words: Sequence[Word], place: int, times: AbstractSet[int], lexicon: Lexicon) -> int | None:
     """Give the time behind which somebody is asked to do something: "can you by seven feed the cat"."""
     first, *behind = (word.text for word in words[place : place + 3])
     time = place + 2 + (behind[1:] == ["please"])
-    return time if first in ASKING and behind[:1] == ["you"] and time in times else None
+    return (
+        time
+        if first in lexicon.closed.requesting_modals and behind[:1] == ["you"] and time in times
+        else None
+    )
 
 
 def _counts(word: Word, lexicon: Lexicon) -> bool:

@@ -23,9 +23,6 @@ from fuzzytime.language.sentence.verbs.statement_trees import leaves
 JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
-JOINING = (["and"], ["&"], ["then"], ["but"])
-"""Words behind which a clause in front leads a further instruction."""
-
 
 AT = "at"
 """The preposition of clock times, which holds for the one that corrects them too."""
@@ -33,17 +30,8 @@ AT = "at"
 STATED = frozenset({"when", "if", "while"})
 """Kinds of clauses that say what must be so."""
 
-SUBJECTS_OF = frozenset(
-    {"the", "a", "my", "our", "your", "his", "her", "their", "it", "it's", "he", "she", "they", "we", "i"}
-    | {"you", "there", "nobody", "no", "nothing", "none", "everyone", "everybody", "everything", "someone"}
-)
-"""Words that begin what is so."""
-
 LEAST_SAID = 3
 """Words of "and nobody calls"."""
-
-INVERTING = frozenset({"should", "had"})
-"""Helping verbs in front of who does it, for "if": "should the bell ring, open the door"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,14 +124,19 @@ class Waiting:
         """The clause in front, nothing where there is none; one without its "if" as if it had one."""
         text = self.source.sound[self.segment.span[0] : self.main]
         first = text.partition(" ")[0]
-        return IF.ljust(len(first)) + text[len(first) :] if first.lower() in INVERTING else text
+        inverted = first.lower() in self.source.scanned.lexicon.closed.conditional_inversion
+        return IF.ljust(len(first)) + text[len(first) :] if inverted else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
         """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
         words = self.source.scanned.words
         for position, place in enumerate(self.source.places(*self.segment.span)):
             before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
-            leads = self.main == self.segment.span[0] if position == 0 else before[-1:] in JOINING
+            leads = (
+                self.main == self.segment.span[0]
+                if position == 0
+                else not lexicon.closed.joints_of_conditions.isdisjoint(before[-1:])
+            )
             leads = leads and (position == 0 or words[place].start >= self.main)
             marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
             if marker is not None:
@@ -257,10 +250,12 @@ def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker
     return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
 
 
-def goes_on_behind(words: Sequence[Word], comma: int, following: int) -> bool:
+def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
     """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
     said = [word.text for word in words[comma + 1 : following]]
-    return len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in SUBJECTS_OF
+    return (
+        len(said) >= LEAST_SAID and said[0] in {"and", "or"} and said[1] in lexicon.closed.condition_openers
+    )
 
 
 def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
@@ -279,7 +274,7 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     words = source.scanned.words
     places = source.places(*segment.span)
     marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
-    inverted = bool(places) and words[places[0]].text in INVERTING
+    inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]
     behind = places[0] + 1 if marker is None else marker.end
@@ -289,7 +284,9 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
         # "After the museum, but before it gets dark, find a place to eat"
         leads = None if comma is None else _second_marker(source, comma + 1, following, lexicon)
         stated = comma is not None and (inverted or (marker is not None and marker.kind in STATED))
-        if leads is None and not (stated and comma is not None and goes_on_behind(words, comma, following)):
+        if leads is None and not (
+            stated and comma is not None and goes_on_behind(words, comma, following, lexicon)
+        ):
             break
         comma = following
     return words[comma + 1].start if comma is not None and comma + 1 in places else segment.span[0]

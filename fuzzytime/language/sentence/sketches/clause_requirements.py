@@ -12,7 +12,6 @@ from fuzzytime.language.sentence.sketches.at_events import untold
 from fuzzytime.language.sentence.sketches.pronouns import resolved_object
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.content_words import content_words
-from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS_AND_ASKED
 from fuzzytime.requirement import Condition, Constraint, Edge, Reference, TimeRequirement
 
 RESULTING = frozenset({"when", "if", "after"})
@@ -47,7 +46,9 @@ def of_clause(
     what = draft.text[slice(*clause.content)]
     if target is None:
         subject = None if said is None else said.subject
-        if clause.is_event or (subject is not None and subject not in SPEAKERS_AND_ASKED):
+        if clause.is_event or (
+            subject is not None and subject not in anchors.lexicon.closed.first_and_second_person
+        ):
             remarks.append(untold(text, clause.span))
         else:
             message = f"{text!r} refers to {what!r}, and no instruction so far is about that"
@@ -84,11 +85,11 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         # "Warm up the printer. Once it is warm, print"
         made = replace(clause, verb=condition.word, object=condition.subject, condition=None)
         condition = replace(condition, target=anchors.target_of(made))
-        if clause.kind in BECOMING and clause.verb not in anchors.lexicon.doing["arriving"]:
+        if clause.kind in BECOMING and clause.verb not in anchors.lexicon.doing.arriving:
             # "Paint the door. Once the paint is dry, which takes two hours, sand it"
             takes = None if clause.takes is None else clause.takes.seconds
             about = anchors.done_with(condition.subject)
-            if about is None and condition.subject in PRONOUNS:
+            if about is None and condition.subject in anchors.lexicon.closed.anaphors:
                 about = anchors.done_with_it(condition.subject)
             condition = replace(condition, about=about, takes=takes)
     return TimeRequirement(
@@ -126,7 +127,9 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
         own = anchors.own[: anchors.position - anchors.first]
         earlier = resolved_object(pronoun, own, anchors.mentions, anchors.first)
         before = anchors.operation_at(anchors.position - 1) if anchors.position else None
-        if earlier is not None and (earlier.lower() not in PRONOUNS or earlier == (before and before.object)):
+        if earlier is not None and (
+            earlier.lower() not in anchors.lexicon.closed.anaphors or earlier == (before and before.object)
+        ):
             # "Let it run; as soon as it stops, check the oil": nothing names it, but it is the same.
             return earlier
     if operation is None:
@@ -138,7 +141,7 @@ def _meant_by_pronoun(clause: Clause, anchors: Anchors, sketch: Sketch) -> str |
 
 def _named(condition: Condition, thing: str | None, lexicon: Lexicon) -> Condition:
     """Put a name for a pronoun: "stir the sauce until it thickens"."""
-    if condition.subject not in PRONOUNS or thing is None:
+    if condition.subject not in lexicon.closed.anaphors or thing is None:
         return condition
     if condition.subject == "it" and condition.word in lexicon.impersonal:
         return condition

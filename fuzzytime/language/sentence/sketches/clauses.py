@@ -3,7 +3,6 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.borders import NAMED
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.beside import joined
@@ -21,12 +20,11 @@ from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, side
 from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
 from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
-from fuzzytime.language.sentence.segments.waiting import INVERTING, goes_on_behind
+from fuzzytime.language.sentence.segments.waiting import goes_on_behind
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge, Unit
 
 BEFORE = "before"
-OTHER = frozenset({"the", "another"})
 BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
@@ -40,9 +38,6 @@ A_DAY = Duration(((1, Unit.DAY),))
 
 WITHIN = (("of",), ("after",))
 """Markers behind which a bound counts from what they name: "within an hour of calling"."""
-
-EXCEPTING = (["not"], ["except"], ["excluding"], ["even"])
-"""Words before a marker whose clause says when not to do something, or that it is done all the same."""
 
 OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
@@ -69,14 +64,14 @@ def clauses_of(
     reader = _Clauses(tree, words, phrases, lexicon, covered, named)
     place = 0
     while place < len(words):
-        is_name = place > 0 and words[place - 1].text in NAMED
+        is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             _leads_nowhere(form, words, place)
             or reader.leads_to_distance(place, form)
             or is_wish(tree, words[place:])
         )
-        if form is not None and (is_length(form, words, place) or leads):
+        if form is not None and (is_length(form, words, place, lexicon) or leads):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
@@ -132,7 +127,7 @@ class _Clauses:
         before = self.words[place - 1].text if place else ""
         if (
             self.words[place].text != "for"
-            or before not in self.lexicon.doing["waiting"]
+            or before not in self.lexicon.doing.waiting
             or place in self.covered
         ):
             return None
@@ -160,7 +155,7 @@ class _Clauses:
         """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
         word, node = self.words[place], next(iter(self.tree.nodes), None)
         leads = place == 0 and node is not None and node.lower == IF != word.text
-        return (word.text,) if leads and word.text in INVERTING else None
+        return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
 
     def edged(self, place: int) -> tuple[str, ...] | None:
         """Give the "by" of "by the end of the lesson" as what begins a clause."""
@@ -173,11 +168,15 @@ class _Clauses:
         ):
             # "By kick-off", "by knocking-off time"
             return BY
-        return (text,) if known and edge_of(self.words, place + 1, self.covered) is not None else None
+        return (text,) if known and self._edge(place + 1) is not None else None
+
+    def _edge(self, place: int) -> tuple[Edge, int] | None:
+        return edge_of(self.words, place, self.covered, self.lexicon)
 
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
-        kind = self.lexicon.clauses.get(form, IF if form[0] in INVERTING else "until")
+        inverted = form[0] in self.lexicon.closed.conditional_inversion
+        kind = self.lexicon.clauses.get(form, IF if inverted else "until")
         if edge is not None:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
@@ -195,8 +194,9 @@ class _Clauses:
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
-        edge, first = edge_of(self.words, place + len(form), self.covered) or (None, place + len(form))
-        if place and self.words[place - 1].text == "one" and self.words[first].text in OTHER:
+        edge, first = self._edge(place + len(form)) or (None, place + len(form))
+        counted = place > 0 and self.words[place - 1].text == "one"
+        if counted and self.words[first].text in self.lexicon.beside.the_other:
             # "One after the other"
             return None
         kind = self._kind(form, bound, edge)
@@ -251,7 +251,7 @@ class _Clauses:
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told
         found = self._denied(told, place)
-        occurs = found is not None and (happens(found) or self._is_over(found))
+        occurs = found is not None and (happens(found, self.lexicon) or self._is_over(found))
         eventful = kind in EVENTFUL or (kind == "when" and occurs)
         # "During the interval, which starts at eight"
         eventful = eventful or (kind == "while" and found is not None and found.is_event)
@@ -280,7 +280,8 @@ class _Clauses:
     def _denied(self, clause: Clause | None, place: int) -> Clause | None:
         """Give a clause as the words before its marker have it: "not when it rains" is when it does not."""
         before = [word.text for word in self.words[max(0, place - 2) : place]]
-        if clause is None or not (before[-1:] in EXCEPTING or before == ["except", "for"]):
+        excepted = self.lexicon.beside.excepting & {*before[-1:]} or before == ["except", "for"]
+        if clause is None or not excepted:
             return clause
         if clause.condition is None or clause.kind not in {"when", "if", "while"} or before[-1:] == [EVEN]:
             return replace(clause, excepted=True)
@@ -312,7 +313,8 @@ class _Clauses:
 
     def _goes_on(self, place: int) -> bool:
         """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
-        return self.words[-1].text == "," and goes_on_behind(self.words, place, len(self.words) - 1)
+        last = len(self.words) - 1
+        return self.words[last].text == "," and goes_on_behind(self.words, place, last, self.lexicon)
 
     def _is_inside_number(self, place: int) -> bool:
         """Whether a mark joins digits: "below 1,200"."""

@@ -3,9 +3,9 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Coming, Duration, Edge, Offset, Phrase, Said, later_by
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.verbs.statements import NOBODY
 from fuzzytime.requirement import Constraint
 
 WITHIN = "within"
@@ -15,7 +15,13 @@ DEADLINE = "deadline of a clause"
 
 
 def with_deadlines(
-    clauses: Sequence[Clause], phrases: Sequence[Phrase], text: str, main: int, *, follows: bool
+    clauses: Sequence[Clause],
+    phrases: Sequence[Phrase],
+    text: str,
+    main: int,
+    lexicon: Lexicon,
+    *,
+    follows: bool,
 ) -> tuple[list[Clause], list[Phrase]]:
     """Give clauses with the deadlines right behind them, and from when on it is known that one has passed.
 
@@ -26,13 +32,13 @@ def with_deadlines(
     found: list[Clause] = []
     passed: list[Phrase] = []
     for clause in clauses:
-        deadline = next((phrase for phrase in phrases if _is_of(clause, phrase, text)), None)
-        if deadline is None or not (_denies(clause) or deadline.span[1] <= main):
+        deadline = next((phrase for phrase in phrases if _is_of(clause, phrase, text, lexicon)), None)
+        if deadline is None or not (_denies(clause, lexicon) or deadline.span[1] <= main):
             found.append(clause)
             continue
         found.append(replace(clause, span=(clause.span[0], max(clause.span[1], deadline.span[1]))))
         timed = any(p is not deadline and p.said.constraint is not Constraint.FOR for p in phrases)
-        if _denies(clause) and not timed:
+        if _denies(clause, lexicon) and not timed:
             passed.append(_passed(deadline, later=follows))
     return found, passed
 
@@ -56,20 +62,22 @@ def _is_length(said: Said) -> bool:
     return said.preposition == WITHIN and counted and not (isinstance(time, Offset) and time.anchor)
 
 
-def _is_of(clause: Clause, phrase: Phrase, text: str) -> bool:
+def _is_of(clause: Clause, phrase: Phrase, text: str, lexicon: Lexicon) -> bool:
     """Whether a deadline stands right behind what must be so, or in it."""
     inside = clause.content[0] < phrase.span[0] and phrase.span[1] <= clause.content[1]
     if inside and _is_length(phrase.said):
-        return clause.kind == "if" and _denies(clause)
+        return clause.kind == "if" and _denies(clause, lexicon)
     behind = clause.span[1] <= phrase.span[0] and not text[clause.span[1] : phrase.span[0]].strip()
     return clause.kind == "if" and behind and phrase.said.constraint is Constraint.BEFORE
 
 
-def _denies(clause: Clause) -> bool:
+def _denies(clause: Clause, lexicon: Lexicon) -> bool:
     """Whether it is about what has not come to be."""
     condition = clause.condition
     if condition is None:
         return False
     # "If nobody has come by six"
-    nobody = not (NOBODY | {"no", "no-one"}).isdisjoint((condition.subject or "").lower().split()[:1])
+    nobody = not (lexicon.closed.negative_pronouns | {"no", "no-one"}).isdisjoint(
+        (condition.subject or "").lower().split()[:1]
+    )
     return condition.negated != nobody

@@ -10,25 +10,12 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.waiting import Part
-from fuzzytime.language.sentence.trees.named import PRONOUNS
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
-
-RELATIVE = frozenset({"which", "that", "who", "whose", "where"})
-"""Words that begin what describes a thing."""
 
 PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
-
-DROPPING = frozenset({"cancel", "drop", "skip", "scrap"})
-"""Verbs of what is not to be: "cancel all meetings after three"."""
-
-ALL = frozenset({"all", "every", "any", "each", "both"})
-"""Words for all that are so."""
-
-REASONS = frozenset({"because", "cos", "'cause", "cause"})
-"""Words that begin why something is to be done."""
 
 RECALLING = "remind"
 """Somebody is reminded at the only time that is said, whatever it is of."""
@@ -63,7 +50,7 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
             continue
         first = min(part.tree.below(subjects[0]))
         so = first - 1 - (nodes[first - 1].lower == "that")
-        if nodes[so].lower != "so" or nodes[subjects[0]].lower in PRONOUNS:
+        if nodes[so].lower != "so" or nodes[subjects[0]].lower in part.tree.lexicon.closed.anaphors:
             continue
         start, end = nodes[so].start + part.offset, nodes[-1].end + part.offset
         own = any(phrase.span[1] <= start for phrase in phrases)
@@ -78,7 +65,10 @@ def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | N
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
     nodes = part.tree.nodes
     for place in range(action.place + 1, len(nodes)):
-        if nodes[place].lower in REASONS and nodes[place].relation == "mark":
+        if (
+            nodes[place].lower in part.tree.lexicon.closed.subordinators_of_reason
+            and nodes[place].relation == "mark"
+        ):
             reach = part.tree.reach(nodes[place].head)
             start, end = nodes[place].start + part.offset, nodes[reach[1] - 1].end + part.offset
             if any(start <= phrase.span[0] < end for phrase in phrases):
@@ -119,8 +109,13 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         pairs = pairwise(phrases)
         return [old for old, new in pairs if new.said.preposition == "to" and old.end == new.first]
     objects = part.tree.children(action.place, "dobj")
-    several = [thing for thing in objects for p in part.tree.children(thing, "det") if nodes[p].lower in ALL]
-    if lemma not in DROPPING or not several:
+    several = [
+        thing
+        for thing in objects
+        for p in part.tree.children(thing, "det")
+        if nodes[p].lower in lexicon.closed.universal_determiners
+    ]
+    if lemma not in lexicon.doing.dropping or not several:
         return []
     behind = nodes[several[-1]].end + part.offset
     return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
@@ -133,4 +128,4 @@ def _is_described(part: Part, place: int, action: Action) -> bool:
         return False
     # "The meeting I have tomorrow" is what is counted from.
     before = (p for p in tree.children(verb) if p < verb and tree.nodes[p].relation != "mark")
-    return any(tree.nodes[p].lower in RELATIVE for p in before)
+    return any(tree.nodes[p].lower in part.tree.lexicon.closed.relatives for p in before)

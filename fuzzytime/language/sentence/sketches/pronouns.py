@@ -3,20 +3,11 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.named import PRONOUNS, SOMEBODY, is_several
-
-PEOPLE = frozenset({"them"})
-SEVERAL = frozenset({"them", "those", "these", "ones", "they"})
-TOWARDS = frozenset({"to", "for"})
-"""Words behind a pronoun that say whom it is for."""
-
-GIVEN = frozenset({"a", "an", "the", "some", "his", "her", "their", "its", "one", "two", "half", "another"})
-"""Words behind "her" that show that it is no owner: "give her a bath", but "visit her aunt"."""
+from fuzzytime.language.sentence.trees.named import is_several
 
 
 def resolved_object(
@@ -28,38 +19,48 @@ def resolved_object(
 
     Neither stands for a person: in "call mum, then wash it", it is something else.
     """
+    lexicon, pronouns = mentions.lexicon, mentions.lexicon.closed
     person = _resolved_person(operation, own, mentions, first)
     if person is not None:
         return person
     pronoun, _, rest = (operation.object or "").partition(" ")
-    if rest and pronoun.lower() in PRONOUNS and rest.split()[0] in TOWARDS:
+    if (
+        rest
+        and pronoun.lower() in pronouns.anaphors
+        and rest.split()[0] in pronouns.prepositions_of_recipients
+    ):
         # "Print the plans and send them to her"
         alone = replace(operation, object=pronoun)
         return f"{resolved_object(alone, own, mentions, first)} {rest}"
-    if operation.object is None or operation.object.lower() not in PRONOUNS:
+    if operation.object is None or operation.object.lower() not in pronouns.anaphors:
         return operation.object
-    if operation.lemma in mentions.lexicon.addressing and operation.object.lower() in PEOPLE:
+    if operation.lemma in lexicon.addressing and operation.object.lower() in pronouns.plural_person:
         # "Tell them when to stop"
         return operation.object
-    several = operation.object.lower() in SEVERAL
-    near = Mentions(mentions.lexicon)
+    several = operation.object.lower() in pronouns.plural_anaphors
+    near = Mentions(lexicon)
     for earlier in own:
         near.add(earlier)
     here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
-    fitting = (thing for thing in (here, there) if thing is not None and is_several(thing) is several)
+    fitting = (
+        thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
+    )
     return next(fitting, here or there or operation.object)
 
 
 def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anchors) -> str | None:
     """Give what "them" is behind a clause about it: "when the rolls are done, put them in the window"."""
-    if (operation.object or "").lower() not in PRONOUNS:
+    pronouns = anchors.lexicon.closed
+    if (operation.object or "").lower() not in pronouns.anaphors:
         return None
     for clause in sketch.clauses:
         if clause.span[0] < operation.span[0]:
             condition = clause.condition
-            named = condition is not None and condition.subject not in PRONOUNS
+            named = condition is not None and condition.subject not in pronouns.anaphors
             thing = anchors.about(clause)
-            if thing is not None and (named or is_several(thing) == (operation.object in SEVERAL)):
+            if thing is not None and (
+                named or is_several(thing, anchors.lexicon) == (operation.object in pronouns.plural_anaphors)
+            ):
                 return thing
     return None
 
@@ -71,12 +72,13 @@ def _resolved_person(
 
     "Them" are rather things that were named.
     """
+    closed = mentions.lexicon.closed
     pronoun, _, rest = (operation.object or "").partition(" ")
-    if pronoun.lower() not in SOMEBODY or operation.stated:
+    if pronoun.lower() not in closed.third_person_objects or operation.stated:
         return None
-    if rest and pronoun.lower() == "her" and rest.split()[0].lower() not in GIVEN:
+    if rest and pronoun.lower() == "her" and rest.split()[0].lower() not in closed.of_what_is_given:
         return None
-    several = pronoun.lower() in SEVERAL
+    several = pronoun.lower() in closed.plural_anaphors
     near = Mentions(mentions.lexicon)
     for earlier in own:
         near.add(earlier)
@@ -87,5 +89,5 @@ def _resolved_person(
         return None
     article, _, name = person.partition(" ")
     # "The kids finish school at three. Give them a snack"
-    person = f"{article.lower()} {name}" if name and article.lower() in OWNING else person
+    person = f"{article.lower()} {name}" if name and article.lower() in closed.noun_openers else person
     return f"{person} {rest}" if rest else person

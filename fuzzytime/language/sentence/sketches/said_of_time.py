@@ -57,7 +57,9 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     if part.tree.nodes:
         clauses += _clauses(draft, part.tree, (part.offset, end), phrases, lexicon)
     follows = bool(draft.text[:first].strip())
-    clauses, passed = with_deadlines(clauses, phrases, draft.text, part.offset, follows=follows)
+    clauses, passed = with_deadlines(
+        clauses, phrases, draft.text, part.offset, draft.scanned.lexicon, follows=follows
+    )
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]

@@ -14,9 +14,7 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
 from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
-from fuzzytime.language.sentence.trees.named import PRONOUNS
 from fuzzytime.language.sentence.verbs.actions import (
-    DENYING,
     Action,
     action_of,
     reference_of,
@@ -164,21 +162,24 @@ def _happening(
 
 def _untimed(part: Part, action: Action | None, phrases: Sequence[Phrase], lexicon: Lexicon) -> Action | None:
     """Give the verb below one that is about time: "take your time peeling them", "spend an hour cleaning"."""
+    closed = lexicon.closed
     if action is None:
         return None
     timed = {place for p in phrases for place in part.tree.at(*(a - part.offset for a in p.span))}
-    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in DENYING}
+    denying = {place for place, node in enumerate(part.tree.nodes) if node.lower in closed.negators}
     if denying and denying <= timed:
         # "Not until next week call the plumber": it is the time that is denied.
         action = replace(action, negated=False)
-    if any(part.tree.nodes[p].lower in PRONOUNS for p in part.tree.children(action.place, "nsubj", "expl")):
+    if any(
+        part.tree.nodes[p].lower in closed.anaphors for p in part.tree.children(action.place, "nsubj", "expl")
+    ):
         # "It takes twenty minutes to get there"
         return action
     nodes = enumerate(part.tree.nodes)
     verbs = (place for place, node in nodes if node.is_verb and place not in timed)
     taken = set(part.tree.children(action.place, "dobj"))
     # "Take the bins out tonight to help mum": it is no time that is taken.
-    spends = part.tree.nodes[action.place].lemma in lexicon.doing["spent"] and taken <= timed
+    spends = part.tree.nodes[action.place].lemma in lexicon.doing.spent and taken <= timed
     spends = spends and not timed.isdisjoint(taken.union(part.tree.children(action.place, "npadvmod")))
     if spends:
         verbs = (place for place in verbs if place > action.place)

@@ -9,11 +9,8 @@ from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.lending import REPEATED
-from fuzzytime.language.sentence.trees.named import SPEAKERS_AND_ASKED
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.statements import NOBODY
 
 OBJECTS = ("dobj", "attr", "oprd")
 BESIDE = frozenset({"advcl", "ccomp", "conj", "parataxis", "dep"})
@@ -22,29 +19,6 @@ NAMES = ("NN", "CD")
 """How tags of words begin that name or count something."""
 
 DENYING = "not"
-DENIED = frozenset({"not", "now", "yet", "today", "and", "but", "please"})
-"""Words that say nothing to do behind what takes back what was said."""
-
-ASKING = frozenset(
-    {"is", "are", "was", "were", "do", "does", "did", "will", "would", "can", "could", "should", "shall"}
-    | {"am", "has", "have", "must", "may"}
-)
-"""Verbs behind "when" that ask."""
-
-WERE = frozenset({"was", "were"})
-HAVE = frozenset({"has", "have"})
-BY = frozenset({"by", "back", "forward"})
-COUNTING = frozenset({"a", "an", "about", "another", "half", "of", "few", "couple", "quarter"})
-"""Words before a unit in a length of time."""
-
-MARKING = frozenset({"before", "after", "until", "till", "last"})
-"""Words about order that bind nothing here: "before and after each patient", "move the bull last"."""
-
-OBLIGING = (["has", "to"], ["have", "to"])
-"""What begins no question: "then has to cool for an hour"."""
-
-NOTHING = frozenset({"time", "favor", "favour", "chance", "need", "sure", "way", "part", "bit"})
-"""Names of nothing that is used: "it's time to eat"."""
 
 
 def doubts_of(
@@ -54,7 +28,7 @@ def doubts_of(
     tree = sketch.part.tree
     said = [word for word in words if span[0] <= word.start < span[1]]
     behind = next((word.text for word in words if word.start >= span[1]), "")
-    has_to = [word.text for word in said[:2]] in OBLIGING and behind != "?"
+    has_to = " ".join(word.text for word in said[:2]) in lexicon.beside.obliging and behind != "?"
     if (asks(said, behind, lexicon) and not has_to) or (behind == "?" and _is_inverted(tree)):
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, f"{text[slice(*span)]!r} asks, and says nothing to do")
         return
@@ -82,10 +56,13 @@ def doubts_of(
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
-def unasked(clauses: Sequence[Clause], text: str) -> tuple[Clause, ...]:
+def unasked(clauses: Sequence[Clause], text: str, lexicon: Lexicon) -> tuple[Clause, ...]:
     """Give the clauses that do not ask when something is: "when does the shop open"."""
     said = [[word.text for word in words_of(text[slice(*clause.span)])] for clause in clauses]
-    asking = [words[:1] == ["when"] and words[1:2] != [] and words[1] in ASKING for words in said]
+    asking = [
+        words[:1] == ["when"] and words[1:2] != [] and words[1] in lexicon.closed.inverted_auxiliaries
+        for words in said
+    ]
     return tuple(clause for clause, asks in zip(clauses, asking, strict=True) if not asks)
 
 
@@ -112,13 +89,14 @@ def unused_words(
     text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
 ) -> Iterator[Remark]:
     """Point at names and numbers of an instruction that neither its operation nor a time holds."""
+    beside = lexicon.beside
     held = {word.text for word in words_of(f"{operation.name} {operation.addressee or ''}")}
     known = held | {word.removesuffix("'s") for word in held}
-    known |= lexicon.persons | lexicon.machines | lexicon.addresses | NOTHING
+    known |= lexicon.persons | lexicon.machines | lexicon.addresses | beside.nothing
     left = [
         place
         for place, node in enumerate(part.tree.nodes)
-        if (node.tag.startswith(NAMES) or node.lower in MARKING or _says_how(node, lexicon))
+        if (node.tag.startswith(NAMES) or node.lower in beside.marking_order or _says_how(node, lexicon))
         and node.text[0].isalnum()
         and not any(word.text in known for word in words_of(node.text))
         and not any(a <= node.start + part.offset < b for a, b in heard)
@@ -147,23 +125,24 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
 
 def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
+    closed = lexicon.closed
     root = tree.root
     if root is None:
         return None
     subjects = [p for p in tree.children(root, *SUBJECTS) if p < root]
-    denied = [p for p in subjects if tree.nodes[p].lower in NOBODY or _is_no_one(tree, p)]
+    denied = [p for p in subjects if tree.nodes[p].lower in closed.negative_pronouns or _is_no_one(tree, p)]
     if denied:
         return "what nobody does"
     if _is_denied(tree, root):
         return "what is not to be"
     node = tree.nodes[root]
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
-    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & WERE)
+    past = (node.tag == "VBD" and node.lower != node.lemma and not helping) or bool(helping & closed.past_be)
     # "The meeting has been moved"
-    past = past or (node.tag == "VBN" and "been" in helping and not helping & ASKING - HAVE)
+    past = past or (node.tag == "VBN" and "been" in helping and helping - {"been"} <= closed.have)
     # "In no time the tent was up"
-    led = node.lower in WERE and root > 0
-    named = tree.nodes[subjects[0]].lower not in SPEAKERS_AND_ASKED if subjects else led
+    led = node.lower in closed.past_be and root > 0
+    named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
     return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
 
 
@@ -183,24 +162,26 @@ def _is_no_one(tree: Tree, place: int) -> bool:
 
 def _takes_back(said: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether words do nothing but deny: "wait, not now"."""
-    marks = {word for form in lexicon.corrections for word in form} | DENIED
+    marks = {word for form in lexicon.corrections for word in form} | lexicon.beside.taken_back
     texts = [word.text for word in said if word.text.isalpha()]
     return DENYING in texts and all(text in marks for text in texts)
 
 
 def _repeats(operation: Operation | None, lexicon: Lexicon) -> bool:
     """Whether what was done is to be done again, which is not named: "repeat twice more"."""
-    if operation is None or operation.lemma not in lexicon.doing["repeating"] or operation.stated:
+    if operation is None or operation.lemma not in lexicon.doing.repeating or operation.stated:
         return False
-    return (operation.object or "it").lower() in REPEATED
+    return (operation.object or "it").lower() in lexicon.closed.singular_anaphors
 
 
 def _shifts(said: Sequence[Word], lexicon: Lexicon) -> bool:
     """Whether what has a time is moved by a length: "delay the call by an hour"."""
-    if not said or said[0].text not in lexicon.moving | lexicon.doing["shifting"]:
+    if not said or said[0].text not in lexicon.moving | lexicon.doing.shifting:
         return False
-    counting = lexicon.numbers.keys() | COUNTING
-    for first in (place + 1 for place, word in enumerate(said) if word.text in BY):
+    counting = lexicon.numbers.keys() | lexicon.beside.of_lengths
+    for first in (
+        place + 1 for place, word in enumerate(said) if word.text in lexicon.closed.particles_of_shifts
+    ):
         behind = first
         while behind < len(said) and (said[behind].text in counting or said[behind].is_digits):
             behind += 1

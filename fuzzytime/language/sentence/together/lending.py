@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.surroundings import OWNING
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.meaning.expressions import (
     HALFWAY,
@@ -18,19 +18,10 @@ from fuzzytime.language.meaning.expressions import (
     later_by,
 )
 from fuzzytime.language.sentence.references.mentions import BE
-from fuzzytime.language.sentence.segments.cuts import AGAIN
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.content_words import singular
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint, Reference, Unit
-
-GIVEN = frozenset({"me", "us", "him", "her", "them"})
-"""Who is given what is named behind."""
-
-REPEATED = frozenset({"it", "this", "that"})
-"""Words for what is to be repeated."""
-
 
 STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
@@ -107,6 +98,7 @@ def _from_then(phrase: Phrase, before: Sketch) -> Phrase:
 
 def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Operation | None:
     """Give the operation before with what is said anew; None where a sketch has its own, or says nothing."""
+    closed = lexicon.closed
     part = sketch.part
     spans = [(node.start + part.offset, node.end + part.offset) for node in part.tree.nodes]
     said = [span for span in spans if not any(overlap(span, heard) for heard in sketch.heard)]
@@ -117,13 +109,13 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         if particle is not None:
             # "And back up to 37 degrees at six"
             return replace(before, particle=particle, place=f"to {level}" if level else before.place)
-        if rest and set(rest.lower().split()) <= AGAIN:
+        if rest and set(rest.lower().split()) <= closed.adverbs_of_repetition:
             # "Ring the bell at six, then again at seven"
             return before
     said_again = sketch.operation
-    if said_again is not None and said_again.lemma in lexicon.doing["repeating"] and sketch.phrases:
+    if said_again is not None and said_again.lemma in lexicon.doing.repeating and sketch.phrases:
         # "Baste the roast, and repeat this every ten minutes"
-        return before if (said_again.object or "it").lower() in REPEATED else None
+        return before if (said_again.object or "it").lower() in closed.singular_anaphors else None
     if sketch.operation is not None and not _is_next_numbered(before, sketch, lexicon):
         return None
     then = part.segment.connective == "then"
@@ -134,7 +126,7 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
         return replace(before, place=rest or before.place)
     # "Dust the hall, then the stairs", "feed the cat at eight and the dog at nine"
     numbered = _is_next_numbered(before, sketch, lexicon)
-    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in OWNING or numbered)
+    thing = bool(part.tree.nodes) and (part.tree.nodes[0].lower in closed.noun_openers or numbered)
     named = (thing or part.segment.verbless) if sketch.phrases else (thing and then)
     if part.segment.verbless and says_where(rest.lower(), lexicon):
         # "Hoover downstairs in the morning and upstairs after lunch"
@@ -146,7 +138,11 @@ def _again(before: Operation, sketch: Sketch, text: str, lexicon: Lexicon) -> Op
     if not rest or not named or before.object is None:
         return None
     # "Hand me the wrench, then the pliers"
-    given = [word for word in before.object.split()[:1] if word.lower() in GIVEN and " " in before.object]
+    given = [
+        word
+        for word in before.object.split()[:1]
+        if word.lower() in closed.indirect_objects and " " in before.object
+    ]
     return replace(before, object=" ".join((*given, rest)), place=None)
 
 
@@ -177,7 +173,7 @@ def _is_next_numbered(before: Operation, sketch: Sketch, lexicon: Lexicon) -> bo
 
 def _particle_alone(text: str, lexicon: Lexicon) -> str | None:
     """Give the particle that is all that is said of a verb: "switch it on at six and off again at eight"."""
-    said = [word for word in text.lower().split() if word not in AGAIN]
+    said = [word for word in text.lower().split() if word not in lexicon.closed.adverbs_of_repetition]
     return said[0] if len(said) == 1 and said[0] in lexicon.particles else None
 
 
@@ -240,20 +236,16 @@ def _beside(
     before: Operation, sketch: Sketch, operation: Operation, lexicon: Lexicon, *, joined: bool
 ) -> Operation:
     """Give an operation with the object of the one before, which it is about too."""
+    doing = lexicon.doing
     tree = sketch.part.tree
     if operation.object is not None or tree.root is None:
         return operation
     node = tree.nodes[tree.root]
     alone = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-    begins = before.stated and before.lemma in lexicon.doing["beginning"] | {BE} and bool(sketch.phrases)
+    begins = before.stated and before.lemma in doing.beginning | {BE} and bool(sketch.phrases)
     if before.object is None or before.attended:
         # "We're on at nine and play for an hour"; but "I'm out at noon, feed the cat"
-        goes_on = (
-            begins
-            and (alone or operation.lemma in lexicon.doing["ending"])
-            and joined
-            and not operation.stated
-        )
+        goes_on = begins and (alone or operation.lemma in doing.ending) and joined and not operation.stated
         # "We leave at eight and get back at six"
         comes = before.stated and before.lemma != BE and not before.attended and bool(sketch.phrases)
         goes_on = goes_on or (comes and joined and not operation.stated)

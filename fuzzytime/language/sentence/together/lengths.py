@@ -4,23 +4,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import ground_all
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Instruction, Operation, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.mentions import ALL
 from fuzzytime.language.sentence.segments.asides import Aside
-from fuzzytime.language.sentence.trees.named import PRONOUNS, SPEAKERS
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
-WHOLE = frozenset({"everything", "all"})
-"""What must be over then: all that there is to do."""
-
-OBLIGED = (["has", "to"], ["have", "to"], ["must", "be"], ["needs", "to"], ["should", "be"])
-"""How words begin that leave out what they are about: "has to be done before six"."""
-
-OVER = frozenset({"done", "finished", "through", "to", "be", "have", "need", "got"})
 DONE = frozenset({Constraint.AT, Constraint.BEFORE, Constraint.BETWEEN})
 """How a time binds when something must be done."""
 
@@ -32,6 +24,7 @@ def length_of(
 
     The anchor has no target where no instruction so far is meant.
     """
+    doing = anchors.lexicon.doing
     if operation is None or not requirements:
         return None
     if any(part.constraint is not Constraint.FOR for part in requirements):
@@ -43,17 +36,12 @@ def length_of(
     if anchors.goes_on(operation):
         # "We're on at nine and play for an hour"
         return Anchor(text=text, target=anchors.position - 1)
-    taking, running = anchors.lexicon.doing["taking"], anchors.lexicon.doing["running"]
+    taking, running = doing.taking, doing.running
     anchor = anchors.lasting(operation.object, text) if operation.lemma in taking | running else None
     # What only runs was set going, or just happens.
     if anchor is None or (operation.lemma in running and anchor.target is None):
         return None
     return anchor
-
-
-SAYING_WE = SPEAKERS | {"i'll", "we'll"}
-NEEDING = frozenset({"need", "want"})
-"""Who says what is needed, and the verbs for it."""
 
 
 def time_of(
@@ -63,9 +51,10 @@ def time_of(
 
     The anchor has no target where all that was asked for is meant: "everything must be done by six".
     """
+    closed = anchors.lexicon.closed
     if operation is None or operation.negated or not requirements:
         return None
-    if _is_needed(operation, text):
+    if _is_needed(operation, text, anchors.lexicon):
         asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         same = (p for p in asked if (one := anchors.operation_at(p)) and one.object == operation.object)
         needed = next(same, None)
@@ -77,17 +66,22 @@ def time_of(
         )
     if any(part.constraint not in DONE or not _may_bound(part) for part in requirements):
         return None
-    if text.split(maxsplit=1)[0].lower() == operation.verb and text.lower().split()[:2] not in OBLIGED:
+    obliged = " ".join(text.lower().split()[:2]) in anchors.lexicon.beside.obliged
+    if text.split(maxsplit=1)[0].lower() == operation.verb and not obliged:
         # "Empty the bins by six" asks for it.
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
     words = text.lower().split()
     if anchors.lexicon.results.isdisjoint(said):
         return None
-    if words[0] in WHOLE or words[:2] == ["the", "lot"] or (words[0] in SPEAKERS and OVER.issuperset(said)):
+    if (
+        words[0] in closed.wholes
+        or words[:2] == ["the", "lot"]
+        or (words[0] in closed.first_person and anchors.lexicon.beside.over.issuperset(said))
+    ):
         # "We must be finished by six"
         return Anchor(text=text, object=operation.object)
-    if words[0] in PRONOUNS | ALL or words[:2] in OBLIGED:
+    if words[0] in closed.anaphors | closed.universal_pronouns or obliged:
         asked = (place for place in range(anchors.position - 1, -1, -1) if anchors.is_asked(place))
         target: int | None = next(asked, None)
     else:
@@ -97,18 +91,18 @@ def time_of(
     return Anchor(text=text, object=operation.object, target=target)
 
 
-def _is_needed(operation: Operation | None, text: str) -> bool:
+def _is_needed(operation: Operation | None, text: str, lexicon: Lexicon) -> bool:
     """Whether who speaks needs then what was named before: "charge the bike, I need it at seven"."""
     first = text.split(maxsplit=1)[:1]
-    said = bool(first) and first[0].lower() in SAYING_WE and operation is not None
-    return said and operation is not None and operation.lemma in NEEDING and operation.again
+    said = bool(first) and first[0].lower() in lexicon.closed.first_person_future and operation is not None
+    return said and operation is not None and operation.lemma in lexicon.doing.needing and operation.again
 
 
 def due_when_needed(
-    requirements: list[TimeRequirement], operation: Operation | None, text: str
+    requirements: list[TimeRequirement], operation: Operation | None, text: str, lexicon: Lexicon
 ) -> list[TimeRequirement]:
     """Give when something is needed as when it must be done at the latest."""
-    if not _is_needed(operation, text):
+    if not _is_needed(operation, text, lexicon):
         return requirements
     at = {Constraint.AT, Constraint.BEFORE}
     return [

@@ -2,15 +2,14 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.named import PRONOUNS
 from fuzzytime.requirement import Constraint
 
-THEM = PRONOUNS | {"him", "her", "them"}
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
 """How times bind that are clock times of what is done."""
 
@@ -31,10 +30,10 @@ def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
     joined = first.part is not second.part and not ENDS & set(between)
     if not joined or first.operation is None or second.operation is None:
         return False
-    return _goes_on(first.operation, second.operation)
+    return _goes_on(first.operation, second.operation, first.part.tree.lexicon)
 
 
-def _goes_on(first: Operation, second: Operation) -> bool:
+def _goes_on(first: Operation, second: Operation, lexicon: Lexicon) -> bool:
     """Whether two operations are about the same thing, or two things that the same ones do."""
     if (first.lemma, first.particle) == (second.lemma, second.particle):
         # "One at eight and one at noon"
@@ -42,7 +41,7 @@ def _goes_on(first: Operation, second: Operation) -> bool:
     if second.object is None:
         # "We open at noon and close at ten", "open the shop at noon and close at ten"
         return first.stated == second.stated
-    return second.object in THEM or second.again or second.object == first.object
+    return second.object in lexicon.closed.all_anaphors or second.again or second.object == first.object
 
 
 def _clock_of(sketch: Sketch) -> Clock | None:

@@ -13,12 +13,6 @@ from fuzzytime.language.sentence.segments.instances import Instances
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
-AGAIN = frozenset({"again", "another", "more", "one"})
-"""Words of which one stands between two times of what is done twice."""
-
-JOINING = AGAIN | {"and", "&", ",", "then", "once", "time", "dose"}
-"""The words that may stand there."""
-
 SEVERAL = 2
 ONE_OF = "one of the "
 """What is said of one of several: "one of the alarms"."""
@@ -73,9 +67,11 @@ def _of_stretch(sketch: Sketch, stretch: range, shared: Container[int]) -> Sketc
 
 def _cuts(sketch: Sketch, words: Sequence[Word]) -> Iterator[Span]:
     """Give the stretches between two times that say that something is done again."""
+    beside = sketch.part.tree.lexicon.beside
     for (_, end), (start, _) in pairwise(sorted(sketch.heard)):
         between = {word.text for word in words if end <= word.start < start}
-        if between & AGAIN and between <= JOINING and between & {"and", "&", ",", "then"}:
+        again = between & beside.twice and between <= beside.beside_twice
+        if again and between & {"and", "&", ",", "then"}:
             yield end, start
 
 

@@ -30,17 +30,11 @@ from fuzzytime.language.sentence.together.said_again import (
 from fuzzytime.language.sentence.together.turns import counted_apart
 from fuzzytime.requirement import Constraint
 
-ADDED = frozenset({"and", "&", ",", "also"})
-COURTEOUS = frozenset({"if", "you", "can", "possible", "at", "all", "not", "there", "is", "time"})
-"""Words that leave it open whether the first of two times is kept: "today if you can, otherwise tomorrow"."""
-
 BESIDE_MEALS = "meals.beside_meals"
 """The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
 
 LIST = 2
 """Weekdays side by side, without "and", that are hardly a list."""
-
-OFFERED = frozenset({"or", "else", "failing", "otherwise"})
 
 
 def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
@@ -136,7 +130,7 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
     left = [
         second
         for first, second in pairwise(sorted(sketch.heard))
-        if text[first[1] : second[0]].strip(" ,").lower() in OFFERED
+        if text[first[1] : second[0]].strip(" ,").lower() in sketch.part.tree.lexicon.closed.alternatives
         and ((first in lasting and second in moments) or _is_other(first, second, lasting, clauses))
     ]
     phrases = [place for place, phrase in enumerate(sketch.phrases) if phrase.span not in left]
@@ -161,24 +155,27 @@ def _alternatives(
 
     "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
     """
+    lexicon = draft.scanned.lexicon
+    closed = lexicon.closed
+    joining = closed.additions | closed.alternatives
     for place in range(len(phrases) - 1):
         group = [phrases[place]]
         joints: set[str] = set()
         for following in phrases[place + 1 :]:
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
             if between & {"otherwise", "else"}:
-                between -= COURTEOUS
+                between -= lexicon.beside.courteous
             if not between and is_weekday(group[-1]) and is_weekday(following):
                 # "Monday wednesday and friday", as it is said
                 between = {","}
-            if not between or between - ADDED - OFFERED or not (_is_when(group[-1]) and _is_when(following)):
+            if not between or between - joining or not (_is_when(group[-1]) and _is_when(following)):
                 break
             group.append(following)
             joints |= between
         several = len(group) > LIST and all(map(is_weekday, group))
-        if len(group) > 1 and (several or joints & (ADDED | OFFERED) - {","}):
+        if len(group) > 1 and (several or joints & joining - {","}):
             rest = tuple(phrase for phrase in phrases if phrase not in group)
-            if joints & OFFERED:
+            if joints & closed.alternatives:
                 return [((*rest, group[0]), tuple(group[1:]))]
             times = with_shared_clock(apart(group))
             return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]

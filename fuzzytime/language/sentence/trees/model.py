@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from fuzzytime.errors import FuzzytimeError
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.quotes import quotes_in
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.sentence.trees.tree import Node, Tree
@@ -90,7 +91,7 @@ def _verbs(name: str) -> frozenset[str]:
     return frozenset(_pipeline(name).get_pipe("lemmatizer").lookups.get_table("lemma_index")["verb"])
 
 
-def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
+def parsed(texts: Iterable[str], package: ModelPackage, lexicon: Lexicon) -> Iterator[Tree]:
     """Parse texts, in batches.
 
     Raises
@@ -119,7 +120,8 @@ def parsed(texts: Iterable[str], package: ModelPackage) -> Iterator[Tree]:
             for token, (start, end) in zip(doc, spans, strict=True)
             if not token.is_space
         )
-        yield Tree(text, _renumbered(nodes, [token.i for token in doc if not token.is_space]))
+        places = [token.i for token in doc if not token.is_space]
+        yield Tree(text, _renumbered(nodes, places), lexicon)
 
 
 def _spans(text: str, tokens: Iterable[tuple[int, int]]) -> Iterator[Span]:

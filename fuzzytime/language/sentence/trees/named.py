@@ -1,27 +1,16 @@
 """What an object names: a thing or a person, one or several; what pronouns may stand for."""
 
+from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import words_of
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.sentence.trees.content_words import singular
-
-PRONOUNS = frozenset({"it", "them", "that", "this", "those", "these", "one", "ones", "they"})
-SOMEBODY = frozenset({"him", "her", "them"})
-"""Words for who was named before: "collect Leo at three and take him to the park"."""
-
-SPEAKERS = frozenset({"i", "we"})
-"""Who speaks."""
-
-SPEAKERS_AND_ASKED = SPEAKERS | {"you"}
-"""Who speaks, and who is asked."""
-
-PREPOSITIONS = frozenset({"of", "for", "with", "from", "to", "in", "on", "at", "about"})
 
 
 def names_person(thing: str, lexicon: Lexicon) -> bool:
     """Whether an object names somebody: by a word for persons or animals, or a name without an article."""
+    closed = lexicon.closed
     words = [word.text for word in words_of(thing)]
-    if not words or words[0] in PRONOUNS | SOMEBODY:
+    if not words or words[0] in closed.anaphors | closed.third_person_objects:
         return False
     # "Gym at six" begins with a capital as it begins a sentence.
     capital = thing[:1].isupper() and (lexicon.happening | lexicon.taken).isdisjoint(words)
@@ -30,7 +19,7 @@ def names_person(thing: str, lexicon: Lexicon) -> bool:
 
 def may_be_it(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether "it" or "them" may stand for its object: a thing that is named, and no person."""
-    named = operation.object is not None and operation.object.lower() not in PRONOUNS
+    named = operation.object is not None and operation.object.lower() not in lexicon.closed.anaphors
     # "It takes an hour to warm up"
     named = named and not (operation.object or "").startswith("to ")
     return named and not _is_person(operation, lexicon)
@@ -41,8 +30,11 @@ def _is_person(operation: Operation, lexicon: Lexicon) -> bool:
     return operation.lemma in lexicon.addressing or bool(words & lexicon.persons)
 
 
-def is_several(thing: str) -> bool:
+def is_several(thing: str, lexicon: Lexicon) -> bool:
     """Say whether a noun looks like a plural: by what stands before "of" or another preposition."""
     words = [word.text for word in words_of(thing)]
-    end = next((place for place, word in enumerate(words) if place and word in PREPOSITIONS), len(words))
+    end = next(
+        (place for place, word in enumerate(words) if place and word in lexicon.closed.prepositions_of_nouns),
+        len(words),
+    )
     return "and" in words or singular(words[end - 1]) != words[end - 1]

@@ -12,10 +12,11 @@ from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.model import ModelPackage
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
-FORMAT = 3
+FORMAT = 4
 """Number of the format of the rows; part of their keys."""
 
 ROWS = 50_000
@@ -34,7 +35,7 @@ class ParseCache:
 
     path: Path
 
-    def known(self, texts: Sequence[str], package: ModelPackage) -> dict[str, Tree]:
+    def known(self, texts: Sequence[str], package: ModelPackage, lexicon: Lexicon) -> dict[str, Tree]:
         """Give the trees of those texts that are there."""
         keys = {_key(text, package): text for text in texts}
         found: dict[str, Tree] = {}
@@ -48,7 +49,7 @@ class ParseCache:
                     marks = ",".join("?" * len(part))
                     rows = connection.execute(f"SELECT key, tree FROM parses WHERE key IN ({marks})", part)  # noqa: S608
                     for key, row in rows:
-                        found[keys[key]] = _read(keys[key], row)
+                        found[keys[key]] = _read(keys[key], row, lexicon)
         except (sqlite3.Error, OSError, ValueError, TypeError, IndexError):
             return {}
         return found
@@ -84,7 +85,7 @@ def _written(tree: Tree) -> str:
     return json.dumps(rows, separators=(",", ":"))
 
 
-def _read(text: str, row: str) -> Tree:
+def _read(text: str, row: str, lexicon: Lexicon) -> Tree:
     """Read a row; one that does not fit its text is a ValueError."""
     nodes = []
     rows = json.loads(row)
@@ -94,4 +95,4 @@ def _read(text: str, row: str) -> Tree:
         nodes.append(
             Node(text[start:end], start, end, str(tag), str(lemma), str(relation), head, bool(may_act))
         )
-    return Tree(text, tuple(nodes))
+    return Tree(text, tuple(nodes), lexicon)

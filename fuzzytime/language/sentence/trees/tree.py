@@ -3,6 +3,8 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
+
 
 @dataclass(frozen=True, slots=True)
 class Node:
@@ -38,10 +40,11 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Tree:
-    """A text's words; the head of a root is itself."""
+    """A text's words, and the tables of their language; the head of a root is itself."""
 
     text: str
     nodes: tuple[Node, ...]
+    lexicon: Lexicon = field(compare=False, repr=False)
     _children: dict[int, tuple[int, ...]] = field(default_factory=dict, compare=False, repr=False)
 
     def __post_init__(self) -> None:
@@ -112,7 +115,7 @@ class Tree:
             )
             for node in kept
         )
-        return Tree(text, nodes)
+        return Tree(text, nodes, self.lexicon)
 
     def moved(self, characters: int) -> tuple[Node, ...]:
         """Give the words with their places that many characters further on."""

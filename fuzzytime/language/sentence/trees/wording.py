@@ -12,12 +12,6 @@ from fuzzytime.language.sentence.trees.tree import Tree
 CLOSING = {">": "<", ")": "(", "]": "["}
 """Marks, and those that they close."""
 
-LISTED = frozenset({",", "and", "&", "or"})
-"""What joins the numbers of a list."""
-
-REACHING = frozenset({"to", "-"})
-"""What joins the first and the last number of several: "steps 1 to 7"."""
-
 
 DENYING = "not"
 
@@ -68,12 +62,13 @@ class Wording:
 
     def with_numbers(self, words: Sequence[int]) -> list[int]:
         """Give words with the numbers that things are called by: "valve 1", "rooms 3, 4 and 5"."""
+        closed = self.lexicon.closed
         found = set(words)
         found.update(p + 1 for p in words if self._is_called_by(p + 1))
         for place in sorted(found):
-            joints = LISTED
+            joints = closed.coordinators
             if place and self.tree.nodes[place - 1].tag == "NNS":
-                joints = LISTED | REACHING
+                joints = closed.coordinators | closed.range_joints
             end: int | None = place
             while end is not None and self._counts(end):
                 found.update(range(place, end + 1))

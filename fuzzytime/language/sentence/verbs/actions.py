@@ -10,18 +10,12 @@ from fuzzytime.language.sentence.verbs.small_clauses import small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
-COPULAS = frozenset({"be", "'s", "'m", "'re", "’s", "’m", "’re"})
 PRESENT = frozenset({"VBZ", "VBP"})
 FINITE = PRESENT | {"VBD"}
-ARE = frozenset({"am", "is", "are", "'m", "'s", "'re", "’m", "’s", "’re"})
-ASKED = frozenset({"you"})
 RESULTS = frozenset({"JJ", "VBN"})
 
 DEEPEST = 4
 """How many verbs stand at most above the one that is meant: "I'd like to try to remember to call"."""
-
-DENYING = frozenset({"not", "n't", "n’t", "nt", "never"})
-"""Words that deny a verb."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +94,7 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
 def _is_left(tree: Tree, root: int, below: int, lexicon: Lexicon) -> bool:
     """Whether a verb has an aim: "leave at eight to be there for nine"; but "continue to stir"."""
     lemma = tree.nodes[root].lemma
-    goes_on = Reference(lexicon.indicators[lemma]) is Reference.START or lemma in lexicon.doing["continuing"]
+    goes_on = Reference(lexicon.indicators[lemma]) is Reference.START or lemma in lexicon.doing.continuing
     return _has_to(tree, below) and not goes_on
 
 
@@ -129,7 +123,7 @@ def _needless(tree: Tree, root: int) -> int | None:
 def gone_to_do(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
     """Give the verb behind "go and", "come and", "try and", which say nothing more: "go and check it"."""
     verb = place + 2
-    if tree.nodes[place].lemma not in lexicon.doing["trying"] or verb >= len(tree.nodes):
+    if tree.nodes[place].lemma not in lexicon.doing.trying or verb >= len(tree.nodes):
         return None
     joined = tree.nodes[place + 1].lower == "and" and tree.nodes[verb].head == place
     return verb if joined and tree.nodes[verb].tag == "VB" else None
@@ -153,7 +147,7 @@ def _only_is(tree: Tree, root: int) -> bool:
     told = any(tree.nodes[p].lower == "it" for p in tree.children(root, *SUBJECTS))
     return (
         told
-        and tree.nodes[root].lemma in COPULAS
+        and tree.nodes[root].lemma in tree.lexicon.closed.lemmas_of_be
         and not any(tree.nodes[p].tag == "VB" for p in tree.below(root))
         and not tree.children(root, "aux")
     )
@@ -161,18 +155,19 @@ def _only_is(tree: Tree, root: int) -> bool:
 
 def says_how_things_are(tree: Tree, verb: int) -> bool:
     """Whether somebody or something is said to be so, or to do so now: "I'm running late"."""
+    closed = tree.lexicon.closed
     node = tree.nodes[verb]
     if node.lemma == "be" and node.relation == "xcomp" and _is_going_to(tree, node.head):
         # "It's going to be lovely"
         whose = [tree.nodes[p].lower for p in tree.children(node.head, *SUBJECTS)]
-        return bool(whose) and whose[0] not in ASKED
+        return bool(whose) and whose[0] not in closed.second_person
     subjects = [p for p in tree.children(verb, *SUBJECTS) if p < verb]
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux", "auxpass")}
-    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in ASKED:
+    if not subjects or tree.children(verb, "dobj") or tree.nodes[subjects[0]].lower in closed.second_person:
         return False
-    is_so = node.lemma in COPULAS and node.tag in PRESENT and not helping
-    goes_on = node.tag == "VBG" and bool(helping) and helping <= ARE
-    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= ARE
+    is_so = node.lemma in closed.lemmas_of_be and node.tag in PRESENT and not helping
+    goes_on = node.tag == "VBG" and bool(helping) and helping <= closed.present_be
+    became = node.tag == "VBN" and bool(tree.children(verb, "auxpass")) and helping <= closed.present_be
     return is_so or became or (goes_on and _complement(tree, verb, node.lemma) is None)
 
 
@@ -219,7 +214,7 @@ def _is_order(tree: Tree, place: int) -> bool:
 def _assured(tree: Tree, place: int, lexicon: Lexicon) -> int | None:
     """Give the verb below what it is time for, or to be sure of: "be careful to close it"."""
     for below in tree.children(place, "acomp", "ccomp", "oprd", "attr"):
-        if tree.nodes[below].lower in lexicon.doing["sure"]:
+        if tree.nodes[below].lower in lexicon.doing.sure:
             verbs = tree.children(below, "xcomp", "relcl", "acl")
             return next((p for p in verbs if tree.nodes[p].tag == "VB"), None)
     return None
@@ -279,7 +274,11 @@ def _has_to(tree: Tree, below: int) -> bool:
 
 def _is_negated(tree: Tree, place: int) -> bool:
     """Whether what denies a verb stands in front of it or right behind: not "after lunch, not before"."""
-    denying = (p for p in tree.children(place, "neg", "advmod") if tree.nodes[p].lower in DENYING)
+    denying = (
+        p
+        for p in tree.children(place, "neg", "advmod")
+        if tree.nodes[p].lower in tree.lexicon.closed.negators
+    )
     return any(p <= place + 1 for p in denying)
 
 

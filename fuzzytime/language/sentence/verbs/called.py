@@ -6,7 +6,6 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.statement_trees import singular_verb
-from fuzzytime.language.sentence.verbs.statements import DUE, FUTURE, PHASES
 
 
 def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
@@ -30,7 +29,7 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
         nodes[0] = replace(nodes[0], head=first)
     if behind == verb + 2:
         nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
@@ -41,7 +40,7 @@ def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
         return False
     finite = word.tag in {"NNS", "VBZ", "NNPS"} and word.lower.endswith("s")
     # "Train 14 guards at nine" asks for it.
-    sure = lettered or not name.may_act or word.lower in PHASES | lexicon.passing
+    sure = lettered or not name.may_act or word.lower in lexicon.doing.timed | lexicon.passing
     return finite and sure
 
 
@@ -50,11 +49,12 @@ def worker_doing(tree: Tree, verb: int, lexicon: Lexicon) -> str | None:
 
     "Machine 3 starts at nine" asks for nothing.
     """
+    closed = lexicon.closed
     node = tree.nodes[verb]
     helping = {tree.nodes[p].lower for p in tree.children(verb, "aux")}
-    if node.lower in PHASES and not tree.children(verb, "dobj"):
+    if node.lower in lexicon.doing.timed and not tree.children(verb, "dobj"):
         return None
-    if not helping <= FUTURE | DUE | {"to", "can"} or tree.children(verb, "auxpass"):
+    if not helping <= closed.future | closed.obligation | {"to", "can"} or tree.children(verb, "auxpass"):
         return None
     for place in tree.children(verb, "nsubj"):
         for first in (place - 1, place):
@@ -74,7 +74,7 @@ def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     )
     if root is None or verb is None:
         return tree
-    return Tree(tree.text, tuple(_acting(tree, verb, {root})))
+    return Tree(tree.text, tuple(_acting(tree, verb, {root})), tree.lexicon)
 
 
 def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:

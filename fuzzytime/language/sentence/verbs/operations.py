@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.quotes import is_quoted
-from fuzzytime.language.grammar.surroundings import OF_CLOCKS
 from fuzzytime.language.instruction import Operation, overlap
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import Action
@@ -80,7 +79,7 @@ class Reader(Stated):
 
     def _takes(self, verb: int) -> bool:
         """Whether a verb says how long something takes, and of nothing that is done."""
-        taking = self.tree.nodes[verb].lemma in self.lexicon.doing["taking"]
+        taking = self.tree.nodes[verb].lemma in self.lexicon.doing.taking
         return taking and not self.tree.children(verb, "xcomp")
 
     # -- particles --------------------------------------------------------------------------------------
@@ -249,7 +248,10 @@ class Reader(Stated):
 
     def _is_clock(self, place: int) -> bool:
         """Whether a word is of a clock time, and no day."""
-        return self.tree.nodes[place].tag == "CD" or self.tree.nodes[place].lower in OF_CLOCKS
+        return (
+            self.tree.nodes[place].tag == "CD"
+            or self.tree.nodes[place].lower in self.lexicon.beside.of_clocks
+        )
 
     def _asked(self, verb: int) -> list[int]:
         """Give what somebody is asked to do, where a time stands between: "remind me on Thursday to call"."""

@@ -3,25 +3,15 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from fuzzytime.english import WHITHER
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.wording import Wording
 from fuzzytime.language.sentence.verbs.actions import is_numbered_place
-
-SIDES = frozenset({"left", "right"})
-BEHIND = frozenset({"per", "for", "about", "with", "from", "between"})
-"""Prepositions behind a time that say more of what is done: "a timer for five minutes for cookies"."""
-
-EACH = frozenset({"every", "each"})
-"""Words that say of which things: "measure every tenth part"."""
 
 HOW = ("RB", "JJ", "IN")
 """How tags of words begin that say how: "quite slowly", "at least twice"."""
 
 PLACES = ("prep", "advmod", "npadvmod")
-
-
-WHITHER = ("wards", "wise")
-"""How adverbs end that say where to, or which way round."""
 
 
 def says_where(word: str, lexicon: Lexicon) -> bool:
@@ -43,7 +33,11 @@ class Places(Wording):
         kept += [p for p in self.tree.children(verb, "advcl", "xcomp") if self._is_numbered(p)]
         kept += self.level(verb)
         # "Turn left": a participle too.
-        kept += [p for p in self.tree.children(verb, "acl", "ccomp") if self.tree.nodes[p].lower in SIDES]
+        kept += [
+            p
+            for p in self.tree.children(verb, "acl", "ccomp")
+            if self.tree.nodes[p].lower in self.lexicon.closed.sides
+        ]
         manners = [p for p in self.tree.children(verb, "advcl", "conj", "xcomp") if self._is_manner(p)]
         kept += [p for p in manners if p > verb]
         words = [p for p in self.words(kept, verb) if p not in set(taken)]
@@ -77,7 +71,10 @@ class Places(Wording):
         numbers = (
             child for child in (place, *self.tree.children(place)) if self.tree.nodes[child].tag == "CD"
         )
-        each = any(self.tree.nodes[p].lower in EACH for p in self.tree.children(place, "det"))
+        each = any(
+            self.tree.nodes[p].lower in self.lexicon.closed.distributives
+            for p in self.tree.children(place, "det")
+        )
         counted = node.relation == "npadvmod" and (each or any(numbers))
         if node.relation == "advmod" and node.lower in self.lexicon.particles:
             # "Go back to the dock"
@@ -93,7 +90,10 @@ class Places(Wording):
         """Give the prepositions that a tree hangs on a time: "flip it in two minutes in the pan"."""
         for place in self.tree.below(verb):
             node = self.tree.nodes[place]
-            said = node.relation == "prep" and node.lower in self.lexicon.places | BEHIND
+            said = (
+                node.relation == "prep"
+                and node.lower in self.lexicon.places | self.lexicon.closed.prepositions_behind_times
+            )
             if said and not self.timed(place) and self.timed(node.head):
                 yield place
 

@@ -39,7 +39,7 @@ class SmallClause:
 
 def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
     """Give the clause that a verb brings about, None where it has none."""
-    if tree.nodes[verb].lemma in lexicon.doing["setting"]:
+    if tree.nodes[verb].lemma in lexicon.doing.setting:
         return _set_going(tree, verb, lexicon)
     if tree.nodes[verb].lemma in lexicon.causing | lexicon.letting:
         return next(_clauses(tree, verb), None)
@@ -49,7 +49,7 @@ def small_clause(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
 def _set_going(tree: Tree, verb: int, lexicon: Lexicon) -> SmallClause | None:
     """Give what is set going: "set the centrifuge going"."""
     objects = [place for place in tree.children(verb, "dobj") if place > verb]
-    verbs = lexicon.doing["set going"]
+    verbs = lexicon.doing.set_going
     going = (p for p in tree.children(verb, "advcl", "xcomp", "ccomp") if tree.nodes[p].lemma in verbs)
     found = next((p for p in going if tree.nodes[p].tag == "VBG" and p - 1 in objects), None)
     return None if found is None else SmallClause(objects[0], found)

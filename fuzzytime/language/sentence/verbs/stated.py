@@ -2,43 +2,15 @@
 
 from dataclasses import dataclass
 
-from fuzzytime.language.sentence.trees.named import SPEAKERS
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
-from fuzzytime.language.sentence.verbs.actions import ARE, FINITE
+from fuzzytime.language.sentence.verbs.actions import FINITE
 from fuzzytime.language.sentence.verbs.places import Places
-from fuzzytime.language.sentence.verbs.statements import FUTURE, OTHERS, PHASES, others_do
-
-PEOPLE = frozenset(
-    {"i", "you", "we", "he", "she", "they", "someone", "somebody", "anyone", "one", "who", "it", "there"}
-)
+from fuzzytime.language.sentence.verbs.statements import others_do
 
 STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 
-DUE = frozenset({"due", "over", "back"})
-"""What is said of things that have a time: "the delivery is due at two"."""
-
 IT = "it"
 ON = "on"
-
-
-POINTS = frozenset({"at", "by", "before", "within"})
-"""Prepositions of a time at which, or up to which, something must have become so."""
-
-OWN = frozenset({"my", "our"})
-"""Words for whose something is that who speaks takes part in."""
-
-HAPPENING = frozenset({"be", "start", "begin"})
-"""Verbs that say when it is."""
-
-PERSONS = frozenset({"i", "you", "we", "he", "she"})
-
-DUTIES = frozenset({"must", "should", "has", "have", "needs", "need", "ought"})
-"""Verbs of what is asked for."""
-
-MODALS = frozenset({"should", "would", "may", "might", "can", "could", "'d"})
-
-TRAVELLERS = frozenset({"i", "we", "he", "she", "they"})
-"""Who may come and go, and asks nobody to: "we land at nine"."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +19,7 @@ class Stated(Places):
 
     def _subject(self, verb: int) -> str | None:
         """Give what a statement is about: "the assignment should start now"."""
+        closed = self.lexicon.closed
         node = self.tree.nodes[verb]
         # "The sauce needs to simmer"
         verbs = (verb, node.head) if node.relation == "xcomp" else (verb,)
@@ -54,10 +27,14 @@ class Stated(Places):
         if not subjects:
             return None
         described = self.tree.children(subjects[0], "det", "amod")
-        if self.tree.nodes[subjects[0]].lower in PEOPLE and not described:
+        if self.tree.nodes[subjects[0]].lower in closed.subject_pronouns and not described:
             alone = self.tree.nodes[subjects[0]].lower
             helping = {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux")}
-            return alone if alone in OTHERS and others_do(self.tree, verb, helping, self.lexicon) else None
+            return (
+                alone
+                if alone in closed.third_person_singular and others_do(self.tree, verb, helping, self.lexicon)
+                else None
+            )
         return self.said([p for p in sorted(self.tree.below(subjects[0])) if not self.timed(p)])
 
     def _due(self, verb: int) -> str | None:
@@ -69,7 +46,7 @@ class Stated(Places):
         subjects = [self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, *SUBJECTS)]
         helping = {self.tree.nodes[p].lower for v in verbs for p in self.tree.children(v, "aux", "auxpass")}
         helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
-        due = not helping.isdisjoint(DUTIES)
+        due = not helping.isdisjoint(self.lexicon.closed.verbs_of_obligation)
         return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
 
     def _is_attended(self, verb: int) -> bool:
@@ -77,7 +54,10 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         if self._is_own(verb):
             return True
-        if self.tree.nodes[verb].lemma not in {"have", "be"} or not subjects & SPEAKERS:
+        if (
+            self.tree.nodes[verb].lemma not in {"have", "be"}
+            or not subjects & self.lexicon.closed.first_person
+        ):
             return False
         behind = [p for p in self.tree.below(verb) if p > verb]
         if self._performing(verb):
@@ -91,11 +71,14 @@ class Stated(Places):
         owned = [
             p
             for p in self.tree.children(verb, "nsubj")
-            if any(self.tree.nodes[owner].lower in OWN for owner in self.tree.children(p, "poss"))
+            if any(
+                self.tree.nodes[owner].lower in self.lexicon.closed.first_person_possessives
+                for owner in self.tree.children(p, "poss")
+            )
         ]
         names = {self.tree.nodes[p].lower for p in owned}
         taken = self.lexicon.taken - self.lexicon.happening - self.lexicon.frames
-        return self.tree.nodes[verb].lemma in HAPPENING and not names.isdisjoint(taken)
+        return self.tree.nodes[verb].lemma in self.lexicon.doing.happening and not names.isdisjoint(taken)
 
     def _performing(self, verb: int) -> list[int]:
         """Give the "on" of "we're on at 20:30", which governs nothing."""
@@ -113,7 +96,7 @@ class Stated(Places):
         """Whether who speaks has what goes on around other work: "I have the late shift from 2 to 10"."""
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         objects = (self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj", "attr"))
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & SPEAKERS)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.frames.isdisjoint(objects)
 
     def _is_standing(self, verb: int) -> bool:
@@ -121,13 +104,14 @@ class Stated(Places):
 
         A clock time or a deadline beside it asks for that: "the gate is closed at ten".
         """
+        closed = self.lexicon.closed
         helping, timed = self._helping(verb), [p for p in self.tree.children(verb) if self.timed(p)]
-        points = {self.tree.nodes[p].lower for p in timed} & POINTS
+        points = {self.tree.nodes[p].lower for p in timed} & closed.prepositions_of_points
         named = bool(self.tree.children(verb, "nsubjpass", "nsubj")) and bool(timed) and not points
         return (
             named
             and bool(helping)
-            and helping <= ARE
+            and helping <= closed.present_be
             and self.tree.nodes[verb].lower in self.lexicon.standing
         )
 
@@ -136,7 +120,7 @@ class Stated(Places):
         subjects = {self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")}
         named = {self.tree.nodes[p].lower for p in self.tree.children(verb, "dobj")}
         named |= {name.removesuffix("s") for name in named}
-        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & SPEAKERS)
+        has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.persons.isdisjoint(named)
 
     def _helping(self, verb: int) -> set[str]:
@@ -145,6 +129,9 @@ class Stated(Places):
 
     def _is_stated(self, verb: int) -> bool:
         """Whether somebody or something is said to do it, and to nothing: "the guests arrive at six"."""
+        beside = self.lexicon.beside
+        closed = self.lexicon.closed
+        doing = self.lexicon.doing
         subjects = [self.tree.nodes[p].lower for p in self.tree.children(verb, "nsubj")]
         governing = self.tree.children(self.tree.nodes[verb].head, "nsubj")
         named = subjects or [self.tree.nodes[p].lower for p in governing]
@@ -155,25 +142,27 @@ class Stated(Places):
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon):
             return True
-        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= FUTURE
+        finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
         if finite and (self._has_frame(verb) or self._has_visitors(verb)):
             return True
-        finite = finite or (self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= ARE)
-        told = bool(subjects) and subjects[0] not in PEOPLE - TRAVELLERS
+        finite = finite or (
+            self.tree.nodes[verb].tag == "VBG" and bool(helping) and helping <= closed.present_be
+        )
+        told = bool(subjects) and subjects[0] not in closed.subject_pronouns - closed.first_and_third_person
         lasts = any(self.timed(p) and self.tree.nodes[p].lower == "for" for p in self.tree.children(verb))
-        goes = self.tree.nodes[verb].lower in PHASES or (
-            lasts and self.tree.nodes[verb].lemma in self.lexicon.doing["running"]
+        goes = self.tree.nodes[verb].lower in doing.timed or (
+            lasts and self.tree.nodes[verb].lemma in doing.running
         )
         told = told or (subjects[:1] == ["it"] and goes)
         if finite and self._is_attended(verb):
             return True
-        if self.tree.nodes[verb].lemma in self.lexicon.doing["taking"] and helping <= FUTURE | MODALS:
+        if self.tree.nodes[verb].lemma in doing.taking and helping <= closed.future | closed.tentative_modals:
             # "It should take an hour", "they need twenty minutes"
             objects = self.tree.children(verb, "dobj", "npadvmod")
-            return bool(subjects) and subjects[0] not in PERSONS and any(map(self.timed, objects))
+            return bool(subjects) and subjects[0] not in closed.sure_persons and any(map(self.timed, objects))
         if self._is_standing(verb):
             return True
-        due = DUE | self.lexicon.results if helping & FUTURE else DUE
+        due = beside.due | self.lexicon.results if helping & closed.future else beside.due
         rest = [p for p in self.tree.children(verb, *STATED_OF) if self.tree.nodes[p].lower not in due]
         if self.tree.nodes[verb].lemma == "be" and not helping:
             # "The hall is free between ten and noon"; but "the hall is ready by ten" asks for it.
@@ -183,7 +172,9 @@ class Stated(Places):
             ]
         # "The delivery arrives between ten and eleven"
         rest = [p for p in rest if not self.timed(p)]
-        comes = bool(subjects) and subjects[0] in TRAVELLERS and bool(helping & FUTURE)
+        comes = (
+            bool(subjects) and subjects[0] in closed.first_and_third_person and bool(helping & closed.future)
+        )
         # "I'll be late"
         rest = [p for p in rest if not (comes and self.tree.nodes[p].relation == "acomp")]
         return told and finite and not rest

@@ -5,24 +5,10 @@ from dataclasses import replace
 
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import ARE
 from fuzzytime.language.sentence.verbs.statements import (
-    PHASES,
     behind_particles,
     plural_subject,
 )
-
-SURE_PHASES = PHASES - {"leaves"}
-"""Those of them that are hardly ever things: "rake leaves at nine"."""
-
-HAVE = frozenset({"'ve", "’ve", "have", "has", "ve", "'s"})
-"""Forms of "have" before "got"."""
-
-BARE_PHASES = frozenset(phase[:-1] for phase in SURE_PHASES - {"finishes"}) | {"finish"}
-"""What several with a time of their own do: "the shops open at nine"."""
-
-ANYBODY = frozenset({"nobody", "everybody", "everyone", "somebody", "someone", "anybody", "anyone"})
-"""Words behind which "'s" is hardly an owner's mark before where somebody is."""
 
 BESIDE_NAMES = frozenset({"IN", "DT", "PRP$", "JJ", "NN", "NNP", "CD"})
 """Tags of words that say where those are who do something: "the guests in room 12"."""
@@ -45,7 +31,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
         nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
         for place in tree.children(root, "nummod"):
             nodes[place] = replace(nodes[place], head=place - 1)
-        return Tree(tree.text, tuple(nodes))
+        return Tree(tree.text, tuple(nodes), tree.lexicon)
     if root + 1 not in timed:
         return tree
     if tree.nodes[root].tag not in {"NNS", "VBZ"}:
@@ -62,19 +48,23 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     nodes[subject] = replace(nodes[subject], relation="nsubj")
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
     """Whether a word is what something on its way does: "coach leaves at 8:15", but "rake leaves at nine"."""
     known = 0 < place < len(tree.nodes) and tree.nodes[place - 1].lower in travelling
-    return known and tree.nodes[place].lower in PHASES
+    return known and tree.nodes[place].lower in tree.lexicon.doing.timed
 
 
 def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
     """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
     root, nodes = tree.root, tree.nodes
-    sure = (p for p in range(2, len(nodes)) if p + 1 in timed and nodes[p].lower in SURE_PHASES)
+    sure = (
+        p
+        for p in range(2, len(nodes))
+        if p + 1 in timed and nodes[p].lower in tree.lexicon.doing.surely_timed
+    )
     found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
     verb = next(found, next(sure, None))
     if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in SINGULAR:
@@ -94,7 +84,7 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
         nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
     )
     turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
-    return Tree(tree.text, tuple(turned))
+    return Tree(tree.text, tuple(turned), tree.lexicon)
 
 
 def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -114,7 +104,7 @@ def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
             nodes[place] = replace(nodes[place], head=named)
         nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
         nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
-        return Tree(tree.text, tuple(nodes))
+        return Tree(tree.text, tuple(nodes), tree.lexicon)
     return tree
 
 
@@ -123,13 +113,15 @@ def _with_subject(tree: Tree) -> Tree:
     root = tree.root
     if root is None or tree.nodes[root].tag != "VBN":
         return tree
-    helping = [p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in ARE]
+    helping = [
+        p for p in tree.children(root, "auxpass") if tree.nodes[p].lower in tree.lexicon.closed.present_be
+    ]
     subjects = [p for verb in helping for p in tree.children(verb, "nsubj")]
     if not subjects:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _with_got(tree: Tree) -> Tree:
@@ -137,14 +129,18 @@ def _with_got(tree: Tree) -> Tree:
     root = tree.root
     if root is None or tree.nodes[root].lower != "got" or tree.children(root, "xcomp"):
         return tree
-    helping = [p for p in tree.children(root, "aux", "auxpass") if tree.nodes[p].lower in HAVE]
+    helping = [
+        p
+        for p in tree.children(root, "aux", "auxpass")
+        if tree.nodes[p].lower in tree.lexicon.closed.have_before_got
+    ]
     nodes = list(tree.nodes)
     coming = [p for p in tree.children(root, "ccomp") if tree.nodes[p].tag == "VBG"]
     if coming and helping and tree.children(coming[0], "nsubj"):
         for place in (root, *(p for p in tree.children(root) if p != coming[0])):
             nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
         nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
-        return Tree(tree.text, tuple(nodes))
+        return Tree(tree.text, tuple(nodes), tree.lexicon)
     if not helping or not tree.children(root, "dobj"):
         return tree
     nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
@@ -152,7 +148,7 @@ def _with_got(tree: Tree) -> Tree:
         nodes[place] = replace(nodes[place], relation="dep")
     for place in tree.children(root, "nsubjpass"):
         nodes[place] = replace(nodes[place], relation="nsubj")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _with_having(tree: Tree) -> Tree:
@@ -168,20 +164,24 @@ def _with_having(tree: Tree) -> Tree:
         nodes[place] = replace(nodes[place], head=have)
     nodes[have] = replace(nodes[have], head=have, relation="ROOT")
     nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     """Give "the drill's at nine" its verb, which was taken for an owner's mark; so of "nobody's home"."""
     root = tree.root
-    owner = root is not None and [p for p in tree.children(root, "poss") if tree.nodes[p].lower in ANYBODY]
+    owner = root is not None and [
+        p
+        for p in tree.children(root, "poss")
+        if tree.nodes[p].lower in tree.lexicon.closed.indefinite_pronouns
+    ]
     if owner and root is not None and owner[0] + 2 == root and tree.nodes[owner[0] + 1].tag == "POS":
         mark = owner[0] + 1
         turned = [replace(node, head=mark) if node.head == root else node for node in tree.nodes]
         turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
         turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
         turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
-        return Tree(tree.text, tuple(turned))
+        return Tree(tree.text, tuple(turned), tree.lexicon)
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
@@ -195,7 +195,7 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
     nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 OWNED = frozenset({"'s", "’s"})
@@ -220,7 +220,7 @@ def _with_one_doing(tree: Tree) -> Tree | None:
     nodes[mark] = replace(nodes[mark], tag="VBZ", lemma="be", head=root, relation="aux")
     lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
     nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -229,7 +229,11 @@ def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
     if root is None or tree.nodes[root].tag != "NNS" or not tree.children(root, "det", "poss"):
         return tree
     verb = root + 1
-    if verb + 1 not in timed or tree.nodes[verb].lower not in BARE_PHASES or tree.nodes[verb].head != root:
+    if (
+        verb + 1 not in timed
+        or tree.nodes[verb].lower not in tree.lexicon.doing.several_timed
+        or tree.nodes[verb].head != root
+    ):
         return tree
     nodes = [
         replace(node, head=verb) if node.head == root and p > verb else node
@@ -237,7 +241,7 @@ def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     nodes[verb] = replace(nodes[verb], tag="VBP", lemma=nodes[verb].lower, head=verb, relation="ROOT")
     nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
-    return Tree(tree.text, tuple(nodes))
+    return Tree(tree.text, tuple(nodes), tree.lexicon)
 
 
 def _is_led_by_plural(tree: Tree, verb: int) -> bool:

@@ -5,45 +5,12 @@ from collections.abc import Set as AbstractSet
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, GRAMMATICAL_SUBJECTS, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Tree
-from fuzzytime.language.sentence.verbs.actions import ARE
 
 BEFORE_ORDER = ("ccomp", "advcl", "parataxis", "dep", "nsubj", "csubj")
 """How trees join a statement to an order behind it."""
 
 FINITE = frozenset({"VBZ", "VBP", "VBD", "VBG"})
-JOINTS = frozenset({",", ";", "-", "so"})
-DUE = frozenset({"should", "must", "has", "have", "needs"})
-"""Helping verbs of what is asked for."""
 
-PHASES = frozenset(
-    {"starts", "begins", "ends", "finishes", "opens", "closes", "leaves", "departs", "arrives"}
-)
-"""What things with a time of their own do."""
-
-SEVERAL = frozenset({"i", "we", "they"})
-"""Subjects whose verbs have no -s."""
-
-WHICH = frozenset({"next", "last", "first", "other"})
-"""Words that name one of what was said before."""
-
-FUTURE = frozenset({"will", "'ll", "’ll"})
-ALL_OF_US = frozenset(["everyone", "everybody", "somebody", "someone", "people", "team", "me", "us", "you"])
-"""Persons who may be asked: "everyone clean your desks"."""
-
-OTHERS = frozenset({"he", "she"})
-
-SO = frozenset({"so", "that"})
-"""Words that begin what something is for."""
-
-BECOMING = frozenset({"be", "get", "become", "stay"})
-"""Verbs of how something is then: "so the room is warm by six"."""
-
-NOBODY = frozenset({"nobody", "none", "nothing"})
-"""Subjects of what is denied, beside those with "no" before them."""
-
-
-ASKED = frozenset({"you", "that", "which", "who", "what"})
-"""Subjects of no statement of its own."""
 
 NOUNS = frozenset({"NN", "NNP", "NNS"})
 
@@ -64,7 +31,9 @@ def goes_on(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
     node = tree.nodes[place]
     joined = place > root + 1 and tree.nodes[place - 1].lower in {"and", "but"} and place - 2 in timed
     named = [tree.nodes[p] for p in tree.children(root, "nsubj") if p < root]
-    several = bool(named) and (named[0].tag == "NNS" or named[0].lower in SEVERAL)
+    several = bool(named) and (
+        named[0].tag == "NNS" or named[0].lower in tree.lexicon.closed.plural_agreement
+    )
     bare = node.may_act and node.lower == node.lemma
     both = all(behind_particles(tree, verb) in timed for verb in (root, place))
     return joined and several and bare and both and tree.nodes[root].tag in {"VBP", "VB"}
@@ -73,7 +42,9 @@ def goes_on(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> bool:
 def plural_subject(tree: Tree, verb: int) -> int | None:
     """Give the noun that a tree took for a part of a plural that is the verb: "laundry finishes"."""
     for place in tree.children(verb, "compound", "amod"):
-        if place == verb - 1 and (tree.nodes[place].tag in SINGULAR or tree.nodes[verb].lower in PHASES):
+        if place == verb - 1 and (
+            tree.nodes[place].tag in SINGULAR or tree.nodes[verb].lower in tree.lexicon.doing.timed
+        ):
             return place
     return None
 
@@ -85,7 +56,7 @@ def order_behind_statement(tree: Tree, root: int, timed: AbstractSet[int]) -> in
     for place in tree.children(root, *BEFORE_ORDER):
         said = [p for p in tree.below(place) if tree.nodes[p].relation != "punct"]
         end = max(said) + (tree.nodes[max(said)].lower != "so")
-        joined = end < root and tree.nodes[end].lower in JOINTS
+        joined = end < root and tree.nodes[end].lower in tree.lexicon.closed.joints_of_consequence
         marked = [p for p in tree.children(place, "mark", "advmod") if p < place]
         if joined and not marked and not timed.isdisjoint(said) and _is_statement(tree, place, timed):
             # "The bus leaves at nine, so be there"
@@ -98,17 +69,30 @@ def second_statement(tree: Tree, place: int, timed: AbstractSet[int]) -> int | N
 
     ``place`` is that of its verb, behind which a time of its own stands.
     """
+    closed = tree.lexicon.closed
     start = _start_of_statement(tree, place)
-    if start is None or tree.nodes[start].lower in ASKED or not any(p > place for p in timed):
+    if (
+        start is None
+        or tree.nodes[start].lower in closed.second_person_or_relative
+        or not any(p > place for p in timed)
+    ):
         return None
     if _is_purpose(tree, place, start):
         return None
     joint = start - 1
     if joint > 0 and tree.nodes[joint].lower == "and" and tree.nodes[joint - 1].text == ",":
         joint -= 1
-    joined = joint > 0 and tree.nodes[start - 1].lower in {*JOINTS, "and", "&", "but"}
+    joined = joint > 0 and tree.nodes[start - 1].lower in {
+        *closed.joints_of_consequence,
+        "and",
+        "&",
+        "but",
+    }
     # "Light the fire before we get back, we'll be home by six"
-    speaks = tree.nodes[start].lower in SEVERAL and tree.nodes[joint].lower in JOINTS
+    speaks = (
+        tree.nodes[start].lower in closed.plural_agreement
+        and tree.nodes[joint].lower in closed.joints_of_consequence
+    )
     apart = tree.nodes[joint].text == "," and joint < start - 1 and _is_apart(tree, place)
     told = joint - 1 in timed or speaks or apart or _is_told_so(tree, joint)
     return start if joined and told else None
@@ -125,7 +109,11 @@ def _is_apart(tree: Tree, place: int) -> bool:
 def _is_purpose(tree: Tree, place: int, start: int) -> bool:
     """Whether it says what an order before it is for: "put the roast in at noon so it's ready by two"."""
     root = tree.root
-    if root is None or tree.nodes[start - 1].lower not in SO or tree.nodes[place].lemma not in BECOMING:
+    if (
+        root is None
+        or tree.nodes[start - 1].lower not in tree.lexicon.closed.subordinators_of_purpose
+        or tree.nodes[place].lemma not in tree.lexicon.doing.becoming
+    ):
         return False
     # "Light the fire at five so the room is warm by six" has the order below what it is for.
     orders = (p for p in tree.children(root, "advcl", "ccomp") if root == place and p < start)
@@ -136,27 +124,32 @@ def _is_purpose(tree: Tree, place: int, start: int) -> bool:
 
 def _is_told_so(tree: Tree, joint: int) -> bool:
     """Whether what stands before a joint says how something is: "the train is cancelled and …"."""
+    closed = tree.lexicon.closed
     root = tree.root
     if root is None or root >= joint or not tree.children(root, *GRAMMATICAL_SUBJECTS):
         return False
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux", "auxpass")}
-    return helping <= ARE and (
-        tree.nodes[root].lower in ARE or (bool(helping) and tree.nodes[root].tag == "VBN")
+    return helping <= closed.present_be and (
+        tree.nodes[root].lower in closed.present_be or (bool(helping) and tree.nodes[root].tag == "VBN")
     )
 
 
 def _start_of_statement(tree: Tree, place: int) -> int | None:
     """Give where a statement begins, by the place of its verb, which a tree may take for a plural."""
+    closed = tree.lexicon.closed
+    doing = tree.lexicon.doing
     node = tree.nodes[place]
     subjects = [p for p in tree.children(place, *GRAMMATICAL_SUBJECTS) if p < place]
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
-    coming = node.tag == "VB" and bool(helping) and helping <= FUTURE
+    coming = node.tag == "VB" and bool(helping) and helping <= closed.future
     if (node.tag in FINITE - {"VBG"} or coming) and subjects:
         return min(tree.below(subjects[-1]))
-    if node.lower in PHASES | {phase[:-1] for phase in PHASES} and place > 0:
+    if node.lower in doing.timed | {phase[:-1] for phase in doing.timed} and place > 0:
         # "The last bus leaves", "doors open"
         # "The next leaves at eleven"
-        known = tree.nodes[place - 1].tag in SINGULAR or tree.nodes[place - 1].lower in WHICH
+        known = (
+            tree.nodes[place - 1].tag in SINGULAR or tree.nodes[place - 1].lower in closed.general_ordinals
+        )
         singular = node.tag == "NNS" and known
         plural = not node.lower.endswith("s") and tree.nodes[place - 1].tag == "NNS"
         if singular or plural:
@@ -174,27 +167,38 @@ def being_behind_order(tree: Tree, place: int, timed: AbstractSet[int]) -> int |
     start = place - 1
     while start > 0 and tree.nodes[start - 1].tag in {*DETERMINERS, *SINGULAR, "JJ", "NNS"}:
         start -= 1
-    return start if start > 1 and start < place and tree.nodes[start - 1].lower in JOINTS else None
+    return (
+        start
+        if start > 1
+        and start < place
+        and tree.nodes[start - 1].lower in tree.lexicon.closed.joints_of_consequence
+        else None
+    )
 
 
 def result_behind_statement(tree: Tree, place: int, root: int, timed: AbstractSet[int]) -> int | None:
     """Give where begins what should be so by then: "the boss arrives at ten, coffee should be ready"."""
+    closed = tree.lexicon.closed
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux")}
     if (
         place <= root
-        or not (helping & DUE or _is_brought_about(tree, place))
+        or not (helping & closed.obligation or _is_brought_about(tree, place))
         or not _is_statement(tree, root, timed)
         or timed.isdisjoint(range(place))
     ):
         return None
     start = min(p for p in tree.below(place) if tree.nodes[p].relation != "punct")
-    return start if start > root and tree.nodes[start - 1].lower in {*JOINTS, "and"} else None
+    return (
+        start
+        if start > root and tree.nodes[start - 1].lower in {*closed.joints_of_consequence, "and"}
+        else None
+    )
 
 
 def _is_brought_about(tree: Tree, place: int) -> bool:
     """Whether it is what is done so that all is prepared: "they come at six so the table is set by five"."""
     helping = {tree.nodes[p].lower for p in tree.children(place, "aux", "auxpass")}
-    told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= ARE
+    told = tree.nodes[place].tag == "VBN" and bool(helping) and helping <= tree.lexicon.closed.present_be
     first = min(tree.below(place))
     # A tree has "so" with what stands before it, or with what it leads to.
     return told and "so" in {tree.nodes[p].lower for p in (first, first - 1) if p >= 0}
@@ -222,19 +226,20 @@ def others_do(tree: Tree, verb: int, helping: AbstractSet[str], lexicon: Lexicon
 
     ``helping`` are the verbs that help it.
     """
+    closed = lexicon.closed
     node = tree.nodes[verb]
     subjects = [tree.nodes[p] for p in tree.children(verb, "nsubj") if p < verb]
     if not subjects or node.lemma in lexicon.wanting or (node.lemma == "have" and not _has_thing(tree, verb)):
         return False
     called = {subjects[0].lower, *(tree.nodes[p].lower for p in tree.below(verb) if p < verb)}
-    named = bool(((lexicon.persons | OTHERS) - ALL_OF_US) & called)
+    named = bool(((lexicon.persons | closed.third_person_singular) - closed.persons_addressed) & called)
     if not helping and node.tag == "VBZ" and subjects[0].tag in {"NN", "NNP"}:
         # No order ends in -s: "the caretaker cuts the grass"; but a machine may be asked by its name.
         named = named or subjects[0].lower not in lexicon.machines
-    if node.tag == "VBG" and helping <= ARE and subjects[0].tag in NOUNS:
+    if node.tag == "VBG" and helping <= closed.present_be and subjects[0].tag in NOUNS:
         # "Tom is washing the car at five"
         return bool(helping) and (named or subjects[0].lower not in lexicon.machines)
-    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= FUTURE | {"can"}
+    finite = node.tag in {"VBZ", "VBP"} if not helping else helping <= closed.future | {"can"}
     if helping == {"can"} and subjects[0].tag in NOUNS:
         # "The surveyor can only come before noon": nobody else can help that.
         only = any(tree.nodes[p].lower == "only" for p in tree.children(verb, "advmod"))
