@@ -5,10 +5,11 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
+from fuzzytime.language.grammar.particles import Particles
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word, joins
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Duration, Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Offset, Said, TimeWord, Wall
 from fuzzytime.requirement import Constraint
 
 LAST_DAY = ["last", "day"]
@@ -26,7 +27,7 @@ LONGEST_WISH = 4
 
 
 class Borders:
-    """The words around readings: marks that run on, exceptions, particles, comparisons, nouns."""
+    """The words around readings: marks that run on, exceptions, comparisons, nouns."""
 
     def __init__(self, words: Sequence[Word], lexicon: Lexicon, around: Surroundings) -> None:
         self.words = words
@@ -34,6 +35,7 @@ class Borders:
         self.texts = around.texts
         self.around = around
         self.measures = Measures(words, lexicon)
+        self.particles = Particles(lexicon, around)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
@@ -45,10 +47,9 @@ class Borders:
             compared
             or self.runs_on(piece)
             or self._is_excepted(piece)
-            or self._holds_particle(piece)
+            or self.particles.hold(piece)
             or self._names_event(piece)
             or self._is_object(piece)
-            or self._counts_from_that(piece)
             or self._begins_another(piece)
             or self._is_named(piece)
             or self._says_how(piece)
@@ -230,42 +231,6 @@ class Borders:
             return True
         bound = piece.value.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}
         return bound or (earlier[-1:] == [","] and not self.beside.repeating & set(earlier))
-
-    def _holds_particle(self, piece: Piece) -> bool:
-        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
-        first, *rest = self.texts[piece.start : piece.end]
-        if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
-            # "The notes from monday on my desk"
-            return True
-        if first == "over":
-            # "Turn the steaks over every two minutes"
-            return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
-        if first in {"round", "around"} and rest[:1] != [] and rest[0] in self.beside.behind_round:
-            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
-            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
-            return first == "round" or moved or rest[0] not in {"in", "at"}
-        if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
-            # "Weigh in every monday"
-            return True
-        wall = piece.value.time
-        if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
-            # "Shut them in at dusk"
-            return True
-        # "Put the washing on first"
-        return first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
-
-    def _counts_from_that(self, piece: Piece) -> bool:
-        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
-        if piece.value.preposition not in {"in", "not before", "no later than"}:
-            return False
-        distances = (["before", "that"], ["after", "that"])
-        inside = piece.value.preposition == "in" and self.texts[piece.end - 2 : piece.end] in distances
-        if inside or self.texts[piece.end : piece.end + 2] in distances:
-            return True
-        # "Check in 24 hours before the flight", "clock in five minutes early"
-        time = piece.value.time
-        distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
-        return distance and self.around.follower(piece) in self.beside.distances
 
     def _begins_another(self, piece: Piece) -> bool:
         """Whether its last word is what something is said of next: "at 8:30, lunch is at twelve"."""

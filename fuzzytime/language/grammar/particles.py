@@ -1,0 +1,64 @@
+"""Words that begin a time by their looks, and belong to the verb before it: "turn it on at sunrise"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.measuring import NEAR
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
+
+FROM_THAT = {("before", "that"), ("after", "that")}
+"""Words that make a length a distance from what was said."""
+
+
+class Particles:
+    """The first words of readings, and the verbs before them."""
+
+    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
+        self.lexicon, self.beside, self.closed = lexicon, lexicon.beside, lexicon.closed
+        self.around, self.texts = around, around.texts
+
+    def hold(self, piece: Piece) -> bool:
+        """Whether its first word belongs to a verb: "turn it on at sunrise"."""
+        first, *rest = self.texts[piece.start : piece.end]
+        if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
+            # "The notes from monday on my desk"
+            return True
+        if first == "over":
+            # "Turn the steaks over every two minutes"
+            return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
+        if first in {"round", "around"} and rest[:1] != [] and rest[0] in self.beside.behind_round:
+            # "Bring the car round at six", "move the ward round to nine"; but "call me around in ten minutes"
+            moved = not self.lexicon.circling.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return first == "round" or moved or rest[0] not in {"in", "at"}
+        if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
+            # "Weigh in every monday"
+            return True
+        wall = piece.value.time
+        if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
+            # "Shut them in at dusk"
+            return True
+        # "Put the washing on first"
+        follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
+        return follows or self._counts_from_that(piece)
+
+    def _counts_from_that(self, piece: Piece) -> bool:
+        """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""
+        if piece.value.preposition not in {"in", "not before", "no later than"}:
+            return False
+        if piece.value.preposition == "in" and self._is_counted(self.texts[piece.start : piece.end]):
+            return True
+        if tuple(self.texts[piece.end : piece.end + 2]) in FROM_THAT:
+            return True
+        # "Check in 24 hours before the flight", "clock in five minutes early"
+        time = piece.value.time
+        distance = isinstance(time, Duration) or (isinstance(time, Offset) and time.anchor is None)
+        return distance and self.around.follower(piece) in self.beside.distances
+
+    def _is_counted(self, words: Sequence[str]) -> bool:
+        """Whether its last words make a length a distance: "an hour beforehand"; not "an hour or later"."""
+        if tuple(words[-2:]) in FROM_THAT:
+            return True
+        bound = words[-2] in {"or", "and"} or "not" in words
+        return words[-1] in {"earlier", "later", "beforehand"} and not bound
