@@ -38,6 +38,7 @@ from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.doubts import unused_words
+from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.lengths import (
     due_when_needed,
@@ -107,6 +108,7 @@ class _Composer:
         self.remarks += remarks
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
         self.remarks += remarks
+        sketches = said_for_all(sketches, self.draft.text, self.lexicon)
         operations = [sketch.operation for sketch in sketches]
         instructions: list[Instruction] = []
         for place, sketch in enumerate(sketches):

@@ -1,0 +1,160 @@
+"""Times said once for several instructions: "by five, wash the car and mow the lawn", "…, both by five".
+
+What stands in front of an order holds for what is joined to it and has no time of its own: bounds, windows,
+repetitions and conditions as they are; of a moment, what follows is not before it, as the first is begun
+then. A deadline behind the last holds for all that is joined to it without a time, and so does any time that
+says so: "both by five", "each at noon". Days have rules of their own (``days_apart``).
+"""
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.meaning.expressions import (
+    Duration,
+    Offset,
+    Phrase,
+    Range,
+    Repeat,
+    Said,
+    TimeWord,
+    Wall,
+)
+from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint
+
+HELD = frozenset({"when", "if", "after", "before"})
+"""Kinds of clauses that hold for all that is joined."""
+
+JOINED = frozenset({"", "and"})
+"""Connectives behind which nothing else says when."""
+
+STEPS = JOINED | {"first", "then"}
+"""Connectives of steps, which a deadline may be for."""
+
+THROUGHOUT = frozenset({"until", "through"})
+"""Prepositions of bounds that something lasts to: what is done next may be after them."""
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
+
+
+def said_for_all(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give each instruction what is said once for several; what asks for nothing has no operation by now."""
+    return _held_behind(_held_in_front(sketches, text), text, lexicon)
+
+
+def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
+    """Give the times and clauses in front of an order to what the same sentence joins to it."""
+    found: list[Sketch] = []
+    phrases: tuple[Phrase, ...] = ()
+    clauses: tuple[Clause, ...] = ()
+    for sketch in sketches:
+        if not found or _is_ended(found[-1], sketch, text):
+            phrases, clauses = (), ()
+        if (phrases or clauses) and _is_bare(sketch, JOINED):
+            found.append(_with(sketch, phrases, clauses))
+            continue
+        if phrases and _is_bare(sketch, STEPS):
+            # "By five, wash the car, then mow the lawn"
+            due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
+            found.append(_with(sketch, due, ()))
+            continue
+        found.append(sketch)
+        operation = sketch.operation
+        if operation is not None and not operation.stated and not operation.negated:
+            begin = operation.span[0]
+            phrases = tuple(h for p in sketch.phrases if p.span[1] <= begin for h in _handed_on(p))
+            clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
+    return found
+
+
+def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
+    """Give orders what is said behind the last of them: a deadline, or a time that is said to be for all."""
+    found = [_without_all(sketch, lexicon) for sketch in sketches]
+    for place, sketch in enumerate(sketches):
+        shared = [p for p in sketch.phrases if _is_shared(p, sketch, text, lexicon)]
+        last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
+        for other in range(place - 1, -1, -1):
+            if not shared or not last or _is_ended(found[other], found[other + 1], text):
+                break
+            if not _is_bare(found[other], STEPS):
+                break
+            found[other] = _with(found[other], tuple(shared), ())
+    return found
+
+
+def _without_all(sketch: Sketch, lexicon: Lexicon) -> Sketch:
+    """Leave the word for all out of what the last order is about: "call Ann, then Bob, both before noon"."""
+    operation = sketch.operation
+    thing, _, word = (operation.object or "").rpartition(", ") if operation is not None else ("", "", "")
+    if operation is None or not thing or word.lower() not in lexicon.closed.universal_pronouns:
+        return sketch
+    return replace(sketch, operation=replace(operation, object=thing))
+
+
+def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
+    """Whether a time behind an order is a deadline, or led by a word for all: ", both at noon"."""
+    operation = sketch.operation
+    if operation is None or operation.stated or operation.negated or phrase.span[0] < operation.span[1]:
+        return False
+    led = re.search(r",\s*(\w+)(?: of (?:them|these|those))?\s*$", text[: phrase.span[0]])
+    if led is not None and led[1].lower() in lexicon.closed.universal_pronouns:
+        return True
+    said = phrase.said
+    due = said.constraint is Constraint.BEFORE and said.preposition not in THROUGHOUT
+    lengths = all(p is phrase or p.said.constraint is Constraint.FOR for p in sketch.phrases)
+    # "Wash the car and, after lunch, mow the lawn by five": that is said of the lawn alone.
+    alone = lengths and not sketch.clauses and sketch.part.segment.connective in JOINED
+    return due and alone and isinstance(said.time, (Wall, Duration))
+
+
+def _is_ended(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether a sentence ends between two."""
+    return not ENDS.isdisjoint(text[before.part.segment.span[1] : sketch.part.segment.span[0]])
+
+
+def _is_bare(sketch: Sketch, joints: Collection[str]) -> bool:
+    """Whether it asks for something, joined so, and says at most how long."""
+    operation = sketch.operation
+    asks = operation is not None and not operation.stated and not operation.negated
+    lengths = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
+    return asks and sketch.part.segment.connective in joints and lengths and not sketch.clauses
+
+
+def _handed_on(phrase: Phrase) -> list[Phrase]:
+    """Give what a time in front of the first order says of the others, if anything."""
+    said, time = phrase.said, phrase.said.time
+    if (
+        said.preposition in THROUGHOUT
+        or isinstance(time, TimeWord)
+        or (isinstance(time, Offset) and time.anchor is None)
+    ):
+        return []
+    if said.constraint in BOUNDS or isinstance(time, (Range, Repeat)):
+        return [phrase]
+    later = _not_before(said)
+    return [] if later is None else [replace(phrase, said=later)]
+
+
+def _not_before(said: Said) -> Said | None:
+    """Read a moment as one that what is done next does not come before."""
+    time = said.time
+    if said.constraint not in {None, Constraint.AT} or said.is_day:
+        return None
+    if isinstance(time, Duration):
+        counted = said.preposition == "in"
+        return replace(said, constraint=Constraint.AFTER, preposition="after") if counted else None
+    return replace(said, constraint=Constraint.AFTER, preposition="from")
+
+
+def _with(sketch: Sketch, phrases: tuple[Phrase, ...], clauses: tuple[Clause, ...]) -> Sketch:
+    references = (*(None for _ in phrases), *sketch.references)
+    return replace(
+        sketch,
+        phrases=(*phrases, *sketch.phrases),
+        references=references,
+        clauses=(*clauses, *sketch.clauses),
+    )
