@@ -27,14 +27,17 @@ STARTS = frozenset({None, Constraint.AT, Constraint.BETWEEN, Constraint.AFTER})
 """How a time binds that is about the first of two operations done in one go; a deadline is about the last."""
 
 
-def led(sketches: list[Sketch]) -> list[Sketch]:
-    """Give times that stand alone before "then" to what is done then: "not for ten minutes, but then …"."""
+def led(sketches: list[Sketch], text: str) -> list[Sketch]:
+    """Give times that stand alone to the order behind them: "not for ten minutes, but then …"."""
     found: list[Sketch] = []
     for sketch in sketches:
         before, segment = found[-1] if found else None, sketch.part.segment
         alone = before is not None and before.operation is None and _is_time_alone(before)
-        if before is not None and alone and segment.connective in {"then", "first"}:
-            waited = [replace(phrase, said=_until_then(phrase.said)) for phrase in before.phrases]
+        steps = segment.connective in {"then", "first"}
+        if before is not None and alone and (steps or _is_in_front(before, sketch, text)):
+            waited = before.phrases
+            if steps:
+                waited = tuple(replace(phrase, said=_until_then(phrase.said)) for phrase in waited)
             whole = (before.part.segment.span[0], segment.span[1])
             found[-1] = replace(
                 sketch,
@@ -46,6 +49,12 @@ def led(sketches: list[Sketch]) -> list[Sketch]:
         else:
             found.append(sketch)
     return found
+
+
+def _is_in_front(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether a comma alone is between a time and what is to be done."""
+    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]].strip()
+    return between == "," and not before.part.segment.connective and sketch.operation is not None
 
 
 def _is_time_alone(sketch: Sketch) -> bool:

@@ -41,7 +41,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     """Sketch the instructions of a draft; two times joined by "and" make two of one."""
     found: list[Sketch] = []
     remarks: list[Remark] = []
-    sketches = repeated(led([sketch_of(draft, part, lexicon) for part in draft.parts]), draft.text, lexicon)
+    sketches = [sketch_of(draft, part, lexicon) for part in draft.parts]
+    sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
     told = under_first_line(told, draft.text)
     words = draft.scanned.words
