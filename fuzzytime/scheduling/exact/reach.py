@@ -7,6 +7,9 @@ have no room for falls to half its distance, and is not tried again in the same 
 import math
 from dataclasses import dataclass
 
+BYTES_PER_CELL = 16
+"""Memory that a cell of labels takes."""
+
 PROBING, PROVING = 16, 4
 """The share of the cells that labels have at first is one in so many; and after they proved something."""
 
@@ -47,7 +50,7 @@ class Reach:
 
         One that follows a solved one has few starts, on more slots.
         """
-        whole = memory // 16
+        whole = memory // BYTES_PER_CELL
         return cls(whole, whole // (PROVING if is_solved else PROBING), width)
 
     def threshold(self, lower: float, best: float, known: float) -> float:

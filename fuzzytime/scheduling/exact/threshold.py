@@ -21,7 +21,7 @@ from fuzzytime.scheduling.exact.backward import used_below
 from fuzzytime.scheduling.exact.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.exact.labels import Found
 from fuzzytime.scheduling.exact.labels import Labels as LabelProgram
-from fuzzytime.scheduling.exact.reach import Reach
+from fuzzytime.scheduling.exact.reach import BYTES_PER_CELL, Reach
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -124,14 +124,14 @@ class _Search(GridSearch):
     def close(self, relaxation: Relaxation) -> bool:
         """Solve a grid, or prove that none of its schedules is better; tell whether that was done."""
         self.lower = max(self.lower, relaxation.lower)
-        width = BROAD_BEAM if self._are_very_many else BEAM
-        reach = Reach.within(self.watch.limits.memory, width, is_solved=self._is_solved)
+        beam = BROAD_BEAM if self._are_very_many else BEAM
+        reach = Reach.within(self.watch.limits.memory, beam, is_solved=self._is_solved)
         # Where only the order counts the schedule is hardly what is wrong.
         searching = self.left.lags == self.problem.lags
         pays = True
         self._known_on_grid = np.inf
         if searching and self._is_early_search_worth():
-            pays = self._search_near(relaxation, width)
+            pays = self._search_near(relaxation, reach.width)
         reach.delta = FIRST * (self.best.cost - self.lower) + self.left_over
         while not self.is_over():
             threshold = reach.threshold(self.lower, self.best.cost, self._known_on_grid)
@@ -201,7 +201,7 @@ class _Search(GridSearch):
         self._follow_path(relaxation)
         if self._are_very_many:
             self._kick()
-        self.labels(relaxation, self.best.cost, self.watch.limits.memory // 16, width)
+        self.labels(relaxation, self.best.cost, self.watch.limits.memory // BYTES_PER_CELL, width)
         if self._are_very_many:
             if self._is_doubtful():
                 self._search_stretches(relaxation)

@@ -103,7 +103,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         other_calendars=speech.single_words("other_calendars"),
         levels=speech.single_words("levels"),
         passing=speech.single_words("passing"),
-        instances={name: frozenset(speech.words("instances", name)) for name in ("first", "further")},
+        instances={name: frozenset(speech.words("instances", name)) for name in _ROWS["instances"]},
         appointing=speech.single_words("appointing"),
         lasting=speech.single_words("lasting"),
         playing=speech.single_words("playing"),
@@ -135,10 +135,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         changing=frozenset(speech.words("measures", "changing")),
         counting=speech.single_words("measures", "counting"),
         amount_nouns=speech.single_words("measures", "amounts"),
-        questions={
-            name: frozenset(speech.words("questions", name))
-            for name in ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting")
-        },
+        questions={name: frozenset(speech.words("questions", name)) for name in _ROWS["questions"]},
         conversation={
             name.text: frozenset(speech.words("conversation", name.text))
             for name, _ in speech.rows("conversation")

@@ -242,7 +242,7 @@ def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
     moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
     moved[2] = replace(moved[2], relation="nummod", head=1)
-    return Tree(tree.text, tuple(moved), tree.lexicon)
+    return tree.with_nodes(moved)
 
 
 def _as_order(tree: Tree) -> Tree:
@@ -251,11 +251,7 @@ def _as_order(tree: Tree) -> Tree:
     first = tree.nodes[0] if tree.nodes else None
     if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
         return tree
-    return (
-        Tree(tree.text, (replace(first, tag="VB"), *tree.nodes[1:]), tree.lexicon)
-        if tree.children(0, "dobj")
-        else tree
-    )
+    return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

@@ -13,6 +13,9 @@ from fuzzytime.language.sentence.segments.named_events import beside, counts_eve
 
 ENDS = frozenset({".", "!", "?", ";", "…", "\n"})
 
+JOINED = frozenset({"", "and"})
+"""Connectives behind which nothing else says when."""
+
 MEANWHILE = "meanwhile"
 
 

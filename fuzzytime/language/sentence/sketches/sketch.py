@@ -60,9 +60,28 @@ class Sketch:
         return [*(phrase.span for phrase in self.phrases), *(clause.span for clause in self.clauses)]
 
     @property
+    def asks(self) -> bool:
+        """Whether something is to be done, and is not only told or denied."""
+        return self.operation is not None and not self.operation.stated and not self.operation.negated
+
+    def under(self, phrases: Sequence[Phrase], clauses: Sequence[Clause] = ()) -> "Sketch":
+        """Give the same with times and clauses from elsewhere before its own."""
+        return replace(
+            self,
+            phrases=(*phrases, *self.phrases),
+            clauses=(*clauses, *self.clauses),
+            references=(*(None for _ in phrases), *self.references),
+        )
+
+    @property
     def reference(self) -> Reference | None:
         """What its clauses are about, where its times say so."""
         return self.references[0] if self.references else None
+
+
+def text_between(first: Sketch, second: Sketch, text: str) -> str:
+    """Give what stands between the parts of two sketches."""
+    return text[first.part.segment.span[1] : second.part.segment.span[0]]
 
 
 def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:

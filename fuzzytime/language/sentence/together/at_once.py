@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.instruction import overlap
 from fuzzytime.language.meaning.expressions import Duration, Phrase, TimeWord, later_by
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Unit
 
 AT_ONCE = frozenset({"immediately", "right now"})
@@ -52,7 +52,7 @@ def _without(sketch: Sketch, place: int) -> Sketch:
 
 def _is_joined(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether both are in one sentence, and the one before is done."""
-    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+    between = text_between(before, sketch, text)
     operation = before.operation
     # As in "the machine finishes at 11:20, empty it straight away".
     over = (

@@ -23,8 +23,8 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
-from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint, Unit
 
 
@@ -54,7 +54,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     above = None if day is None else _Day(day.said)
     held = above
     for sketch in sketches:
-        if placed and ENDS & set(text[placed[-1].part.segment.span[1] : sketch.part.segment.span[0]]):
+        if placed and ENDS & set(text_between(placed[-1], sketch, text)):
             held = above
         named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
         named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
@@ -103,8 +103,7 @@ def _with_days(sketch: Sketch, days: list[Phrase]) -> Sketch:
     """Give a sketch on some days, unless it has one of its own."""
     if any(phrase.said.is_day for phrase in sketch.phrases):
         return sketch
-    references = (*(None for _ in days), *sketch.references)
-    return replace(sketch, phrases=(*days, *sketch.phrases), references=references)
+    return sketch.under(days)
 
 
 def _under(sketch: Sketch, heading: Heading) -> Sketch:
@@ -118,13 +117,10 @@ def _under(sketch: Sketch, heading: Heading) -> Sketch:
     if operation.stated and all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases):
         # "It takes an hour"
         return sketch
-    if sketch.part.segment.connective not in {"", "and"} and not sketch.phrases:
+    if sketch.part.segment.connective not in JOINED and not sketch.phrases:
         # What comes "then" comes on the day of what it follows.
         return sketch
-    references = (*((None,) * len(heading.phrases)), *sketch.references)
-    return replace(
-        sketch, phrases=(*heading.phrases, *sketch.phrases), references=references, headed=heading.clauses
-    )
+    return replace(sketch.under(heading.phrases), headed=heading.clauses)
 
 
 def _tells_when(phrase: Phrase) -> bool:
@@ -213,7 +209,7 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
 def _on_day(sketch: Sketch, held: _Day) -> Sketch:
     """Put the times of an instruction on a day that was said before it; without a time, it has that day."""
     if held.phrase is not None and not sketch.phrases and not sketch.clauses:
-        alone = sketch.part.segment.connective in {"", "and"} and sketch.operation is not None
+        alone = sketch.part.segment.connective in JOINED and sketch.operation is not None
         return replace(sketch, phrases=(held.phrase,), references=(None,)) if alone else sketch
     phrases = []
     for phrase in sketch.phrases:

@@ -22,21 +22,19 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
+from fuzzytime.language.sentence.sketches.clause_requirements import LASTING
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
 
-JOINED = frozenset({"", "and"})
-"""Connectives behind which nothing else says when."""
-
 STEPS = JOINED | {"first", "then"}
 """Connectives of steps, which a deadline may be for."""
 
-THROUGHOUT = frozenset({"until", "through"})
-"""Prepositions of bounds that something lasts to: what is done next may be after them."""
+FOR_ALL = re.compile(r",\s*(\w+)(?: of (?:them|these|those))?\s*$")
+"""The word before a time for all: ", both at noon", ", all of them by five"."""
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
@@ -55,17 +53,16 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
         if (phrases or clauses) and _is_bare(sketch, JOINED):
-            found.append(_with(sketch, phrases, clauses))
+            found.append(sketch.under(phrases, clauses))
             continue
         if phrases and _is_bare(sketch, STEPS):
             # "By five, wash the car, then mow the lawn"
             due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
-            found.append(_with(sketch, due, ()))
+            found.append(sketch.under(due))
             continue
         found.append(sketch)
-        operation = sketch.operation
-        if operation is not None and not operation.stated and not operation.negated:
-            begin = operation.span[0]
+        if sketch.operation is not None and sketch.asks:
+            begin = sketch.operation.span[0]
             phrases = tuple(h for p in sketch.phrases if p.span[1] <= begin for h in _handed_on(p))
             clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
     return found
@@ -82,7 +79,7 @@ def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> lis
                 break
             if not _is_bare(found[other], STEPS):
                 break
-            found[other] = _with(found[other], tuple(shared), ())
+            found[other] = found[other].under(shared)
     return found
 
 
@@ -98,13 +95,13 @@ def _without_all(sketch: Sketch, lexicon: Lexicon) -> Sketch:
 def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether a time behind an order is a deadline, or led by a word for all: ", both at noon"."""
     operation = sketch.operation
-    if operation is None or operation.stated or operation.negated or phrase.span[0] < operation.span[1]:
+    if operation is None or not sketch.asks or phrase.span[0] < operation.span[1]:
         return False
-    led = re.search(r",\s*(\w+)(?: of (?:them|these|those))?\s*$", text[: phrase.span[0]])
+    led = FOR_ALL.search(text[: phrase.span[0]])
     if led is not None and led[1].lower() in lexicon.closed.universal_pronouns:
         return True
     said = phrase.said
-    due = said.constraint is Constraint.BEFORE and said.preposition not in THROUGHOUT
+    due = said.constraint is Constraint.BEFORE and said.preposition not in LASTING
     lengths = all(p is phrase or p.said.constraint is Constraint.FOR for p in sketch.phrases)
     # "Wash the car and, after lunch, mow the lawn by five": that is said of the lawn alone.
     alone = lengths and not sketch.clauses and sketch.part.segment.connective in JOINED
@@ -113,22 +110,20 @@ def _is_shared(phrase: Phrase, sketch: Sketch, text: str, lexicon: Lexicon) -> b
 
 def _is_ended(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether a sentence ends between two."""
-    return not ENDS.isdisjoint(text[before.part.segment.span[1] : sketch.part.segment.span[0]])
+    return not ENDS.isdisjoint(text_between(before, sketch, text))
 
 
 def _is_bare(sketch: Sketch, joints: Collection[str]) -> bool:
     """Whether it asks for something, joined so, and says at most how long."""
-    operation = sketch.operation
-    asks = operation is not None and not operation.stated and not operation.negated
     lengths = all(phrase.said.constraint is Constraint.FOR for phrase in sketch.phrases)
-    return asks and sketch.part.segment.connective in joints and lengths and not sketch.clauses
+    return sketch.asks and sketch.part.segment.connective in joints and lengths and not sketch.clauses
 
 
 def _handed_on(phrase: Phrase) -> list[Phrase]:
     """Give what a time in front of the first order says of the others, if anything."""
     said, time = phrase.said, phrase.said.time
     if (
-        said.preposition in THROUGHOUT
+        said.preposition in LASTING
         or isinstance(time, TimeWord)
         or (isinstance(time, Offset) and time.anchor is None)
     ):
@@ -148,13 +143,3 @@ def _not_before(said: Said) -> Said | None:
         counted = said.preposition == "in"
         return replace(said, constraint=Constraint.AFTER, preposition="after") if counted else None
     return replace(said, constraint=Constraint.AFTER, preposition="from")
-
-
-def _with(sketch: Sketch, phrases: tuple[Phrase, ...], clauses: tuple[Clause, ...]) -> Sketch:
-    references = (*(None for _ in phrases), *sketch.references)
-    return replace(
-        sketch,
-        phrases=(*phrases, *sketch.phrases),
-        references=references,
-        clauses=(*clauses, *sketch.clauses),
-    )

@@ -19,7 +19,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint, Reference, Unit
 
@@ -39,13 +39,8 @@ def led(sketches: list[Sketch], text: str) -> list[Sketch]:
             if steps:
                 waited = tuple(replace(phrase, said=_until_then(phrase.said)) for phrase in waited)
             whole = (before.part.segment.span[0], segment.span[1])
-            found[-1] = replace(
-                sketch,
-                part=replace(sketch.part, segment=replace(segment, span=whole, connective="")),
-                phrases=(*waited, *sketch.phrases),
-                clauses=(*before.clauses, *sketch.clauses),
-                references=(*(None for _ in before.phrases), *sketch.references),
-            )
+            part = replace(sketch.part, segment=replace(segment, span=whole, connective=""))
+            found[-1] = replace(sketch.under(waited, before.clauses), part=part)
         else:
             found.append(sketch)
     return found
@@ -53,7 +48,7 @@ def led(sketches: list[Sketch], text: str) -> list[Sketch]:
 
 def _is_in_front(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether a comma alone is between a time and what is to be done."""
-    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]].strip()
+    between = text_between(before, sketch, text).strip()
     return between == "," and not before.part.segment.connective and sketch.operation is not None
 
 
@@ -196,7 +191,7 @@ def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
     for sketch in sketches[1:]:
         before, told = found[-1], sketch
         if before.operation is not None and sketch.operation is not None:
-            between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+            between = text_between(before, sketch, text)
             joined = between.strip(" ,").lower() == "and"
             operation = _beside(before.operation, sketch, sketch.operation, lexicon, joined=joined)
             told = replace(sketch, operation=operation)
@@ -211,7 +206,7 @@ def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
 
 def _goes_on_soon(before: Sketch, sketch: Sketch, text: str) -> bool:
     """Whether the same sentence asks for something else of the same thing: "put it in, turn it after …"."""
-    between = text[before.part.segment.span[1] : sketch.part.segment.span[0]]
+    between = text_between(before, sketch, text)
     one, other = before.operation, sketch.operation
     if one is None or other is None or one.stated or one.negated or ENDS & set(between):
         return False

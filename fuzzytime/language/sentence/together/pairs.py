@@ -7,7 +7,7 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
 
 MOMENTS = frozenset({None, Constraint.AT, Constraint.BEFORE})
@@ -26,7 +26,7 @@ def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:
     if not 0 < place < len(sketches):
         return False
     first, second = sketches[place - 1], sketches[place]
-    between = text[first.part.segment.span[1] : second.part.segment.span[0]]
+    between = text_between(first, second, text)
     joined = first.part is not second.part and not ENDS & set(between)
     if not joined or first.operation is None or second.operation is None:
         return False

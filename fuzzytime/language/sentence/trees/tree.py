@@ -1,6 +1,6 @@
 """A dependency tree as a value: words with tags, relations and heads, from whatever parser made it."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -116,6 +116,10 @@ class Tree:
             for node in kept
         )
         return Tree(text, nodes, self.lexicon)
+
+    def with_nodes(self, nodes: Iterable[Node]) -> "Tree":
+        """Give the tree of the same text with other nodes."""
+        return Tree(self.text, tuple(nodes), self.lexicon)
 
     def moved(self, characters: int) -> tuple[Node, ...]:
         """Give the words with their places that many characters further on."""

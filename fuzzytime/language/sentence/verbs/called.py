@@ -29,7 +29,7 @@ def with_called(tree: Tree, timed: AbstractSet[int], lexicon: Lexicon) -> Tree:
         nodes[0] = replace(nodes[0], head=first)
     if behind == verb + 2:
         nodes[verb + 1] = replace(nodes[verb + 1], tag="RP", relation="prt")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _acts(name: Node, called: Node, word: Node, lexicon: Lexicon) -> bool:
@@ -74,7 +74,7 @@ def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     )
     if root is None or verb is None:
         return tree
-    return Tree(tree.text, tuple(_acting(tree, verb, {root})), tree.lexicon)
+    return tree.with_nodes(_acting(tree, verb, {root}))
 
 
 def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:

@@ -31,7 +31,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
         nodes[root] = replace(nodes[root], tag="VBP", lemma=nodes[root].lower)
         for place in tree.children(root, "nummod"):
             nodes[place] = replace(nodes[place], head=place - 1)
-        return Tree(tree.text, tuple(nodes), tree.lexicon)
+        return tree.with_nodes(nodes)
     if root + 1 not in timed:
         return tree
     if tree.nodes[root].tag not in {"NNS", "VBZ"}:
@@ -48,7 +48,7 @@ def as_statement(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[st
     nodes[subject] = replace(nodes[subject], relation="nsubj")
     for place in described:
         nodes[place] = replace(nodes[place], head=subject)
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
@@ -84,7 +84,7 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
         nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
     )
     turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
-    return Tree(tree.text, tuple(turned), tree.lexicon)
+    return tree.with_nodes(turned)
 
 
 def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -104,7 +104,7 @@ def _with_two(tree: Tree, timed: AbstractSet[int]) -> Tree:
             nodes[place] = replace(nodes[place], head=named)
         nodes[named] = replace(nodes[named], head=verb, relation="nsubj")
         nodes[second[0]] = replace(nodes[second[0]], head=root, relation="nsubj")
-        return Tree(tree.text, tuple(nodes), tree.lexicon)
+        return tree.with_nodes(nodes)
     return tree
 
 
@@ -121,7 +121,7 @@ def _with_subject(tree: Tree) -> Tree:
         return tree
     nodes = list(tree.nodes)
     nodes[subjects[0]] = replace(nodes[subjects[0]], head=root, relation="nsubjpass")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _with_got(tree: Tree) -> Tree:
@@ -140,7 +140,7 @@ def _with_got(tree: Tree) -> Tree:
         for place in (root, *(p for p in tree.children(root) if p != coming[0])):
             nodes[place] = replace(nodes[place], head=coming[0], relation="dep")
         nodes[coming[0]] = replace(nodes[coming[0]], head=coming[0], relation="ROOT", tag="VBZ")
-        return Tree(tree.text, tuple(nodes), tree.lexicon)
+        return tree.with_nodes(nodes)
     if not helping or not tree.children(root, "dobj"):
         return tree
     nodes[root] = replace(nodes[root], lemma="have", tag="VBP")
@@ -148,7 +148,7 @@ def _with_got(tree: Tree) -> Tree:
         nodes[place] = replace(nodes[place], relation="dep")
     for place in tree.children(root, "nsubjpass"):
         nodes[place] = replace(nodes[place], relation="nsubj")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _with_having(tree: Tree) -> Tree:
@@ -164,7 +164,7 @@ def _with_having(tree: Tree) -> Tree:
         nodes[place] = replace(nodes[place], head=have)
     nodes[have] = replace(nodes[have], head=have, relation="ROOT")
     nodes[root] = replace(nodes[root], head=have, relation="dobj", tag="NN")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -181,7 +181,7 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
         turned[mark] = replace(tree.nodes[mark], tag="VBZ", lemma="be", head=mark, relation="ROOT")
         turned[owner[0]] = replace(tree.nodes[owner[0]], head=mark, relation="nsubj")
         turned[root] = replace(tree.nodes[root], head=mark, relation="advmod")
-        return Tree(tree.text, tuple(turned), tree.lexicon)
+        return tree.with_nodes(turned)
     doing = _with_one_doing(tree)
     if doing is not None:
         return doing
@@ -195,7 +195,7 @@ def _with_being(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
     nodes[verb] = replace(nodes[verb], tag="VBZ", lemma="be", head=verb, relation="ROOT")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 OWNED = frozenset({"'s", "’s"})
@@ -220,7 +220,7 @@ def _with_one_doing(tree: Tree) -> Tree | None:
     nodes[mark] = replace(nodes[mark], tag="VBZ", lemma="be", head=root, relation="aux")
     lemma = nodes[root].lemma if nodes[root].is_verb else nodes[root].lower.removesuffix("ing")
     nodes[root] = replace(nodes[root], tag="VBG", lemma=lemma)
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
@@ -241,7 +241,7 @@ def _with_plural(tree: Tree, timed: AbstractSet[int]) -> Tree:
     ]
     nodes[verb] = replace(nodes[verb], tag="VBP", lemma=nodes[verb].lower, head=verb, relation="ROOT")
     nodes[root] = replace(nodes[root], head=verb, relation="nsubj")
-    return Tree(tree.text, tuple(nodes), tree.lexicon)
+    return tree.with_nodes(nodes)
 
 
 def _is_led_by_plural(tree: Tree, verb: int) -> bool:
