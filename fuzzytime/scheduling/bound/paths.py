@@ -93,7 +93,10 @@ class Ways(NamedTuple):
 
 
 WIDE = 64
-"""Slots of a wide block: fewer blocks cost less, longer chains of short jobs in one block cost more."""
+"""Slots of a wide block: fewer blocks cost less, longer chains of short jobs in one block cost more.
+
+Fewer where jobs are mostly shorter than this: half of the rows are added once then.
+"""
 
 NARROW = 16
 """Blocks as long as the shortest jobs allow have so many slots on average, or wide ones are used."""
@@ -138,33 +141,37 @@ class _Table(NamedTuple):
         """Give the best of what arrives and of two ways known before; what arrives is lost."""
         costs, jobs, columns = self.costs, self.jobs, self.columns
         costs[-2], costs[-1], jobs[-2], jobs[-1] = cost, second, last, other
-        row = costs.argmin(axis=0)
-        cheapest, chosen = costs[row, columns], jobs[row, columns]
+        place = costs.argmin(axis=0) * columns.size + columns
+        cheapest, chosen = costs.take(place), jobs.take(place)
         np.putmask(costs, jobs == chosen, np.inf)
-        row = costs.argmin(axis=0)
-        return Ways(cheapest, chosen, costs[row, columns], jobs[row, columns])
+        place = costs.argmin(axis=0) * columns.size + columns
+        return Ways(cheapest, chosen, costs.take(place), jobs.take(place))
 
 
 class _Block(NamedTuple):
-    """A block's slots, the arcs of jobs that start before it, and those of jobs that may start in it."""
+    """A block's slots, the arcs of jobs that end in it, and those of them that may start in it, too."""
 
     past: int
     slots: slice
-    far: _Table
+    whole: _Table
     near: _Table | None
 
     def reach(self, ways: Ways) -> None:
         """Write the cheapest ways to the slots of this block, those before it being known."""
         cost, last, second, other = ways
-        past, slots, far, near = self
-        far.arrive(ways)
-        found = first = far.merged(cost[past], last[past], second[past], other[past])
+        past, slots, whole, near = self
+        idling = cost[past], last[past], second[past], other[past]
+        if near is not None:
+            # What is near starts behind idling at first.
+            cost[slots], last[slots], second[slots], other[slots] = idling
+        whole.arrive(ways)
+        found = whole.merged(*idling)
         cost[slots], last[slots], second[slots], other[slots] = found
         while near is not None:
             near.arrive(ways)
             if not (near.arriving < np.where(near.job == found.last, found.cost, found.second)).any():
                 break
-            found = near.merged(*first)
+            found = near.merged(*found)
             cost[slots], last[slots], second[slots], other[slots] = found
 
 
@@ -189,13 +196,16 @@ class Paths:
         longest = max(int(durations.max(initial=1)), WIDE)
         self._bounds = block_bounds(1, slots, arcs.end, durations[arcs.job], longest)
         if slots < NARROW * (self._bounds.size - 1):
-            wide = np.maximum(durations, WIDE)
+            wide = np.maximum(durations, min(WIDE, int(np.median(durations))))
             self._bounds = block_bounds(1, slots, arcs.end, wide[arcs.job], longest)
         width = np.diff(self._bounds)
         block = np.searchsorted(self._bounds, arcs.end, "right") - 1
         # Two tables for each block, each with a row for each job that has arcs there.
         belongs = 2 * block + (durations[arcs.job] < width[block])
-        rows, row_of_arc = np.unique(belongs * self._count + arcs.job, return_inverse=True)
+        key = belongs * self._count + arcs.job
+        heads = np.flatnonzero(np.diff(key, prepend=-1))
+        rows, row_of_head = np.unique(key[heads], return_inverse=True)
+        row_of_arc = np.repeat(row_of_head, np.diff(heads, append=key.size))
         row_table, row_job = np.divmod(rows, self._count)
         row_width = width[row_table // 2]
         offset = np.concatenate([[0], np.cumsum(row_width)])
@@ -211,16 +221,16 @@ class Paths:
         self._ways = Ways.nowhere(int(self._bounds[-1]))
         cuts = np.searchsorted(row_table, np.arange(2 * width.size + 1)).tolist()
 
-        def table(number: int) -> _Table:
-            low, high = cuts[number], cuts[number + 1]
-            shape, cells = (high - low, width[number // 2]), slice(offset[low], offset[high])
+        def table(block: int, low: int, high: int) -> _Table:
+            shape, cells = (high - low, width[block]), slice(offset[low], offset[high])
             mine = source[cells].reshape(shape), self._weight[cells].reshape(shape)
             return _Table.of(*mine, row_job[low:high, None])
 
         self._blocks: list[_Block] = []
         for number, (begin, stop) in enumerate(pairwise(self._bounds.tolist())):
-            near = table(2 * number + 1) if cuts[2 * number + 1] < cuts[2 * number + 2] else None
-            self._blocks.append(_Block(begin - 1, slice(begin, stop), table(2 * number), near))
+            first, middle, end = cuts[2 * number : 2 * number + 3]
+            near = table(number, middle, end) if middle < end else None
+            self._blocks.append(_Block(begin - 1, slice(begin, stop), table(number, first, end), near))
 
     def run(self, prices: Floats) -> Ways:
         """Give the cheapest ways to every slot; the next run overwrites them."""

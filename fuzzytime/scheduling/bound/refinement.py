@@ -33,6 +33,9 @@ MOST_SLOTS = 1 << 18
 BYTES_PER_START = 200
 """Memory that a start takes, in the bound's two directions."""
 
+MOST_STARTS = 4_000_000
+"""Starts of all jobs on the first grid, where it is finer than it need be, at most."""
+
 STEPS = 40
 """Evaluations of the bound between two deletions of starts."""
 
@@ -134,7 +137,8 @@ class GridSearch(ABC):
         problem, watch = self.problem, self.watch
         # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
-        step, enough = step_for(problem, self.first_slots), self.left_over
+        starts = min(MOST_STARTS, watch.limits.memory / BYTES_PER_START)
+        step, enough = step_for(problem, self.first_slots, starts=starts), self.left_over
         if watch.is_over() or bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)

@@ -20,7 +20,7 @@ from fuzzytime.satisfaction import Floats, Interval
 from fuzzytime.scheduling.bound.multipliers import LITTLE_RISE, RISE, Multipliers
 from fuzzytime.scheduling.bound.paths import Arcs, Paths, arcs_of, ways_to_end
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem.grid import Grid, Ints
+from fuzzytime.scheduling.problem.grid import ROUNDING, Grid, Ints
 from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.problem.windows import in_common
 from fuzzytime.scheduling.solver import Draft
@@ -29,6 +29,13 @@ from fuzzytime.scheduling.timing.settle import lanes_of_agents, sequences
 
 QUICK = 0.9
 """The bound rises slowly where the gap does not fall to this share of itself between two deletions."""
+
+
+TOGETHER, BESIDE = 100, 50
+"""Jobs of an order that are timed at once for their prices, and those before and behind that give way.
+
+All at once would take room for each of them at every slot.
+"""
 
 
 class Relaxation:
@@ -202,13 +209,24 @@ def _best_gain(grid: Grid, job: int) -> float:
 def prices_from(problem: Problem, grid: Grid, draft: Draft) -> Floats:
     """Give for each job what a schedule loses without it: near the best prices where the schedule is good.
 
-    The order of each agent is timed on the grid; a job that is rejected is worth nothing.
+    The order of each agent is timed on the grid, a long one part by part, each with what stands beside it.
+    A job that is rejected is worth nothing.
     """
     prices = np.zeros(len(problem.jobs))
     for agent, row in sequences(problem, draft.starts, draft.agents).items():
         lane = lanes_of_agents(problem)[agent]
-        curves = {job: grid.curves[job][lane] for job in row}
-        order = Order(curves, dict(enumerate(grid.durations.tolist())), 0, grid.slots, row)
-        for job, price in order.prices().items():
-            prices[job] = price
+        slots = (np.floor(draft.starts[row] / grid.step + ROUNDING).astype(np.int64) - grid.origin).tolist()
+        for first in range(0, len(row), TOGETHER):
+            low, high = max(first - BESIDE, 0), first + TOGETHER + BESIDE
+            begin = slots[low - 1] + int(grid.durations[row[low - 1]]) if low else 0
+            end = slots[high] if high < len(row) else grid.slots
+            found = _prices_between(grid, lane, begin, max(begin, end), row[low:high])
+            for job in row[first : first + TOGETHER]:
+                prices[job] = found[job]
     return prices
+
+
+def _prices_between(grid: Grid, lane: int, begin: int, end: int, row: list[int]) -> dict[int, float]:
+    durations = {job: int(grid.durations[job]) for job in row}
+    curves = {job: grid.curves[job][lane].between(begin, end - durations[job], begin) for job in row}
+    return Order(curves, durations, 0, end - begin, row).prices()

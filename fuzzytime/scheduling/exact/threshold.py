@@ -201,6 +201,8 @@ class _Search(GridSearch):
         self._follow_path(relaxation)
         if self._are_very_many:
             self._kick()
+        if self.watch.is_over():
+            return False
         self.labels(relaxation, self.best.cost, self.watch.limits.memory // BYTES_PER_CELL, width)
         if self._are_very_many:
             if self._is_doubtful():

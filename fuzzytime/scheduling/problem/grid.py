@@ -12,7 +12,7 @@ a window ends inside a cell, the line must hold on the window only, and the cell
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,7 @@ FINER = 20
 """How much finer than that it may be, so that all durations are whole numbers of slots."""
 
 MOST_STARTS = 2_000_000
-"""Starts of all jobs on a grid that is finer than it need be."""
+"""Starts of all jobs on a grid that is finer than it need be, at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +46,14 @@ class Curve:
     def stop(self) -> int:
         """One past the last slot."""
         return self.first + self.gains.size
+
+    def between(self, low: float, high: float, origin: int) -> "Curve":
+        """Give the part from a slot to another, both included, in slots since an origin."""
+        if not low <= high:
+            return Curve(0, self.gains[:0])
+        first = int(max(self.first, low))
+        gains = self.gains[first - self.first : int(max(min(self.stop - 1, high) + 1, first)) - self.first]
+        return Curve(first - origin, gains) if gains.size else Curve(0, gains)
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,6 +83,16 @@ class Grid:
     curves: tuple[tuple[Curve, ...], ...]
     slots: int
 
+    def fairly_rounded(self, problem: Problem) -> "Grid":
+        """Give the grid with durations rounded to the nearest: no bound's, but that of a plan which fits.
+
+        Many skills that are each a little too short for the grid would crowd where not all of them have room.
+        """
+        exact = np.array([job.duration for job in problem.jobs]) / self.step
+        durations = np.rint(exact).astype(np.int64)
+        longer = int((durations - self.durations).max(initial=0))
+        return replace(self, durations=durations, slots=self.slots + longer)
+
     def times(self, slots: Ints) -> Floats:
         """Give the start times of slots in seconds."""
         return np.asarray((slots + self.origin) * self.step)
@@ -88,10 +106,10 @@ ROUND_STEPS = tuple(
 """Steps that people's times are whole numbers of, from long to short."""
 
 
-def step_for(problem: Problem, slots: int, finer: float = FINER) -> float:
+def step_for(problem: Problem, slots: int, finer: float = FINER, starts: float = MOST_STARTS) -> float:
     """Give a round step that lays at least so many slots over a problem's horizon, and some for each job.
 
-    Of the steps down to so much finer than the longest such one, as far as that does not lay too many starts,
+    Of the steps down to so much finer than the longest such one, as far as they lay no more than some starts,
     the longest that divides all durations is taken; where none does, the longest.
     """
     first = min(job.earliest for job in problem.jobs)
@@ -100,7 +118,7 @@ def step_for(problem: Problem, slots: int, finer: float = FINER) -> float:
     durations = np.array([job.duration for job in problem.jobs])
     slots = max(slots, SLOTS_A_JOB * len(problem.jobs))
     fine = [step for step in sorted(ROUND_STEPS, reverse=True) if step * slots <= span] or [span / slots]
-    shortest = max(fine[0] / finer * (1 - ROUNDING), room_of(problem) / MOST_STARTS)
+    shortest = max(fine[0] / finer * (1 - ROUNDING), room_of(problem) / starts)
     for step in fine:
         shares = durations / step
         if step < shortest:

@@ -44,7 +44,7 @@ class LocalSearch:
         if len(problem.jobs) <= MOST_JOBS and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
-        grid = grid_of(problem, step_for(problem, self.slots))
+        grid = grid_of(problem, step_for(problem, self.slots)).fairly_rounded(problem)
         plan = Rough(problem, grid, begin)
         try:
             generator = np.random.default_rng(self.seed)

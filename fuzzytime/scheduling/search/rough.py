@@ -86,12 +86,13 @@ class Rough:
         """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
         count = len(self.placed)
         better, done = True, 0
-        while better and done < sweeps and not watch.is_over():
+        while better and done < sweeps and not (done and watch.is_over()):
             better, done = False, done + 1
             for first in range(0, max(count - STRETCH // 2, 1), STRETCH // 2):
                 members = self.in_turn()[first : first + STRETCH]
                 better |= self._improve_stretch(members, watch, generator, sweeps)
-                if watch.is_over():
+                # In the first sweep what was left out is put in, which takes no time to speak of.
+                if done > 1 and watch.is_over():
                     break
             # A second look sees more only where jobs stood still, or waited for some not placed before.
             if count <= STRETCH and not self._lags:
@@ -203,11 +204,8 @@ class Stretch:
     def _cut(self, curve: Curve, job: int, end: int) -> Curve:
         """Give a curve on the stretch's slots, where the job ends in time and keeps its lags."""
         low, high = self.plan.span(job, self.splits)
-        first = int(max(curve.first, self.origin, low)) if low < math.inf else curve.stop
-        last = min(curve.stop - 1, self.origin + end - self.durations[job], high)
-        stop = int(last) + 1 if last > -math.inf else first
-        gains = curve.gains[first - curve.first : max(stop, first) - curve.first]
-        return Curve(first - self.origin, gains) if gains.size else Curve(0, gains)
+        last = self.origin + end - self.durations[job]
+        return curve.between(max(self.origin, low), min(last, high), self.origin)
 
     @property
     def gain(self) -> float:
