@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from fuzzytime.scheduling.exact import shares, small
 from fuzzytime.scheduling.exact.milp import Milp
-from fuzzytime.scheduling.exact.threshold import MANY, Labels, search_part
+from fuzzytime.scheduling.exact.threshold import CROWD, MANY, Labels, search_part
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
@@ -33,7 +33,7 @@ class Auto:
     def search(self, problem: Problem, watch: Stopwatch, warm: Draft | None = None) -> Draft:
         """Solve by the best method for the problem."""
         # Around the bound's path the exact method for many finds better ones than a longer search would.
-        sweeps = 1 if problem.agents == 1 and len(problem.jobs) >= MANY else math.inf
+        sweeps = 1 if problem.agents == 1 and MANY <= len(problem.jobs) <= CROWD else math.inf
         since = watch.seconds
         begun = LocalSearch(sweeps=sweeps).search(problem, watch.share(0.3), warm)
         spent = watch.seconds - since

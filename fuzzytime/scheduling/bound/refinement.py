@@ -96,7 +96,7 @@ class GridSearch(ABC):
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:
         self.problem, self.watch = problem, watch
         self.left = problem  # Where schedules that are better than the best may be.
-        self.best, self.lower = best, 0.0
+        self.best, self.lower = best, min(problem.least_cost, best.cost)
         self.goal = OPTIMAL_GAP * problem.weight
         self.heaviest = max(job.weight for job in problem.jobs)
 
@@ -117,6 +117,10 @@ class GridSearch(ABC):
         """
         return problem
 
+    def first_prices(self, problem: Problem, grid: Grid) -> Floats:
+        """Give prices to begin with: here those of the best schedule."""
+        return prices_from(problem, grid, self.best)
+
     def follow(self, relaxation: Relaxation) -> None:  # noqa: B027 - not every search can
         """Look for a better schedule near a bound's path: here nothing."""
 
@@ -135,6 +139,8 @@ class GridSearch(ABC):
 
     def _refine(self) -> None:
         problem, watch = self.problem, self.watch
+        if self.is_closed():
+            return
         # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
         closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
         starts = min(MOST_STARTS, watch.limits.memory / BYTES_PER_START)
@@ -142,7 +148,7 @@ class GridSearch(ABC):
         if watch.is_over() or bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)
-        prices = prices_from(problem, grid, self.best)
+        prices = self.first_prices(problem, grid)
         relaxation = self._relaxation(problem, grid, prices)
         while not self.is_closed() and not watch.is_over():
             solved = self.close(relaxation)

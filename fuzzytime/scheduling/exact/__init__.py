@@ -4,7 +4,7 @@ Few jobs
     ``small``: Held-Karp over sets.
 One agent
     ``labels`` with a ``memory``, ``merging`` them, and ``backward`` over them; below a rising ``threshold``,
-    as far as they ``reach``; ``dominance``.
+    as far as they ``reach``; ``dominance``. A ``crowd`` has too many skills for labels.
 Several agents
     ``shares`` of the work, and ``fitting`` them together; else a ``flow`` that is solved by ``milp``.
 """

@@ -18,6 +18,7 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.bound.refinement import CLOSED, STEPS, GridSearch, bytes_for
 from fuzzytime.scheduling.bound.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.exact.backward import used_below
+from fuzzytime.scheduling.exact.crowd import Crowd
 from fuzzytime.scheduling.exact.dominance import MOST_JOBS, Dominance
 from fuzzytime.scheduling.exact.labels import Found
 from fuzzytime.scheduling.exact.labels import Labels as LabelProgram
@@ -50,6 +51,9 @@ DOUBTFUL = 0.01
 
 MOST_TOGETHER = 100
 """Up to so many skills a beam finds good schedules; more are improved in stretches."""
+
+CROWD = 300
+"""Up to so many all labels may be kept; more are bounded and improved only."""
 
 STRETCH = 30
 """Skills that are done in a stretch."""
@@ -89,7 +93,9 @@ class Labels:
         """
         if problem.agents > 1:
             raise RefusedError(f"the label program schedules one agent, got {problem.agents}")
-        return _Search(problem, watch, warm or LocalSearch().search(problem, watch.share(0.3))).run()
+        best = warm or LocalSearch().search(problem, watch.share(0.3))
+        search = Crowd if len(problem.jobs) > CROWD else _Search
+        return search(problem, watch, best).run()
 
 
 class _Search(GridSearch):

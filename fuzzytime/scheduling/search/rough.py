@@ -176,7 +176,12 @@ class Stretch:
         grid, moving = plan.grid, set(members)
         durations = grid.durations.tolist()
         first = min(plan.slots[job] for job in members)
-        begins, ends = dict.fromkeys(plan.lanes, 0), dict.fromkeys(plan.lanes, grid.slots)
+        possible = [
+            (curve, durations[job]) for job in members for curve in grid.curves[job] if curve.gains.size
+        ]
+        earliest = min((curve.first for curve, _ in possible), default=0)
+        latest = max((curve.stop - 1 + duration for curve, duration in possible), default=0)
+        begins, ends = dict.fromkeys(plan.lanes, earliest), dict.fromkeys(plan.lanes, latest)
         for job, agent in enumerate(plan.agents):
             if job in moving or not plan.placed[job]:
                 continue
