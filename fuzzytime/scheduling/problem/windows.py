@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from itertools import islice
 
 import numpy as np
 
@@ -49,20 +50,27 @@ def good_enough(job: Job) -> tuple[Interval, ...]:
 
 
 def in_common(spans: Iterable[Interval], others: Iterable[Interval]) -> tuple[Interval, ...]:
-    """Give what two rows of disjoint intervals, each ascending, have in common."""
-    kept = [*others]
-    parts = (span.intersection(other) for span in spans for other in kept)
-    return tuple(part for part in parts if not part.empty)
+    """Give what two rows of intervals have in common; both ends of each row ascend."""
+    kept, first = [*others], 0
+    found: list[Interval] = []
+    for span in spans:
+        while first < len(kept) and kept[first].high < span.low:
+            first += 1
+        for other in islice(kept, first, None):
+            if other.low > span.high:
+                break
+            part = span.intersection(other)
+            if not part.empty:
+                found.append(part)
+    return tuple(found)
 
 
 def free_of(
     wanted: tuple[Interval, ...], busy: tuple[Interval, ...], duration: float
 ) -> tuple[Interval, ...]:
     """Cut busy times out of windows: a start may not lie in (busy start − duration, busy end)."""
-    left = list(wanted)
-    for taken in busy:
-        low, high = taken.low - duration, taken.high
-        before = [Interval(window.low, min(window.high, low)) for window in left]
-        after = [Interval(max(window.low, high), window.high) for window in left]
-        left = [piece for pair in zip(before, after, strict=True) for piece in pair if not piece.empty]
-    return tuple(left)
+    free, gaps = -math.inf, []
+    for taken in sorted(busy, key=lambda taken: taken.low):
+        gaps.append(Interval(free, taken.low - duration))
+        free = max(free, taken.high)
+    return in_common(wanted, [*gaps, Interval(free, math.inf)])
