@@ -168,7 +168,7 @@ def _a_little_off(said: Said, hedge: str) -> Said | None:
 @grammar.rule("said", "<preposition_at> <said>", weight=0.05)
 def sometime(preposition: Preposition, said: Said) -> Said | None:
     """Sometime between 3 and 4."""
-    return said if preposition.name == "sometime" and said.preposition is not None else None
+    return said if preposition.name == "sometime" and said.preposition not in {None, "sometime"} else None
 
 
 @grammar.rule("said", "somewhere|someplace <said>", weight=0.05)

@@ -59,10 +59,12 @@ class Borders:
             or self._is_of_other_calendar(piece)
             or self._likens(piece)
             or self._is_played(piece)
+            or self.around.is_title(piece)
             or self._divides(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
+            or self._offers_more(piece)
         )
 
     def _begins_other_bound(self, piece: Piece) -> bool:
@@ -89,6 +91,11 @@ class Borders:
         """Whether its last number counts something else: "every 3 months or | 3000 miles"."""
         offered = piece.end - piece.start > 2 and self.texts[piece.end - 2] == "or"
         return offered and self.measures.is_number(piece.end - 1) and not self.around.may_end(piece)
+
+    def _offers_more(self, piece: Piece) -> bool:
+        """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
+        led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
+        return piece.rule == "ranges.either_day" and (led or self.around.timely(piece.end))
 
     def _divides(self, piece: Piece) -> bool:
         """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""

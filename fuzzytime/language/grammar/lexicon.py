@@ -53,6 +53,8 @@ class Lexicon:
         Verbs that take no object, so that they share none either: "stop and open the door".
     alone
         Verbs that are orders alone, where trees take them for nouns: "reduce the heat and simmer".
+    chores
+        Verbs that name things too, and are orders between two times: "… on monday and paint on tuesday".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
@@ -158,6 +160,7 @@ class Lexicon:
     letting: frozenset[str]
     intransitive: frozenset[str]
     alone: frozenset[str]
+    chores: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]

@@ -35,6 +35,13 @@ class Particles:
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
+        if first in {"in", "on"} and self.around.is_day_from_now(piece.start + 1):
+            # "Bring the washing in tomorrow", "leave the light on tonight"; but "a call for Al on tomorrow"
+            verbs = self.lexicon.particles["on"] & set(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return first == "in" or bool(verbs)
+        if first == "in" and self.around.is_weekday(piece.start + 1):
+            # "Hand them in friday"
+            return True
         wall = piece.value.time
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"

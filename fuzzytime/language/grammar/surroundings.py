@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.relations import Deictic
+from fuzzytime.language.meaning.relations import Deictic, Relative
 
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
@@ -104,6 +104,13 @@ class Surroundings:
         """Whether the word at a place names a day of the week."""
         return any(piece.category == "weekday" for piece in self.pieces(place))
 
+    def is_day_from_now(self, place: int) -> bool:
+        """Whether the word at a place names a day, or a part of one, by where it is from now: "tonight"."""
+        return any(
+            piece.category == "day_part" or (piece.category == "day" and isinstance(piece.value, Relative))
+            for piece in self.pieces(place)
+        )
+
     def is_part(self, place: int) -> bool:
         """Whether the word at a place names a part of the day."""
         return any(piece.category == "part" for piece in self.pieces(place))
@@ -136,6 +143,20 @@ class Surroundings:
         """Whether a name goes on behind it: "to Thursday Island"."""
         behind = self.words[piece.end : piece.end + 1]
         return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
+
+    def is_title(self, piece: Piece) -> bool:
+        """Whether it is of what is written as a title: "The Day After Tomorrow", "Friday Night Lights"."""
+        first = next((p for p in range(piece.start, piece.end) if self.words[p].capital), piece.end)
+        end = first
+        while first and self.words[first - 1].capital:
+            first -= 1
+        while end < len(self.words) and self.words[end].capital:
+            end += 1
+        if end < piece.end or self.opens(first):
+            return False
+        led = first < piece.start and self.texts[first] in self.closed.articles
+        parts = [place for place in range(first, end) if self.is_part(place)]
+        return led or (bool(parts) and not self.timely(end - 1))
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""

@@ -83,6 +83,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         letting=speech.single_words("verbs", "letting"),
         intransitive=speech.single_words("verbs", "intransitive"),
         alone=speech.single_words("verbs", "alone"),
+        chores=speech.single_words("verbs", "chores"),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
             for name, node in speech.rows("particles")
@@ -173,7 +174,8 @@ _SPEECH = (
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
     "verbs": (
-        "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "addressing",
+        "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
+        "addressing",
     ),
     "spelling": ("words", "kept"),
     "timing": ("verbs", "alone"),

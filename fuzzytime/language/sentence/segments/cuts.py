@@ -10,6 +10,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -120,7 +121,12 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     timed = {place for span in times for place in part.tree.at(*span)}
     told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
     statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
-    gaps = set(_gaps(one, part, lexicon)) - statements
+    orders = {
+        node.start + part.offset
+        for place, node in enumerate(part.tree.nodes)
+        if place > 1 and is_order_between_times(part.tree, place, timed, lexicon)
+    }
+    gaps = set(_gaps(one, part, lexicon)) - statements - orders
     starts += sorted(gaps)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))

@@ -23,10 +23,15 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
 def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     """Whether it is a second order without an object: "dock at noon and charge until it is full".
 
-    Where the first has an object, it may be another: "feed the cat at six and dog at seven".
+    Where the first has an object, it may be another: "feed the cat at six and dog at seven"; but who names
+    one with an article does what has none: "strip the wall on monday and paint on tuesday".
     """
     root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if root is None or root >= place or tree.children(root, "dobj", *SUBJECTS):
+    if root is None or root >= place or tree.children(root, *SUBJECTS):
+        return False
+    objects = tree.children(root, "dobj")
+    led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
+    if objects and not (led and node.lower in lexicon.chores):
         return False
     joined = tree.nodes[place - 1].lower in {"and", "&"} and place - 2 in timed
     bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb

@@ -42,7 +42,7 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     ):
         return True
     if (
-        node.tag not in {"NN", "NNP", "JJ"}
+        node.tag not in {"NN", "NNP", "JJ", "JJR"}
         or before not in closed.joints_of_orders
         or place + 2 >= len(tree.nodes)
     ):

@@ -84,6 +84,10 @@ def _local(part: Part, phrase: Phrase) -> tuple[int, int]:
 def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexicon) -> int | None:
     """Give the "that" behind which is what somebody is told; None where nothing is."""
     nodes = part.tree.nodes
+    known = [p for p in part.tree.children(action.place, "ccomp") if nodes[p].lower == "know"]
+    if nodes[action.place].lemma in lexicon.letting and known:
+        # "Let them know the meeting's at ten"
+        return _said_from(part, known[0] + 1, timed, lexicon)
     if nodes[action.place].lemma not in lexicon.addressing:
         return None
     for place in range(action.place + 2, len(nodes) - 1):
@@ -95,6 +99,23 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         subjects = [p for p in part.tree.children(below, "nsubj") if action.place + 1 < p < below]
         if subjects and nodes[below].tag in FINITE:
             return min(part.tree.below(subjects[0]))
+    return _said_from(part, action.place + 2, timed, lexicon)
+
+
+def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:
+    """Give the first word of what somebody is told, where the one before a time says that of a thing.
+
+    "Tell her dinner's at seven", "tell Sam the bus leaves at four"; but "ask what time it is at noon".
+    """
+    nodes = part.tree.nodes
+    for place in sorted(timed):
+        verb = place - 1
+        asked = any(node.tag.startswith("W") for node in nodes[first:verb])
+        if verb > first and verb not in timed and not asked:
+            word, doing = nodes[verb].lower, lexicon.doing
+            comes = nodes[verb].tag == "VBZ" and nodes[verb].lemma in doing.arriving
+            if comes or word in lexicon.closed.present_be or word in doing.timed:
+                return first
     return None
 
 
