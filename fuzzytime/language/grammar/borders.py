@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
@@ -36,6 +37,7 @@ class Borders:
         self.around = around
         self.measures = Measures(words, lexicon)
         self.particles = Particles(lexicon, around)
+        self.doses = Doses(lexicon, around)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
@@ -64,6 +66,7 @@ class Borders:
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
+            or any(map(self.doses.count, range(piece.start, piece.end)))
             or self._offers_more(piece)
         )
 
@@ -110,9 +113,18 @@ class Borders:
         if named and self.around.follower(piece) == "of":
             # "On the eve of departure", "by close of school", "on the last day of the lease"
             return True
+        if self._ends_in_order(piece):
+            return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
+
+    def _ends_in_order(self, piece: Piece) -> bool:
+        """Whether its last word says what comes first, and no day: "call me today, first the office"."""
+        last = piece.end - 1
+        ordinal = self.texts[last] in self.lexicon.ordinals and not self.around.is_unit(last)
+        apart = last > piece.start + 1 and self.texts[last - 1] == ","
+        return ordinal and apart and not any(p.category == "month" for p in self.around.pieces(last - 2))
 
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""

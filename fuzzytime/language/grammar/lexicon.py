@@ -93,6 +93,8 @@ class Lexicon:
         Verbs whose object is called by its time: "catch the 7:42".
     circling
         Verbs behind which "around" is where to, and no hedge: "bring the car around at six".
+    dosing
+        Verbs of what is taken so many at a time: "one in the morning and one at night".
     playing
         Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
@@ -182,6 +184,7 @@ class Lexicon:
     lasting: frozenset[str]
     catching: frozenset[str]
     circling: frozenset[str]
+    dosing: frozenset[str]
     playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]

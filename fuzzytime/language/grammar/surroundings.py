@@ -115,6 +115,10 @@ class Surroundings:
         """Whether the word at a place names a part of the day."""
         return any(piece.category == "part" for piece in self.pieces(place))
 
+    def is_part_or_meal(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day, or a meal."""
+        return any(piece.category in {"part", "meal"} for piece in self.pieces(place))
+
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
         before = self.texts[place - 2] if place > 1 and self.texts[place - 1] == "the" else ""

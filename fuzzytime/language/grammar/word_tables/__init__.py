@@ -110,6 +110,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         playing=speech.single_words("playing"),
         catching=speech.single_words("catching"),
         circling=speech.single_words("circling"),
+        dosing=speech.single_words("dosing"),
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
         citing=speech.single_words("citing"),
@@ -169,7 +170,7 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling", "closed_classes", "beside_times",
+    "passing", "doing", "past", "circling", "dosing", "closed_classes", "beside_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),

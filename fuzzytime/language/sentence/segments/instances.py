@@ -37,7 +37,7 @@ NONE = Instances()
 def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[Scanned, Instances]:
     """Give a text without the words that tell several of one kind apart, each of which has a time."""
     found = _marked(scanned, lexicon)
-    if len(found.starts) < 2:
+    if len(found.starts) < 2 or _begins_alone(scanned, found, lexicon):
         return scanned, NONE
     text = scanned.text
     for first, end in found.counting:
@@ -48,6 +48,14 @@ def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[
     # "Two visits today, one at nine": the first may have its day in front.
     timed = [any(first <= begin < end for first, end in times) for begin in begins]
     return (bare, found) if all(timed) else (scanned, NONE)
+
+
+def _begins_alone(scanned: Scanned, found: Instances, lexicon: Lexicon) -> bool:
+    """Whether the first of several has its time before: "take one now, one at lunch and one at night"."""
+    first = found.counting[0][0]
+    ones = [word.end for word in scanned.words if word.end <= first and word.text in ONE]
+    ends = [phrase.span for phrase in phrases_of(scanned, lexicon)]
+    return bool(ones) and any(ones[-1] < start and end == first for start, end in ends)
 
 
 def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:

@@ -19,15 +19,17 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) 
     named = [*(f"{name} {word}" for name in named for word in leading), *named]
     dated = (text[slice(*phrase.span)] for phrase in sketch.phrases if phrase.rule == DATED)
     words = words_of(" ; ".join((*dated, *named)))
-    for place in range(len(words)):
-        form = longest_match(words, place, lexicon.usual_hours)
-        if form is not None and not _is_thing(words, place, lexicon):
-            first, last = lexicon.usual_hours[form]
-            policy = replace(moment.policy, ahead_from=first)
-            if last is not None:
-                policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
-            return replace(moment, policy=policy, usual=last is not None)
-    return moment
+    places = (place for place in range(len(words)) if not _is_thing(words, place, lexicon))
+    found = (longest_match(words, place, lexicon.usual_hours) for place in places)
+    # "Sleep until" says more than "sleep"
+    form = max((form for form in found if form is not None), key=len, default=None)
+    if form is None:
+        return moment
+    first, last = lexicon.usual_hours[form]
+    policy = replace(moment.policy, ahead_from=first)
+    if last is not None:
+        policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
+    return replace(moment, policy=policy, usual=last is not None)
 
 
 def _is_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
