@@ -54,6 +54,17 @@ def when_it_is(wall: Wall) -> Said | None:
 
 
 @grammar.rule(
+    "said",
+    "when|once|whenever it's|its <hedge> <wall>",
+    "when|once|whenever it is|gets <hedge> <wall>",
+    weight=0.55,
+)
+def when_it_is_about(hedge: str, wall: Wall) -> Said | None:
+    """When it's nearly ten."""
+    return Said(wall, None, "at", (hedge,)) if wall.clock is not None else None
+
+
+@grammar.rule(
     "word",
     "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",

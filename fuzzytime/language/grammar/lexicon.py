@@ -95,6 +95,8 @@ class Lexicon:
         Verbs behind which "around" is where to, and no hedge: "bring the car around at six".
     dosing
         Verbs of what is taken so many at a time: "one in the morning and one at night".
+    coming_in
+        Verbs right behind which "in" is where to: "come in around six".
     playing
         Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
@@ -185,6 +187,7 @@ class Lexicon:
     catching: frozenset[str]
     circling: frozenset[str]
     dosing: frozenset[str]
+    coming_in: frozenset[str]
     playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 
+HOURS = 12
+"""Numbers up to it may be hours."""
+
 FROM_THAT = {("before", "that"), ("after", "that")}
 """Words that make a length a distance from what was said."""
 
@@ -46,9 +49,18 @@ class Particles:
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"
             return True
+        if first == "in" and rest[:1] in (["around"], ["about"]) and self._comes_in(piece):
+            return True
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _comes_in(self, piece: Piece) -> bool:
+        """Whether "in" is where somebody comes: "pop in around noon"; but "in about ten" minutes."""
+        time = piece.value.time
+        comes = self.around.before(piece) in self.lexicon.coming_in
+        number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
+        return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

@@ -230,7 +230,10 @@ def _without_root(tree: Tree) -> str:
 
 
 def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
-    """Give "do ward 7" its verb, where what is called by a number was taken for it."""
+    """Give "do ward 7" and "do the school run" their verb, where a name's last word was taken for it."""
+    helped = _does_named(tree)
+    if helped is not None:
+        return helped
     if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
         return tree
     if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
@@ -242,6 +245,25 @@ def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
     moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
     moved[2] = replace(moved[2], relation="nummod", head=1)
+    return tree.with_nodes(moved)
+
+
+def _does_named(tree: Tree) -> Tree | None:
+    """Give "do the school run" its verb: nobody who is asked to do something has an article."""
+    root = tree.root or 0
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.nodes[0].relation != "aux" or root < LEAST_DONE:
+        return None
+    subjects = tree.children(root, "nsubj")
+    led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
+    if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
+        return None
+    moved = [
+        replace(node, head=0) if node.head == root and place > root else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[root] = replace(moved[root], tag="NN", relation="dobj", head=0)
+    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
 
 
