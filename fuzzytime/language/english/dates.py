@@ -14,6 +14,9 @@ grammar = Grammar()
 LAST_CLOCK_YEAR = 1959
 """The last past year that is written as a clock time is."""
 
+HUNDREDS = frozenset({2100, 2200, 2300})
+"""Numbers beyond it that are rather hours than years, too: "twenty-two hundred"."""
+
 LONGEST_MONTH = 31
 
 
@@ -220,7 +223,7 @@ def month(number: int) -> Fields:
 @grammar.rule("weak date", "<year>", weight=-0.3)
 def year_alone(number: int) -> Fields | None:
     """2014: sure with a preposition; but 1730 is half past five."""
-    return Fields(year=number) if number > LAST_CLOCK_YEAR else None
+    return Fields(year=number) if number > LAST_CLOCK_YEAR and number not in HUNDREDS else None
 
 
 @grammar.rule("date", "<share> of? <year>", weight=0.3)

@@ -1,9 +1,10 @@
-"""Days by how far they are from another: "a week tomorrow", "a month ago today", "this day next week"."""
+"""Days by how far they are from another: "a week tomorrow", "a month ago today", "over the next week"."""
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Duration
-from fuzzytime.language.meaning.relations import Away, Relative, Which, days_away
+from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.relations import Away, Relative, Stretch, Which, days_away
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -46,3 +47,11 @@ def weekday_fortnight(number: int) -> Calendar:
 def day_week(day: Relative) -> Calendar | None:
     """Tomorrow week, today week."""
     return Away(1, Unit.WEEK, day) if day.days >= 0 else None
+
+
+@grammar.rule("said", "over|in|during|throughout the next|coming <unit>", weight=0.5)
+def stretch_ahead(unit: UnitWord) -> Said | None:
+    """Over the next fortnight, in the next week: from today on, and no week of the calendar."""
+    if unit.unit in SUB_DAY or unit.unit is Unit.DAY:
+        return None
+    return Said(Wall(Stretch(unit.count, unit.unit)), None, "during")

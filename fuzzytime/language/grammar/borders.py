@@ -110,8 +110,9 @@ class Borders:
         named = (
             self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
         )
-        if named and self.around.follower(piece) == "of":
-            # "On the eve of departure", "by close of school", "on the last day of the lease"
+        owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
+        if owned or (named and self.around.follower(piece) == "of"):
+            # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
             return True
         if self._ends_in_order(piece):
             return True
@@ -122,7 +123,7 @@ class Borders:
     def _ends_in_order(self, piece: Piece) -> bool:
         """Whether its last word says what comes first, and no day: "call me today, first the office"."""
         last = piece.end - 1
-        ordinal = self.texts[last] in self.lexicon.ordinals and not self.around.is_unit(last)
+        ordinal = self.texts[last] in self.lexicon.ordinals
         apart = last > piece.start + 1 and self.texts[last - 1] == ","
         return ordinal and apart and not any(p.category == "month" for p in self.around.pieces(last - 2))
 

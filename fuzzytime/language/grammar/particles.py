@@ -28,6 +28,12 @@ class Particles:
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
+        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) == "of":
+            # "Ten minutes ahead of the call"
+            return True
+        if rest[-1:] == ["back"] and self.lexicon.rescheduling & set(self.texts[: piece.start]):
+            # "Set the clocks an hour back"
+            return True
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
