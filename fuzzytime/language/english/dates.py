@@ -55,7 +55,9 @@ def ides(month: int) -> Fields:
 
 @grammar.rule("weak date", "the? <ordinal>", "the <integer>", weight=-0.3)
 def day_alone(day: int | Integer) -> Fields | None:
-    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none."""
+    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none; nor is "the two"."""
+    if isinstance(day, Integer) and not day.digits:
+        return None
     number = day.value if isinstance(day, Integer) else day
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 

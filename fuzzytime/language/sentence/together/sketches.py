@@ -167,6 +167,9 @@ def _alternatives(
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
             if between & {"otherwise", "else"}:
                 between -= lexicon.beside.courteous
+            if "failing" in between:
+                # "At noon or, failing that, at two"
+                between -= closed.singular_anaphors
             if not between and is_weekday(group[-1]) and is_weekday(following):
                 # "Monday wednesday and friday", as it is said
                 between = {","}

@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.verbs.statements import others_do
 STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 
 IT = "it"
+BE = "be"
 ON = "on"
 
 
@@ -146,6 +147,10 @@ class Stated(Places):
         words = {self.tree.nodes[p].lower for p in (verb, *self.tree.children(verb, "acomp", "attr"))}
         if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
+            return True
+        becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {BE}
+        if named == [IT] and becomes and self.tree.nodes[verb].tag == "VBZ":
+            # "It gets cold after nine"
             return True
         helping = self._helping(verb)
         if others_do(self.tree, verb, helping, self.lexicon) or self._exists(verb, helping):
