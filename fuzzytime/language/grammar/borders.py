@@ -206,7 +206,10 @@ class Borders:
                 return word.text in {"%", "°"} or (after is not None and after.glued)
         first = self.words[piece.start]
         if piece.start and first.glued and first.is_digits:
+            # The "15 on monday" of "train 7:15 on monday"
             before = self.words[piece.start - 1]
+            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
+                return True
             return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
         return (
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits

@@ -170,8 +170,8 @@ def _alternatives(
             if "failing" in between:
                 # "At noon or, failing that, at two"
                 between -= closed.singular_anaphors
-            if not between and is_weekday(group[-1]) and is_weekday(following):
-                # "Monday wednesday and friday", as it is said
+            if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
+                # "Monday wednesday and friday", as it is said; "mon/wed/fri"
                 between = {","}
             if not between or between - joining or not (_is_when(group[-1]) and _is_when(following)):
                 break
