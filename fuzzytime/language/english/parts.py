@@ -32,6 +32,12 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
+@grammar.rule("wall", "on? any <part>", weight=0.05)
+def any_part(found: Part) -> Wall | None:
+    """(come) any evening."""
+    return None if found.is_point else Wall(part=found)
+
+
 @grammar.rule("end", "midnight between <days> and|& <days>", weight=0.9)
 def midnight_between(_first: Calendar, second: Calendar) -> Ending:
     """Midnight between thursday and friday: where friday begins."""
