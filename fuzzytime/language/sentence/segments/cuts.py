@@ -6,7 +6,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.meaning.expressions import Repeat
+from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
 from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
@@ -118,11 +118,12 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
 
 
 def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
-    """Give where the first of two repetitions ends, and the second: "… and every minute after that"."""
+    """Give where a time ends, and the repetition behind it: "tomorrow and every two days after that"."""
     words, last = one.source.scanned.words, one.segment.span[1]
     own = [p for p in one.source.phrases if part.offset <= p.span[0] and p.span[1] <= last]
     for old, new in pairwise(own):
-        if not isinstance(old.said.time, Repeat) or not isinstance(new.said.time, Repeat):
+        begun = isinstance(old.said.time, (Repeat, Wall, TimeWord))
+        if not begun or not isinstance(new.said.time, Repeat):
             continue
         between = {word.text for word in words[old.end : new.first]}
         said = [word.text for word in words[new.first : new.end]]

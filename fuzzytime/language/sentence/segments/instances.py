@@ -17,6 +17,7 @@ MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 
 ONE = ("one",)
 TWO = 2
+TWICE = "twice"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,6 +82,9 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
         starts.append(words[behind - 1].end)
         marked = len(starts) == 1 and not spoken
         counting.append((before.start if marked else words[place].start, words[behind - 1].end))
+    if len(starts) == TWO:
+        # "Walk the dog twice, once at eight and once at four"
+        counting += [(w.start, w.end) for w in words if w.text == TWICE and w.end <= counting[0][0]]
     number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
     if number is not None and lexicon.numbers.get(number.text, number.text) in {
         len(starts),

@@ -17,6 +17,12 @@ PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
 
+IN_CASE = ("in", "case")
+"""What is provided for, and not waited for, stands behind it."""
+
+LEAST_CASE = 3
+"""Words of such a case, at least, behind the first of them."""
+
 RECALLING = "remind"
 """Somebody is reminded at the only time that is said, whatever it is of."""
 
@@ -64,6 +70,10 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
 def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
     nodes = part.tree.nodes
+    for place in range(action.place + 1, len(nodes) - LEAST_CASE):
+        if (nodes[place].lower, nodes[place + 1].lower) == IN_CASE and nodes[place + 2].lower != "of":
+            # "Take a coat in case it rains at noon"
+            return nodes[place].start + part.offset, nodes[-1].end + part.offset
     for place in range(action.place + 1, len(nodes)):
         if (
             nodes[place].lower in part.tree.lexicon.closed.subordinators_of_reason

@@ -7,8 +7,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Repeat, Wall
+from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Unit
+
+THEN = "then"
 
 JUST = Duration(((1, Unit.MINUTE),))
 """How long before the last of them nothing is repeated any more."""
@@ -28,7 +31,8 @@ def again_between(sketches: Sequence[Sketch]) -> list[Sketch]:
             continue
         behind = place + 1 < len(sketches) and _goes_on(sketches, place + 1)
         end = _time_of(sketches[place + 1]) if behind and not sketch.clauses else None
-        phrases = tuple(_bounded(phrase, begin, end) for phrase in sketch.phrases)
+        then = sketch.part.segment.connective == THEN
+        phrases = tuple(_bounded(phrase, begin, end, then=then) for phrase in sketch.phrases)
         found[place] = replace(sketch, phrases=phrases)
     return found
 
@@ -39,14 +43,22 @@ def _is_open(phrase: Phrase) -> bool:
     return isinstance(time, Repeat) and time.starting is None and not time.apart
 
 
-def _bounded(phrase: Phrase, begin: Wall, end: Wall | None) -> Phrase:
-    """Give a repetition its first time, so long behind a begin, and its end, which is none of its times."""
+def _bounded(phrase: Phrase, begin: Wall, end: Wall | None, *, then: bool) -> Phrase:
+    """Give a repetition its first time, so long behind a begin, and its end, which is none of its times.
+
+    One of days has those from the day on, or from the next on ("and every monday after that", at that hour).
+    """
     time = phrase.said.time
     if not _is_open(phrase) or not isinstance(time, Repeat):
         return phrase
     if time.every is None:
-        # "Sow them on sunday and water them every day"
-        return phrase if begin.days is None else _repeating(phrase, replace(time, starting=Wall(begin.days)))
+        if begin.days is None or begin.days.grain is not Unit.DAY:
+            return phrase
+        if not then:
+            # "Sow them on sunday and water them every day"
+            return _repeating(phrase, replace(time, starting=Wall(begin.days)))
+        walls = tuple(replace(wall, clock=wall.clock or begin.clock) for wall in time.walls)
+        return _repeating(phrase, replace(time, walls=walls, starting=Wall(Away(1, Unit.DAY, begin.days))))
     until = Offset(JUST, -1, end) if time.until is None and end is not None else time.until
     starting = Offset(replace(time.every, hedges=()), 1, begin)
     return _repeating(phrase, replace(time, starting=starting, until=until))

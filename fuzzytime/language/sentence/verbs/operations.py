@@ -109,6 +109,9 @@ class Reader(Stated):
         )
         if named is not None:
             return named
+        if any(node.lower in self.lexicon.doing.sure for node in self.tree.nodes[verb + 1 : verb + 2]):
+            # "Make sure everyone is out"
+            return None
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
             if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
