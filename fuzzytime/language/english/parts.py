@@ -170,6 +170,22 @@ def first_thing(days: Calendar) -> Wall | None:
     return later_today((0.0, 0.5), days)
 
 
+@grammar.rule("wall", "<wall> first thing", weight=0.6)
+def first_in_part(wall: Wall) -> Wall | None:
+    """Monday morning first thing."""
+    return (
+        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0, 0.5))
+    )
+
+
+@grammar.rule("wall", "<wall> last thing", weight=0.6)
+def last_in_part(wall: Wall) -> Wall | None:
+    """Friday night last thing."""
+    return (
+        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0.5, 1))
+    )
+
+
 @grammar.rule("wall", "first thing", weight=0.1)
 def first_thing_alone() -> Wall | None:
     """First thing, without a day: of the next that begins."""

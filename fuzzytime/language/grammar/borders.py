@@ -114,18 +114,11 @@ class Borders:
         if owned or (named and self.around.follower(piece) == "of"):
             # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
             return True
-        if self._ends_in_order(piece):
+        if self.around.ends_in_order(piece):
             return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
-
-    def _ends_in_order(self, piece: Piece) -> bool:
-        """Whether its last word says what comes first, and no day: "call me today, first the office"."""
-        last = piece.end - 1
-        ordinal = self.texts[last] in self.lexicon.ordinals
-        apart = last > piece.start + 1 and self.texts[last - 1] == ","
-        return ordinal and apart and not any(p.category == "month" for p in self.around.pieces(last - 2))
 
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""

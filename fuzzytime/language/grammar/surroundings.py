@@ -49,6 +49,9 @@ class Surroundings:
         if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
             # "At ten to": of which hour is not said.
             return False
+        if follower in {"first", "last"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"]):
+            # "Feed the cat in the morning first"
+            return True
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         return follower in self.lexicon.function_words or self._is_in_front(piece) or self.timely(piece.end)
@@ -161,6 +164,16 @@ class Surroundings:
         led = first < piece.start and self.texts[first] in self.closed.articles
         parts = [place for place in range(first, end) if self.is_part(place)]
         return led or (bool(parts) and not self.timely(end - 1))
+
+    def ends_in_order(self, piece: Piece) -> bool:
+        """Whether its last word says what comes first, and no day: "call me today, first the office"."""
+        last = piece.end - 1
+        ordinal = self.texts[last] in self.lexicon.ordinals
+        apart = last > piece.start + 1 and self.texts[last - 1] == ","
+        if ordinal and last > piece.start and self.is_part(last - 1):
+            # "Feed the cat in the morning first"
+            return True
+        return ordinal and apart and not any(p.category == "month" for p in self.pieces(last - 2))
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
