@@ -198,6 +198,7 @@ class Doing:
     trying: Words
     continuing: Words
     settling: Words
+    inquiring: Words
     sure: Words
     keeping: Words
     getting: Words

@@ -36,7 +36,9 @@ def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lex
     led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
     if objects and not (led and node.lower in lexicon.chores):
         return False
-    joined = tree.nodes[place - 1].lower in {"and", "&"} and place - 2 in timed
+    # "Tape the edges today, sand tomorrow, paint on saturday"
+    joints = {"and", "&", ","} if objects else {"and", "&"}
+    joined = tree.nodes[place - 1].lower in joints and place - 2 in timed
     bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
     ends = place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
     return joined and bare and ends

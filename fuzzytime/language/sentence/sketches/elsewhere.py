@@ -17,6 +17,13 @@ PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
 
+ASK = "ask"
+ASKED = 3
+"""Words for who is asked, at most."""
+
+ASKING = frozenset({"if", "whether"})
+"""Words that begin what is asked."""
+
 IN_CASE = ("in", "case")
 """What is provided for, and not waited for, stands behind it."""
 
@@ -98,8 +105,9 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
     if nodes[action.place].lemma in lexicon.letting and known:
         # "Let them know the meeting's at ten"
         return _said_from(part, known[0] + 1, timed, lexicon)
-    if nodes[action.place].lemma not in lexicon.addressing:
-        return None
+    asked = _asked_from(part, action, timed)
+    if asked is not None or nodes[action.place].lemma not in lexicon.addressing:
+        return asked
     for place in range(action.place + 2, len(nodes) - 1):
         behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
         if nodes[place].lower == "that" and behind_whom and nodes[place + 1].tag.startswith(SAID):
@@ -110,6 +118,14 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         if subjects and nodes[below].tag in FINITE:
             return min(part.tree.below(subjects[0]))
     return _said_from(part, action.place + 2, timed, lexicon)
+
+
+def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
+    """Give the "if" or "whether" behind which is what somebody is asked: "ask Tom if he's free at six"."""
+    nodes = part.tree.nodes
+    behind = [place for place in range(action.place + 1, len(nodes)) if place not in timed]
+    found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in ASKING), None)
+    return found if nodes[action.place].lemma == ASK else None
 
 
 def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:
