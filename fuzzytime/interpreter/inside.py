@@ -43,7 +43,7 @@ def going_on(
     if repeated is None or repeated.recurrence is None or not repeated.recurrence.endless:
         return None
     interval = repeated.recurrence.interval
-    if interval is None or repeated.recurrence.windows(interval)[:1] != ((interval, interval),):
+    if interval is None:
         return None
     named = _named(instruction)
     order = range(len(before) - 1, -1, -1) if named is None else [named]
@@ -51,9 +51,17 @@ def going_on(
         made = [skills[place] for place in before[target]] if 0 <= target < len(before) else []
         if len(made) == 1 and _goes_on(made[0], interval):
             one = made[0]
-            if named is not None or _is_about(instruction, one):
+            begins = _begins_behind(repeated.recurrence, interval, one)
+            if begins and (named is not None or _is_about(instruction, one)):
                 return GoingOn(target, one.skill.time_until_done, one.skill.name)
     return None
+
+
+def _begins_behind(recurrence: Recurrence, interval: float, one: Interpreted) -> bool:
+    """Whether a repetition has no begin of its own: the first is so long from now, or from a skill's time."""
+    starts = [0.0, *(part.t_spec for part in one.requirements if part.t_spec is not None)]
+    firsts = (interval + start for start in starts)
+    return any(recurrence.windows(first)[:1] == ((first, first),) for first in firsts)
 
 
 def _named(instruction: Instruction) -> int | None:

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.model
 
 CORPUS = yaml.safe_load((FOLDER / "sentences.yaml").read_text("utf-8"))
 NOW = instant(CORPUS["now"])
+WEEK = 7 * 86400
 
 
 @cache
@@ -30,6 +31,8 @@ def _time(requirement: TimeRequirement, key: str) -> object:
             return getattr(condition, key)
         case "hedges" if condition is not None:
             return list(condition.hedges)
+        case "first":
+            return requirement.recurrence.occurrences(WEEK)[0] if requirement.recurrence is not None else None
         case "target" | "lag" | "exact" | "edge":
             return getattr(anchor, key) if anchor is not None else None
         case _:

@@ -14,6 +14,9 @@ grammar = Grammar()
 LAST_CLOCK_YEAR = 1959
 """The last past year that is written as a clock time is."""
 
+HUNDREDS = frozenset({2100, 2200, 2300})
+"""Numbers beyond it that are rather hours than years, too: "twenty-two hundred"."""
+
 LONGEST_MONTH = 31
 
 
@@ -52,7 +55,9 @@ def ides(month: int) -> Fields:
 
 @grammar.rule("weak date", "the? <ordinal>", "the <integer>", weight=-0.3)
 def day_alone(day: int | Integer) -> Fields | None:
-    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none."""
+    """The 15th, the 24: sure only with a preposition, as "the second drawer" is none; nor is "the two"."""
+    if isinstance(day, Integer) and not day.digits:
+        return None
     number = day.value if isinstance(day, Integer) else day
     return Fields(day=number) if 1 <= number <= LONGEST_MONTH else None
 
@@ -220,7 +225,7 @@ def month(number: int) -> Fields:
 @grammar.rule("weak date", "<year>", weight=-0.3)
 def year_alone(number: int) -> Fields | None:
     """2014: sure with a preposition; but 1730 is half past five."""
-    return Fields(year=number) if number > LAST_CLOCK_YEAR else None
+    return Fields(year=number) if number > LAST_CLOCK_YEAR and number not in HUNDREDS else None
 
 
 @grammar.rule("date", "<share> of? <year>", weight=0.3)

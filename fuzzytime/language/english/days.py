@@ -199,25 +199,6 @@ def weekday_week(number: int) -> Calendar:
 # -- so long after a day --------------------------------------------------------------------------------
 
 
-@grammar.rule("days", "<duration> on <weekday>", weight=0.6)
-def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
-    """A fortnight on friday: two weeks after the next."""
-    return days_away(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
-
-
-@grammar.rule("days", "<duration> <day>", weight=0.6)
-def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
-    """A week tomorrow, a fortnight today."""
-    whole = duration.unit is Unit.WEEK and day.days >= 0 and not duration.hedges
-    return days_away(duration, day, 1) if whole else None
-
-
-@grammar.rule("days", "<weekday> fortnight", weight=0.2)
-def weekday_fortnight(number: int) -> Calendar:
-    """Friday fortnight."""
-    return Away(2, Unit.WEEK, Fields(weekday=number))
-
-
 @grammar.rule("days", "<duration> from|after|following|since <days>|<date>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""

@@ -4,10 +4,13 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
+from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
+
+HALF_HOUR = 30
 
 
 def moved(clock: Clock, minutes: float) -> Clock | None:
@@ -75,6 +78,22 @@ def bare_to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven; it may be a count of something too."""
     found = moved(clock, -minutes)
     return replace(found, pair=clock.bare) if found is not None else None
+
+
+@grammar.rule("spoken minutes", "<integer>")
+def spoken(minutes: Integer) -> float | None:
+    """Ten, twenty: minutes to an hour in words."""
+    return rounded(minutes) if not minutes.digits and minutes.value < HALF_HOUR else None
+
+
+@grammar.rule("said", "<spoken minutes> to|till <wall>", weight=0.8)
+def spoken_to_hour_of_day(minutes: float, wall: Wall) -> Said | None:
+    """Ten to ten tonight, twenty to eight tomorrow morning; but "five to nine tonight" may be four hours."""
+    clock = wall.clock
+    if clock is None or (wall.days is None and wall.part is None) or clock.hour > minutes:
+        return None
+    found = moved(clock, -minutes)
+    return None if found is None else Said(replace(wall, clock=found), None, None)
 
 
 @grammar.rule(

@@ -4,11 +4,11 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Edge, Ending, Rest, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Relative, Which
-from fuzzytime.language.meaning.times_of_day import WHOLE_DAY, Half, Part
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, WHOLE_DAY, Half, Part
 from fuzzytime.requirement import Unit
 
 grammar = Grammar()
@@ -32,6 +32,12 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
+@grammar.rule("wall", "on? any <part>", weight=0.05)
+def any_part(found: Part) -> Wall | None:
+    """(come) any evening."""
+    return None if found.is_point else Wall(part=found)
+
+
 @grammar.rule("end", "midnight between <days> and|& <days>", weight=0.9)
 def midnight_between(_first: Calendar, second: Calendar) -> Ending:
     """Midnight between thursday and friday: where friday begins."""
@@ -47,6 +53,42 @@ def midnight_between(_first: Calendar, second: Calendar) -> Ending:
 def night_between(found: Part, first: Calendar, _second: Calendar) -> Wall | None:
     """The night from thursday to friday: that of thursday."""
     return Wall(first, found) if found.half.is_late and not found.is_point else None
+
+
+@grammar.rule("wall", "in|during|for|over? the? first <duration> of the? <wall>", weight=1.2)
+def beginning_of_part(duration: Duration, wall: Wall) -> Wall | None:
+    """In the first hour of the morning."""
+    return _shortened(wall, duration, last=False)
+
+
+@grammar.rule("wall", "in|during|for|over? the? last|final <duration> of the? <wall>", weight=1.2)
+def ending_of_part(duration: Duration, wall: Wall) -> Wall | None:
+    """In the last half hour of lunch."""
+    return _shortened(wall, duration, last=True)
+
+
+def _shortened(wall: Wall, duration: Duration, *, last: bool) -> Wall | None:
+    """Give so much of a part of the day, from its start or to its end."""
+    found, seconds = wall.part, int(duration.seconds)
+    if (
+        found is None
+        or wall.clock is not None
+        or duration.until is not None
+        or not 0 < seconds < found.end - found.start
+    ):
+        return None
+    start, end = (found.end - seconds, found.end) if last else (found.start, found.start + seconds)
+    return replace(wall, part=replace(found, start=start, end=end, late=None))
+
+
+@grammar.rule("wall", "outside of? the? <part>", weight=0.3)
+def outside(found: Part) -> Wall | None:
+    """Outside office hours: from where they end to where the next begin."""
+    if found.is_point or found.half is not Half.DAY:
+        return None
+    return Wall(
+        part=replace(found, start=found.end, end=found.start + DAY_SECONDS, late=None, half=Half.NIGHT)
+    )
 
 
 @grammar.rule("wall", "all|throughout|through the? <part>", "the? whole|entire <part>", weight=0.2)
@@ -126,6 +168,22 @@ def last_thing_alone() -> Wall | None:
 def first_thing(days: Calendar) -> Wall | None:
     """Tomorrow first thing."""
     return later_today((0.0, 0.5), days)
+
+
+@grammar.rule("wall", "<wall> first thing", weight=0.6)
+def first_in_part(wall: Wall) -> Wall | None:
+    """Monday morning first thing."""
+    return (
+        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0, 0.5))
+    )
+
+
+@grammar.rule("wall", "<wall> last thing", weight=0.6)
+def last_in_part(wall: Wall) -> Wall | None:
+    """Friday night last thing."""
+    return (
+        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0.5, 1))
+    )
 
 
 @grammar.rule("wall", "first thing", weight=0.1)

@@ -3,8 +3,9 @@
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.expressions import Duration, UnitWord
 from fuzzytime.language.meaning.feasts import Yearly
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.nested import Nth, WeekOf
 from fuzzytime.language.meaning.relations import Away, Deictic, Following, Relative, Which
 from fuzzytime.requirement import Unit
@@ -71,6 +72,25 @@ def last_few(count: Integer, unit: UnitWord, outer: Calendar) -> Calendar | None
         if 0 < count.value < 1000 and _is_days(unit)
         else None
     )
+
+
+@grammar.rule("date", "the? first <duration> of|in <whole>", weight=0.44)
+def first_vague_few(duration: Duration, outer: Calendar) -> Calendar | None:
+    """The first few days of next month."""
+    return _vague_few(1, duration, outer)
+
+
+@grammar.rule("date", "the? last <duration> of|in <whole>", weight=0.44)
+def last_vague_few(duration: Duration, outer: Calendar) -> Calendar | None:
+    """The last couple of weeks of the year."""
+    return _vague_few(-1, duration, outer)
+
+
+def _vague_few(number: int, duration: Duration, outer: Calendar) -> Calendar | None:
+    (amount, unit), *more = duration.terms
+    if more or duration.until is not None or unit in SUB_DAY or amount != int(amount):
+        return None
+    return Nth(number, Cycle(unit), outer, int(amount))
 
 
 def _is_days(unit: UnitWord) -> bool:

@@ -54,6 +54,17 @@ def when_it_is(wall: Wall) -> Said | None:
 
 
 @grammar.rule(
+    "said",
+    "when|once|whenever it's|its <hedge> <wall>",
+    "when|once|whenever it is|gets <hedge> <wall>",
+    weight=0.55,
+)
+def when_it_is_about(hedge: str, wall: Wall) -> Said | None:
+    """When it's nearly ten."""
+    return Said(wall, None, "at", (hedge,)) if wall.clock is not None else None
+
+
+@grammar.rule(
     "word",
     "when|whenever|if|once you|ya|u get|have|find|got|'ve a|some|any|the? spare|free|quiet? <leisure>",
     "when|whenever|if|once you've got|found|had a|some|any|the? spare|free|quiet? <leisure>",
@@ -168,7 +179,7 @@ def _a_little_off(said: Said, hedge: str) -> Said | None:
 @grammar.rule("said", "<preposition_at> <said>", weight=0.05)
 def sometime(preposition: Preposition, said: Said) -> Said | None:
     """Sometime between 3 and 4."""
-    return said if preposition.name == "sometime" and said.preposition is not None else None
+    return said if preposition.name == "sometime" and said.preposition not in {None, "sometime"} else None
 
 
 @grammar.rule("said", "somewhere|someplace <said>", weight=0.05)

@@ -193,9 +193,9 @@ def twice() -> int:
     return 2
 
 
-@grammar.rule("times", "<integer> times")
+@grammar.rule("times", "<integer> times|x")
 def times(number: Integer) -> int | None:
-    """Three times."""
+    """Three times, 3x."""
     return number.value if 0 < number.value <= 1000 else None
 
 

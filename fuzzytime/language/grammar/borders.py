@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
@@ -36,6 +37,7 @@ class Borders:
         self.around = around
         self.measures = Measures(words, lexicon)
         self.particles = Particles(lexicon, around)
+        self.doses = Doses(lexicon, around)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
@@ -59,10 +61,13 @@ class Borders:
             or self._is_of_other_calendar(piece)
             or self._likens(piece)
             or self._is_played(piece)
+            or self.around.is_title(piece)
             or self._divides(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
+            or any(map(self.doses.count, range(piece.start, piece.end)))
+            or self._offers_more(piece)
         )
 
     def _begins_other_bound(self, piece: Piece) -> bool:
@@ -90,6 +95,11 @@ class Borders:
         offered = piece.end - piece.start > 2 and self.texts[piece.end - 2] == "or"
         return offered and self.measures.is_number(piece.end - 1) and not self.around.may_end(piece)
 
+    def _offers_more(self, piece: Piece) -> bool:
+        """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
+        led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
+        return piece.rule == "ranges.either_day" and (led or self.around.timely(piece.end))
+
     def _divides(self, piece: Piece) -> bool:
         """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
         first, before = self.texts[piece.start], self.around.before(piece)
@@ -100,8 +110,11 @@ class Borders:
         named = (
             self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
         )
-        if named and self.around.follower(piece) == "of":
-            # "On the eve of departure", "by close of school", "on the last day of the lease"
+        owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
+        if owned or (named and self.around.follower(piece) == "of"):
+            # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
+            return True
+        if self.around.ends_in_order(piece):
             return True
         ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
@@ -186,7 +199,10 @@ class Borders:
                 return word.text in {"%", "°"} or (after is not None and after.glued)
         first = self.words[piece.start]
         if piece.start and first.glued and first.is_digits:
+            # The "15 on monday" of "train 7:15 on monday"
             before = self.words[piece.start - 1]
+            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
+                return True
             return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
         return (
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits

@@ -113,9 +113,10 @@ class Judge:
             apart = behind_particle or not self.around.timely(piece.start - 1)
             led = piece.start > 0 and not looks and apart
             # "Mow the front before and the back after"; but "before and after lunch"
-            joined = self.around.follower(piece) == "and" and self.texts[piece.end + 1 : piece.end + 2] != [
-                "after"
-            ]
+            behind = self.texts[piece.end : piece.end + 2]
+            joined = behind[:1] == ["and"] and behind != ["and", "after"]
+            # "…, muck out straight after, and let them out"
+            joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
             return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
@@ -207,6 +208,8 @@ class Judge:
             return self._further_days(piece, cells, chosen)
         joint = self.around.follower(piece)
         if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
+            return []
+        if self.borders.doses.count(place):
             return []
         numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
         if self._is_sure(place) and self._is_sure(piece.end - 1):

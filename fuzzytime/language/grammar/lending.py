@@ -93,7 +93,11 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
     if not named or not lexicon.moving & set(before):
         return phrase
-    return replace(phrase, said=Said(said.time.last, None, "to"))
+    first, last = said.time.first, said.time.last
+    if isinstance(first, Wall) and isinstance(last, Wall) and last.days is None and first.clock is not None:
+        # "From nine to ten on friday": the day is said of both
+        last = replace(last, days=first.days)
+    return replace(phrase, said=Said(last, None, "to"))
 
 
 def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

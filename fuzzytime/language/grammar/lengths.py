@@ -95,5 +95,5 @@ class Lengths(Standing):
         if following == ["in", "advance"]:
             return self.texts[place + 2 : place + 3] != ["of"]
         if following[:1] in (["ahead"], ["beforehand"]):
-            return True
+            return following != ["ahead", "of"]
         return following == ["from", "the"] and self.texts[place + 2 : place + 3] in (["end"], ["finish"])

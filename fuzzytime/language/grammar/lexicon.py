@@ -53,6 +53,8 @@ class Lexicon:
         Verbs that take no object, so that they share none either: "stop and open the door".
     alone
         Verbs that are orders alone, where trees take them for nouns: "reduce the heat and simmer".
+    chores
+        Verbs that name things too, and are orders between two times: "… on monday and paint on tuesday".
     particles
         Words that belong to a verb ("put on"), with the verbs behind which they do before a noun.
     places
@@ -91,6 +93,10 @@ class Lexicon:
         Verbs whose object is called by its time: "catch the 7:42".
     circling
         Verbs behind which "around" is where to, and no hedge: "bring the car around at six".
+    dosing
+        Verbs of what is taken so many at a time: "one in the morning and one at night".
+    coming_in
+        Verbs right behind which "in" is where to: "come in around six".
     playing
         Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
@@ -158,6 +164,7 @@ class Lexicon:
     letting: frozenset[str]
     intransitive: frozenset[str]
     alone: frozenset[str]
+    chores: frozenset[str]
     particles: Mapping[str, frozenset[str]]
     places: frozenset[str]
     vague_adverbs: frozenset[str]
@@ -179,6 +186,8 @@ class Lexicon:
     lasting: frozenset[str]
     catching: frozenset[str]
     circling: frozenset[str]
+    dosing: frozenset[str]
+    coming_in: frozenset[str]
     playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]

@@ -121,6 +121,8 @@ class Measures:
         """Whether what has an amount stands right before: "the thermostat at 20", "seat 12A"."""
         # "Floor 5" is a place, and "the floor just after 5" is swept.
         bare = piece.value.preposition is None and self.is_number(piece.start)
+        # "Flight 6:40 am on friday" leaves then.
+        bare = bare and self.lexicon.beside.of_hours.isdisjoint(self.texts[piece.start : piece.end])
         nouns = self.lexicon.measure_nouns | self.lexicon.machines if bare else self.lexicon.amount_nouns
         # "Turn it down a degree at ten": how much is said.
         told = not bare and self.texts[max(0, piece.start - 2) : piece.start - 1] in (["a"], ["one"])

@@ -8,6 +8,9 @@ from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.meaning.expressions import Duration, Offset, Wall
 
+HOURS = 12
+"""Numbers up to it may be hours."""
+
 FROM_THAT = {("before", "that"), ("after", "that")}
 """Words that make a length a distance from what was said."""
 
@@ -25,6 +28,12 @@ class Particles:
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
+        if self.texts[piece.end - 1] == "ahead" and self.around.follower(piece) == "of":
+            # "Ten minutes ahead of the call"
+            return True
+        if rest[-1:] == ["back"] and self.lexicon.rescheduling & set(self.texts[: piece.start]):
+            # "Set the clocks an hour back"
+            return True
         if first == "over":
             # "Turn the steaks over every two minutes"
             return rest[:1] in (["every"], ["each"], ["after"], ["at"], ["in"])
@@ -35,13 +44,29 @@ class Particles:
         if first == "in" and rest[:1] in (["each"], ["every"]) and piece.start:
             # "Weigh in every monday"
             return True
+        if first in {"in", "on"} and self.around.is_day_from_now(piece.start + 1):
+            # "Bring the washing in tomorrow", "leave the light on tonight"; but "a call for Al on tomorrow"
+            verbs = self.lexicon.particles["on"] & set(self.texts[max(0, piece.start - NEAR) : piece.start])
+            return first == "in" or bool(verbs)
+        if first == "in" and self.around.is_weekday(piece.start + 1):
+            # "Hand them in friday"
+            return True
         wall = piece.value.time
         if first == "in" and rest[:1] == ["at"] and isinstance(wall, Wall) and wall.part is not None:
             # "Shut them in at dusk"
             return True
+        if first == "in" and rest[:1] in (["around"], ["about"]) and self._comes_in(piece):
+            return True
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _comes_in(self, piece: Piece) -> bool:
+        """Whether "in" is where somebody comes: "pop in around noon"; but "in about ten" minutes."""
+        time = piece.value.time
+        comes = self.around.before(piece) in self.lexicon.coming_in
+        number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
+        return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

@@ -10,7 +10,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.relations import Deictic
+from fuzzytime.language.meaning.relations import Deictic, Relative
 
 TIMELY = frozenset(
     {"preposition_at", "preposition_before", "preposition_after", "hedge", "hedge_after", "word", "zone"}
@@ -49,6 +49,9 @@ class Surroundings:
         if follower in {"to", "past"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"], ["?"]):
             # "At ten to": of which hour is not said.
             return False
+        if follower in {"first", "last"} and self.texts[piece.end + 1 :][:1] in ([], ["."], [","], ["!"]):
+            # "Feed the cat in the morning first"
+            return True
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         return follower in self.lexicon.function_words or self._is_in_front(piece) or self.timely(piece.end)
@@ -104,9 +107,20 @@ class Surroundings:
         """Whether the word at a place names a day of the week."""
         return any(piece.category == "weekday" for piece in self.pieces(place))
 
+    def is_day_from_now(self, place: int) -> bool:
+        """Whether the word at a place names a day, or a part of one, by where it is from now: "tonight"."""
+        return any(
+            piece.category == "day_part" or (piece.category == "day" and isinstance(piece.value, Relative))
+            for piece in self.pieces(place)
+        )
+
     def is_part(self, place: int) -> bool:
         """Whether the word at a place names a part of the day."""
         return any(piece.category == "part" for piece in self.pieces(place))
+
+    def is_part_or_meal(self, place: int) -> bool:
+        """Whether the word at a place names a part of the day, or a meal."""
+        return any(piece.category in {"part", "meal"} for piece in self.pieces(place))
 
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""
@@ -136,6 +150,30 @@ class Surroundings:
         """Whether a name goes on behind it: "to Thursday Island"."""
         behind = self.words[piece.end : piece.end + 1]
         return bool(behind) and behind[0].capital and self.words[piece.end - 1].capital
+
+    def is_title(self, piece: Piece) -> bool:
+        """Whether it is of what is written as a title: "The Day After Tomorrow", "Friday Night Lights"."""
+        first = next((p for p in range(piece.start, piece.end) if self.words[p].capital), piece.end)
+        end = first
+        while first and self.words[first - 1].capital:
+            first -= 1
+        while end < len(self.words) and self.words[end].capital:
+            end += 1
+        if end < piece.end or self.opens(first):
+            return False
+        led = first < piece.start and self.texts[first] in self.closed.articles
+        parts = [place for place in range(first, end) if self.is_part(place)]
+        return led or (bool(parts) and not self.timely(end - 1))
+
+    def ends_in_order(self, piece: Piece) -> bool:
+        """Whether its last word says what comes first, and no day: "call me today, first the office"."""
+        last = piece.end - 1
+        ordinal = self.texts[last] in self.lexicon.ordinals
+        apart = last > piece.start + 1 and self.texts[last - 1] == ","
+        if ordinal and last > piece.start and self.is_part(last - 1):
+            # "Feed the cat in the morning first"
+            return True
+        return ordinal and apart and not any(p.category == "month" for p in self.pieces(last - 2))
 
     def is_owned(self, piece: Piece) -> bool:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""

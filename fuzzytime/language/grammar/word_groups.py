@@ -102,6 +102,7 @@ class ClosedClasses:
     prepositions_behind_times: Words
     prepositions_of_duration: Words
     prepositions_of_time: Words
+    prepositions_of_times_taken: Words
     prepositions_of_length: Words
     prepositions_of_points: Words
     particles_of_shifts: Words
@@ -197,6 +198,7 @@ class Doing:
     trying: Words
     continuing: Words
     settling: Words
+    inquiring: Words
     sure: Words
     keeping: Words
     getting: Words

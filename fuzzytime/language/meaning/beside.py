@@ -92,6 +92,9 @@ def refined(said: Said, wall: Wall) -> Said | None:
     starts = said.lasting is not None and isinstance(said.time, Wall) and said.time.clock is not None
     if not (said.constraint in bounds or beside or starts) or wall.clock is not None:
         return None
+    if said.preposition == "sometime":
+        # "Today or tomorrow" has two of each part of the day
+        return None
     if isinstance(said.time, Wall) and said.time.part is not None and said.time.days is None:
         # As in "after breakfast tomorrow", "before sunset tonight".
         near = wall.part is None or (

@@ -83,6 +83,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         letting=speech.single_words("verbs", "letting"),
         intransitive=speech.single_words("verbs", "intransitive"),
         alone=speech.single_words("verbs", "alone"),
+        chores=speech.single_words("verbs", "chores"),
         particles={
             form[0]: frozenset(" ".join(verb) for verb in speech.forms(node, f"particles.{name.text}"))
             for name, node in speech.rows("particles")
@@ -109,6 +110,8 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         playing=speech.single_words("playing"),
         catching=speech.single_words("catching"),
         circling=speech.single_words("circling"),
+        dosing=speech.single_words("dosing"),
+        coming_in=speech.single_words("coming_in"),
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
         citing=speech.single_words("citing"),
@@ -168,12 +171,13 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling", "closed_classes", "beside_times",
+    "passing", "doing", "past", "circling", "dosing", "coming_in", "closed_classes", "beside_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
     "verbs": (
-        "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "addressing",
+        "wanting", "ordering", "forgetting", "causing", "letting", "intransitive", "alone", "chores",
+        "addressing",
     ),
     "spelling": ("words", "kept"),
     "timing": ("verbs", "alone"),

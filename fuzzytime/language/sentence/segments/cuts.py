@@ -1,43 +1,25 @@
 """Where a segment is cut again, once its tree is known: at further verbs, names, and verbs left out."""
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Phrase, Repeat, TimeWord
-from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
+from fuzzytime.language.meaning.expressions import Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.segments.further_orders import further_verbs
+from fuzzytime.language.sentence.segments.orders_beside_times import is_order_between_times
 from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.segments.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node
-from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.language.sentence.verbs.statements import second_statement
-from fuzzytime.requirement import Constraint
 
 CHAIN = re.compile(r",?w(?:,w)*,?&")
 """Words (w), commas and "and" (&) before the last of some verbs that share an object."""
 
 SHORTEST_CALL = 3
 """Words of an instruction at least that names who is asked: a name, a comma, what is to be done."""
-
-SHORTEST_GAP = 2
-"""Words at least between two times of which the second is another thing's: "and lunch"."""
-
-THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
-"""Tags of words that name a thing, or what is called out: "goodbye"."""
-
-NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
-"""Tags of what names something, where a sentence has no verb."""
-
-MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
-"""How times bind that say when."""
-
-SIDES = MOMENTS | {Constraint.BEFORE, Constraint.AFTER}
-"""How times bind of which each is another thing's: "shirts before lunch and trousers after dinner"."""
 
 
 def addressed(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
@@ -120,7 +102,12 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
     timed = {place for span in times for place in part.tree.at(*span)}
     told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
     statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
-    gaps = set(_gaps(one, part, lexicon)) - statements
+    orders = {
+        node.start + part.offset
+        for place, node in enumerate(part.tree.nodes)
+        if place > 1 and is_order_between_times(part.tree, place, timed, lexicon)
+    }
+    gaps = set(verbs_left_out(one, part, lexicon)) - statements - orders
     starts += sorted(gaps)
     for start in starts:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
@@ -131,11 +118,12 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
 
 
 def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
-    """Give where the first of two repetitions ends, and the second: "… and every minute after that"."""
+    """Give where a time ends, and the repetition behind it: "tomorrow and every two days after that"."""
     words, last = one.source.scanned.words, one.segment.span[1]
     own = [p for p in one.source.phrases if part.offset <= p.span[0] and p.span[1] <= last]
     for old, new in pairwise(own):
-        if not isinstance(old.said.time, Repeat) or not isinstance(new.said.time, Repeat):
+        begun = isinstance(old.said.time, (Repeat, Wall, TimeWord))
+        if not begun or not isinstance(new.said.time, Repeat):
             continue
         between = {word.text for word in words[old.end : new.first]}
         said = [word.text for word in words[new.first : new.end]]
@@ -145,92 +133,6 @@ def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:
             joint = (words[new.end - len(behind)].start, new.span[1])
             return old.span[1], Segment((new.span[0], last), "then", joint, one.segment.addressee)
     return None
-
-
-def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
-    """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
-    texts = [word.text for word in between]
-    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition]
-    # "And back up to 37 degrees"
-    numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
-    alone = len(said) == 1 or numbered
-    return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
-
-
-def _gaps(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
-    """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
-    words, phrases = one.source.scanned.words, one.source.phrases
-    own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
-    found = []
-    for old, new in pairwise(own):
-        between = words[old.end : new.first]
-        if _turns_to_particle(between, lexicon):
-            found.append(between[1].start)
-            continue
-        if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
-            between = between[1:]
-        elif not between or between[0].text not in {"and", ","}:
-            continue
-        if len(between) >= SHORTEST_GAP and (
-            _names_another(one, part, between, lexicon, old, new)
-            or _is_elsewhere(words, between, lexicon, old, new)
-        ):
-            found.append(between[1].start)
-    return found
-
-
-def _names_another(
-    one: Waiting, part: Part, between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
-) -> bool:
-    """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
-    root = part.tree.root
-    objects = part.tree.children(root, "dobj") if root is not None else ()
-    things = {part.tree.nodes[p].lower for p in objects}
-    nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
-    others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
-    happens = not lexicon.happening.isdisjoint(word.text for word in between)
-    listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
-    if listed and not happens:
-        # "Story at seven, lights out by half past": one word says what becomes of the thing.
-        return all(tag == "RP" for tag in others[1:])
-    if not _binds_alike(old, new, happens=happens):
-        return False
-    places = part.tree.children(root, "prep") if root is not None else ()
-    # "Stop for a brew at ten and for lunch at noon"
-    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
-    led = between[1].text in prepositions
-    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
-    named = (
-        led
-        or between[1].text in lexicon.closed.noun_openers
-        or (has_object and between[0].text in {"and", ","})
-    )
-    return named and not others
-
-
-def _is_elsewhere(
-    words: Sequence[Word], between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
-) -> bool:
-    """Whether the same is done elsewhere: "hoover downstairs in the morning and upstairs after lunch"."""
-    where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
-    where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
-    happens = not lexicon.happening.isdisjoint(word.text for word in between)
-    return where and _binds_alike(old, new, happens=happens)
-
-
-def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
-    """Whether two times may be of two things to do, or of two that happen."""
-    kinds = {old.said.constraint, new.said.constraint}
-    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
-    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
-
-
-def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
-    """Whether a word names a thing, or is said of one; a tree takes some plurals for verbs: "colours"."""
-    node = part.tree.nodes[place]
-    plural = node.tag == "VBZ" and part.tree.root is not None and not part.tree.children(place, *SUBJECTS)
-    ordered = plural and not part.tree.children(part.tree.root or 0, *SUBJECTS)
-    return node.tag in THINGS or node.lower in things or ordered
 
 
 def _chain(one: Waiting, part: Part, start: int) -> list[Segment]:

@@ -18,6 +18,7 @@ from fuzzytime.language.sentence.segments.gaps import with_gaps
 from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
+from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
@@ -31,9 +32,6 @@ CARRIERS = ("", "please ", "you should ")
 
 NAMING = "name"
 """The rule of a clock time that names an event."""
-
-LEAST_DONE = 3
-"""Words of "do ward 7"."""
 
 ROUNDS = 12
 """How often a segment may be cut again: instructions joined by "and" in one sentence."""
@@ -197,7 +195,7 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:
     """Parse segments; one whose tree is doubtful again without the time in front, and behind other words."""
     texts = [one.text for one in waiting]
-    found = [_as_done(tree, lexicon) for tree in _uncapitalised(texts, trees)]
+    found = [as_done(tree, lexicon) for tree in _uncapitalised(texts, trees)]
     led_astray = [place for place, tree in enumerate(found) if tree.root in waiting[place].timed(tree)]
     blanked = trees([_without_root(found[place]) for place in led_astray])
     for place, tree in zip(led_astray, blanked, strict=True):
@@ -212,7 +210,7 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
         ]
         carried = trees([carrier + _lowered(texts[place][skipped:]) for place, skipped in again])
         for (place, skipped), tree in zip(again, carried, strict=True):
-            bare = _as_order(tree.without_carrier(carrier, texts[place], skipped))
+            bare = as_order(tree.without_carrier(carrier, texts[place], skipped))
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     found = [
@@ -227,31 +225,6 @@ def _without_root(tree: Tree) -> str:
     """Give the text of a tree with spaces for its root."""
     node = tree.nodes[tree.root or 0]
     return tree.text[: node.start] + " " * (node.end - node.start) + tree.text[node.end :]
-
-
-def _as_done(tree: Tree, lexicon: Lexicon) -> Tree:
-    """Give "do ward 7" its verb, where what is called by a number was taken for it."""
-    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
-        return tree
-    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
-        return tree
-    moved = [
-        replace(node, head=0) if node.head == 1 and place > LEAST_DONE else node
-        for place, node in enumerate(tree.nodes)
-    ]
-    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
-    moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
-    moved[2] = replace(moved[2], relation="nummod", head=1)
-    return tree.with_nodes(moved)
-
-
-def _as_order(tree: Tree) -> Tree:
-    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
-    root = tree.root
-    first = tree.nodes[0] if tree.nodes else None
-    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
-        return tree
-    return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree
 
 
 def _uncapitalised(texts: Sequence[str], trees: Trees) -> list[Tree]:

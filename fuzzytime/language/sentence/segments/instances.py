@@ -17,6 +17,7 @@ MARKS = frozenset({",", ":", "-", "–", "—", ";", "("})
 
 ONE = ("one",)
 TWO = 2
+TWICE = "twice"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,7 +38,7 @@ NONE = Instances()
 def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[Scanned, Instances]:
     """Give a text without the words that tell several of one kind apart, each of which has a time."""
     found = _marked(scanned, lexicon)
-    if len(found.starts) < 2:
+    if len(found.starts) < 2 or _begins_alone(scanned, found, lexicon):
         return scanned, NONE
     text = scanned.text
     for first, end in found.counting:
@@ -48,6 +49,14 @@ def instances_of(scanned: Scanned, grammar: Grammar, lexicon: Lexicon) -> tuple[
     # "Two visits today, one at nine": the first may have its day in front.
     timed = [any(first <= begin < end for first, end in times) for begin in begins]
     return (bare, found) if all(timed) else (scanned, NONE)
+
+
+def _begins_alone(scanned: Scanned, found: Instances, lexicon: Lexicon) -> bool:
+    """Whether the first of several has its time before: "take one now, one at lunch and one at night"."""
+    first = found.counting[0][0]
+    ones = [word.end for word in scanned.words if word.end <= first and word.text in ONE]
+    ends = [phrase.span for phrase in phrases_of(scanned, lexicon)]
+    return bool(ones) and any(ones[-1] < start and end == first for start, end in ends)
 
 
 def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
@@ -73,6 +82,9 @@ def _marked(scanned: Scanned, lexicon: Lexicon) -> Instances:
         starts.append(words[behind - 1].end)
         marked = len(starts) == 1 and not spoken
         counting.append((before.start if marked else words[place].start, words[behind - 1].end))
+    if len(starts) == TWO:
+        # "Walk the dog twice, once at eight and once at four"
+        counting += [(w.start, w.end) for w in words if w.text == TWICE and w.end <= counting[0][0]]
     number = next(_counts(words, counting, lexicon), None) if len(starts) > 1 else None
     if number is not None and lexicon.numbers.get(number.text, number.text) in {
         len(starts),

@@ -5,6 +5,9 @@ from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
 
+LEAST_ORDER = 2
+"""Words of an order with an object, at least."""
+
 
 def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
     """Whether it is an order with nothing but a time: "go to the gate, wait for ten seconds".
@@ -23,12 +26,19 @@ def is_order_before_time(tree: Tree, place: int, timed: set[int]) -> bool:
 def is_order_between_times(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
     """Whether it is a second order without an object: "dock at noon and charge until it is full".
 
-    Where the first has an object, it may be another: "feed the cat at six and dog at seven".
+    Where the first has an object, it may be another: "feed the cat at six and dog at seven"; but who names
+    one with an article does what has none: "strip the wall on monday and paint on tuesday".
     """
     root, node, behind = tree.root, tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    if root is None or root >= place or tree.children(root, "dobj", *SUBJECTS):
+    if root is None or root >= place or tree.children(root, *SUBJECTS):
         return False
-    joined = tree.nodes[place - 1].lower in {"and", "&"} and place - 2 in timed
+    objects = tree.children(root, "dobj")
+    led = all(tree.nodes[p].tag in DETERMINERS for thing in objects for p in sorted(tree.below(thing))[:1])
+    if objects and not (led and node.lower in lexicon.chores):
+        return False
+    # "Tape the edges today, sand tomorrow, paint on saturday"
+    joints = {"and", "&", ","} if objects else {"and", "&"}
+    joined = tree.nodes[place - 1].lower in joints and place - 2 in timed
     bare = node.may_act and node.lower == node.lemma and tree.nodes[root].is_verb
     ends = place + 1 in timed or any((word.lower,) in lexicon.clauses for word in behind)
     return joined and bare and ends
@@ -64,10 +74,23 @@ def stands_alone(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 
 def begins_order(tree: Tree, lexicon: Lexicon) -> bool:
     """Whether a first word taken for a noun is an order: "order sushi for seven", "text karen at two"."""
+    if _names_nothing(tree):
+        return True
     if tree.root != 1 or not tree.nodes[0].tag.startswith("NN"):
         return False
     orders = lexicon.ordering | (lexicon.addressing if _is_called(tree, 1, lexicon) else frozenset())
     return tree.nodes[0].lower in orders
+
+
+def _names_nothing(tree: Tree) -> bool:
+    """Whether a first noun stands before an article, or makes a name with a verb: "tape the match"."""
+    if tree.root is None or len(tree.nodes) <= tree.root or len(tree.nodes) < LEAST_ORDER:
+        return False
+    first, second = tree.nodes[:2]
+    named = first.tag == "NN" and first.may_act and first.lower == first.lemma
+    led = second.tag in DETERMINERS and first.relation in {"compound", "dep", "nmod"}
+    # "Chase accounts at noon"
+    return named and (led or (first.relation == "compound" and tree.root == 1 and second.tag == "VBZ"))
 
 
 def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:

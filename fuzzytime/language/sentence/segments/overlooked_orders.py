@@ -42,13 +42,16 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     ):
         return True
     if (
-        node.tag not in {"NN", "NNP", "JJ"}
+        node.tag not in {"NN", "NNP", "JJ", "JJR"}
         or before not in closed.joints_of_orders
         or place + 2 >= len(tree.nodes)
     ):
         return False
     behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
     if node.lower in lexicon.particles.get(behind, ()):
+        return True
+    if node.lower in lexicon.measure_verbs and node.may_act and behind == "to":
+        # "Dissolve the salt, heat to 60 degrees"
         return True
     bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
     if bare and (

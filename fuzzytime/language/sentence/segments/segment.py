@@ -228,6 +228,9 @@ def _behind_opening(
             begin = asked
         elif words[begin].text in lexicon.machines and _counts(words[begin + 1], lexicon):
             break
+        elif begin in times:
+            # "Well before noon" is no "well"
+            break
         elif words[begin].text in lexicon.addresses or (begin > start and words[begin].text == ","):
             begin += 1
         else:

@@ -43,6 +43,10 @@ OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
 
 EVEN = "even"
+ASK = "ask"
+ASKED = 4
+"""Words from "ask" on, before "if", at most: who is asked is one of them."""
+
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
@@ -70,6 +74,7 @@ def clauses_of(
             _leads_nowhere(form, words, place)
             or reader.leads_to_distance(place, form)
             or is_wish(tree, words[place:])
+            or reader.inquires(place, form)
         )
         if form is not None and (is_length(form, words, place, lexicon) or leads):
             # "Rest it for half as long as you cooked it"
@@ -134,6 +139,14 @@ class _Clauses:
         tree = self.tree
         marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
         return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
+
+    def inquires(self, place: int, form: tuple[str, ...]) -> bool:
+        """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
+        if form != (IF,):
+            return False
+        before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
+        found = before[-2:] == ["find", "out"] or bool(self.lexicon.doing.inquiring & {*before[-1:]})
+        return found or ASK in before[-ASKED:]
 
     def bounded(self, place: int) -> tuple[str, ...] | None:
         """Give the "of" of "within an hour of calling" as what begins a clause."""

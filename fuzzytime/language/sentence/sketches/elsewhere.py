@@ -17,6 +17,19 @@ PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
 
+ASK = "ask"
+ASKED = 3
+"""Words for who is asked, at most."""
+
+ASKING = frozenset({"if", "whether"})
+"""Words that begin what is asked."""
+
+IN_CASE = ("in", "case")
+"""What is provided for, and not waited for, stands behind it."""
+
+LEAST_CASE = 3
+"""Words of such a case, at least, behind the first of them."""
+
 RECALLING = "remind"
 """Somebody is reminded at the only time that is said, whatever it is of."""
 
@@ -64,6 +77,10 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
 def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
     nodes = part.tree.nodes
+    for place in range(action.place + 1, len(nodes) - LEAST_CASE):
+        if (nodes[place].lower, nodes[place + 1].lower) == IN_CASE and nodes[place + 2].lower != "of":
+            # "Take a coat in case it rains at noon"
+            return nodes[place].start + part.offset, nodes[-1].end + part.offset
     for place in range(action.place + 1, len(nodes)):
         if (
             nodes[place].lower in part.tree.lexicon.closed.subordinators_of_reason
@@ -84,8 +101,13 @@ def _local(part: Part, phrase: Phrase) -> tuple[int, int]:
 def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexicon) -> int | None:
     """Give the "that" behind which is what somebody is told; None where nothing is."""
     nodes = part.tree.nodes
-    if nodes[action.place].lemma not in lexicon.addressing:
-        return None
+    known = [p for p in part.tree.children(action.place, "ccomp") if nodes[p].lower == "know"]
+    if nodes[action.place].lemma in lexicon.letting and known:
+        # "Let them know the meeting's at ten"
+        return _said_from(part, known[0] + 1, timed, lexicon)
+    asked = _asked_from(part, action, timed)
+    if asked is not None or nodes[action.place].lemma not in lexicon.addressing:
+        return asked
     for place in range(action.place + 2, len(nodes) - 1):
         behind_whom = place - 1 in timed or nodes[place - 1].tag.startswith(PERSONS)
         if nodes[place].lower == "that" and behind_whom and nodes[place + 1].tag.startswith(SAID):
@@ -95,6 +117,31 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         subjects = [p for p in part.tree.children(below, "nsubj") if action.place + 1 < p < below]
         if subjects and nodes[below].tag in FINITE:
             return min(part.tree.below(subjects[0]))
+    return _said_from(part, action.place + 2, timed, lexicon)
+
+
+def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
+    """Give the "if" or "whether" behind which is what somebody is asked: "ask Tom if he's free at six"."""
+    nodes = part.tree.nodes
+    behind = [place for place in range(action.place + 1, len(nodes)) if place not in timed]
+    found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in ASKING), None)
+    return found if nodes[action.place].lemma == ASK else None
+
+
+def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:
+    """Give the first word of what somebody is told, where the one before a time says that of a thing.
+
+    "Tell her dinner's at seven", "tell Sam the bus leaves at four"; but "ask what time it is at noon".
+    """
+    nodes = part.tree.nodes
+    for place in sorted(timed):
+        verb = place - 1
+        asked = any(node.tag.startswith("W") for node in nodes[first:verb])
+        if verb > first and verb not in timed and not asked:
+            word, doing = nodes[verb].lower, lexicon.doing
+            comes = nodes[verb].tag == "VBZ" and nodes[verb].lemma in doing.arriving
+            if comes or word in lexicon.closed.present_be or word in doing.timed:
+                return first
     return None
 
 

@@ -3,11 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import is_several
+
+HEAT = "heat"
+"""What is under the pan, and not what is in it."""
 
 
 def resolved_object(
@@ -40,12 +44,24 @@ def resolved_object(
     several = operation.object.lower() in pronouns.plural_anaphors
     near = Mentions(lexicon)
     for earlier in own:
-        near.add(earlier)
+        passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
+        near.add(None if passed else earlier)
     here, there = near.thing(len(own), several=several), mentions.thing(first, several=several)
     fitting = (
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
     return next(fitting, here or there or operation.object)
+
+
+def _is_changing(operation: Operation, lexicon: Lexicon) -> bool:
+    return any(operation.lemma == form[0] for form in lexicon.changing)
+
+
+def _is_setting(operation: Operation | None, lexicon: Lexicon) -> bool:
+    """Whether an order changes how much there is of something, beside what is worked on: "lower the heat"."""
+    if operation is None or operation.object is None or not _is_changing(operation, lexicon):
+        return False
+    return operation.object.lower().split()[-1] in lexicon.amount_nouns | {HEAT}
 
 
 def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anchors) -> str | None:

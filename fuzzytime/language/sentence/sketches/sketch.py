@@ -103,6 +103,10 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     action = _untimed(part, action_of(part.tree, lexicon), kept, lexicon)
     if action is None or not (phrases or clauses or not says_how_things_are(part.tree, action.place)):
         return named
+    verb = part.tree.nodes[action.place].start + part.offset
+    if any(clause.span[0] < verb < clause.span[1] for clause in clauses) and part.segment.connective:
+        # "…, then every two minutes until it thickens"
+        return named
     others = elsewhere(part, kept, action, lexicon)
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]

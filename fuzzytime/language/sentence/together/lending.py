@@ -280,6 +280,9 @@ def shared(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         first, second = found[place - 1], found[place]
         if not second.part.segment.shares(text) or first.operation is None or second.operation is None:
             continue
+        if second.operation.lemma == BE:
+            # "Shower, and be downstairs in twenty minutes": by then one is there.
+            continue
         operation = first.operation
         if operation.object is None and operation.lemma not in lexicon.intransitive:
             operation = replace(operation, object=second.operation.object)

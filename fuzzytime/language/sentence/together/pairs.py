@@ -18,6 +18,9 @@ def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     """Give the clock time of what follows an instruction in its sentence, with the same thing."""
     if place + 1 >= len(sketches) or _clock_of(sketches[place]) is None:
         return None
+    if [p.span for p in sketches[place].phrases] == [p.span for p in sketches[place + 1].phrases]:
+        # "Close the garage and lock it by seven": one time of both
+        return None
     return _clock_of(sketches[place + 1]) if follows_on(sketches, place + 1, text) else None
 
 

@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
+from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
@@ -62,7 +63,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
-    found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in found]
+    found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
     return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
 
 
@@ -166,8 +167,11 @@ def _alternatives(
             between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
             if between & {"otherwise", "else"}:
                 between -= lexicon.beside.courteous
-            if not between and is_weekday(group[-1]) and is_weekday(following):
-                # "Monday wednesday and friday", as it is said
+            if "failing" in between:
+                # "At noon or, failing that, at two"
+                between -= closed.singular_anaphors
+            if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
+                # "Monday wednesday and friday", as it is said; "mon/wed/fri"
                 between = {","}
             if not between or between - joining or not (_is_when(group[-1]) and _is_when(following)):
                 break

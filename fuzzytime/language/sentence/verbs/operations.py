@@ -17,6 +17,9 @@ NAMING = ("NN", "DT", "PRP$")
 """Tags of words that show that a thing is named."""
 
 
+IF, FIND = "if", "find"
+
+
 @dataclass(frozen=True, slots=True)
 class Reader(Stated):
     """Reads operations off a tree."""
@@ -109,6 +112,9 @@ class Reader(Stated):
         )
         if named is not None:
             return named
+        if any(node.lower in self.lexicon.doing.sure for node in self.tree.nodes[verb + 1 : verb + 2]):
+            # "Make sure everyone is out"
+            return None
         for place in range(verb + 1, len(self.tree.nodes)):
             verbs = self.lexicon.particles.get(self.tree.nodes[place].lower)
             if self.tree.nodes[place - 1].tag == "CC" or self._is_between(place):
@@ -185,6 +191,7 @@ class Reader(Stated):
         found = (*self.tree.children(verb, *OBJECTS), *self._asked(verb))
         direct = [p for p in found if p > verb and p not in level and not self._is_aim(p)]
         yield self.words([p for p in direct if not self.timed(p) or self._is_joined(p)], verb)
+        yield self._inquired(verb)
         # "Empty the bin first thing tomorrow": the tree took the time for the object's noun.
         named = self.words(direct, verb)
         yield named if any(self.tree.nodes[p].tag.startswith(NAMING) for p in named) else []
@@ -208,6 +215,18 @@ class Reader(Stated):
         if particle is not None:
             # "Let the dog out": the tree has it for a sentence, "the dog is out".
             yield self.words(self.tree.children(particle, *SUBJECTS), verb)
+
+    def _inquired(self, verb: int) -> list[int]:
+        """Give what is found out: "check if the parcel is there", which trees take for a condition."""
+        node = self.tree.nodes[verb]
+        if node.lemma not in self.lexicon.doing.inquiring | {FIND}:
+            return []
+        asked = (
+            p
+            for p in self.tree.children(verb, "advcl", "ccomp")
+            if any(self.tree.nodes[mark].lower == IF for mark in self.tree.children(p, "mark"))
+        )
+        return self.words([p for p in asked if p > verb], verb)
 
     def _taken_for_measure(self, verb: int, particle: int | None) -> list[int]:
         """Give what is named where a tree has it for a measure: "wake Tim up", "move my three o'clock"."""

@@ -10,6 +10,7 @@ from fuzzytime.language.sentence.verbs.statements import others_do
 STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 
 IT = "it"
+BE = "be"
 ON = "on"
 
 
@@ -123,6 +124,14 @@ class Stated(Places):
         has = self.tree.nodes[verb].lemma == "have" and bool(subjects & self.lexicon.closed.first_person)
         return has and not self.lexicon.persons.isdisjoint(named)
 
+    def _exists(self, verb: int, helping: set[str]) -> bool:
+        """Whether something is said to be then: "there's a delivery at ten"; but not "there's no need to"."""
+        node = self.tree.nodes[verb]
+        there = self.tree.children(verb, "expl") and node.lemma in self.lexicon.closed.lemmas_of_be
+        finite = node.tag in FINITE if not helping else helping <= self.lexicon.closed.future
+        timed = any(map(self.timed, self.tree.below(verb)))
+        return bool(there and finite and timed and self.tree.children(verb, "attr"))
+
     def _helping(self, verb: int) -> set[str]:
         """Give the verbs that help one, and what denies it."""
         return {self.tree.nodes[p].lower for p in self.tree.children(verb, "aux", "auxpass", "neg")}
@@ -139,8 +148,12 @@ class Stated(Places):
         if named == [IT] and not self.lexicon.impersonal.isdisjoint(words):
             # "It's going to rain at four"
             return True
+        becomes = self.tree.nodes[verb].lemma in self.lexicon.doing.being - {BE}
+        if named == [IT] and becomes and self.tree.nodes[verb].tag == "VBZ":
+            # "It gets cold after nine"
+            return True
         helping = self._helping(verb)
-        if others_do(self.tree, verb, helping, self.lexicon):
+        if others_do(self.tree, verb, helping, self.lexicon) or self._exists(verb, helping):
             return True
         finite = self.tree.nodes[verb].tag in FINITE if not helping else helping <= closed.future
         if finite and (self._has_frame(verb) or self._has_visitors(verb)):

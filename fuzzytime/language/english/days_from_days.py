@@ -1,0 +1,57 @@
+"""Days by how far they are from another: "a week tomorrow", "a month ago today", "over the next week"."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.relations import Away, Relative, Stretch, Which, days_away
+from fuzzytime.requirement import Unit
+
+grammar = Grammar()
+
+
+@grammar.rule("days", "this|same day <deictic> <series>", "the same day <deictic> <series>", weight=0.6)
+def same_day(which: Which, series: Calendar) -> Calendar | None:
+    """This day next week, the same day next month."""
+    if which not in {Which.NEXT, Which.COMING} or not isinstance(series, Cycle) or series.grain is Unit.DAY:
+        return None
+    return Away(series.count, series.unit, Relative(0))
+
+
+@grammar.rule("days", "<duration> on <weekday>", weight=0.6)
+def weeks_on(duration: Duration, weekday: int) -> Calendar | None:
+    """A fortnight on friday: two weeks after the next."""
+    return days_away(duration, Fields(weekday=weekday), 1) if duration.unit is Unit.WEEK else None
+
+
+@grammar.rule("days", "<duration> <day>", weight=0.6)
+def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
+    """A week tomorrow, a fortnight today."""
+    whole = duration.unit is Unit.WEEK and day.days >= 0 and not duration.hedges
+    return days_away(duration, day, 1) if whole else None
+
+
+@grammar.rule("days", "<duration> ago <day>", weight=0.6)
+def ago_from(duration: Duration, day: Relative) -> Calendar | None:
+    """A month ago today, a week ago yesterday."""
+    return days_away(duration, day, -1) if not duration.hedges else None
+
+
+@grammar.rule("days", "<weekday> fortnight", weight=0.2)
+def weekday_fortnight(number: int) -> Calendar:
+    """Friday fortnight."""
+    return Away(2, Unit.WEEK, Fields(weekday=number))
+
+
+@grammar.rule("days", "<day> week", weight=0.6)
+def day_week(day: Relative) -> Calendar | None:
+    """Tomorrow week, today week."""
+    return Away(1, Unit.WEEK, day) if day.days >= 0 else None
+
+
+@grammar.rule("said", "over|in|during|throughout the next|coming <unit>", weight=0.5)
+def stretch_ahead(unit: UnitWord) -> Said | None:
+    """Over the next fortnight, in the next week: from today on, and no week of the calendar."""
+    if unit.unit in SUB_DAY or unit.unit is Unit.DAY:
+        return None
+    return Said(Wall(Stretch(unit.count, unit.unit)), None, "during")

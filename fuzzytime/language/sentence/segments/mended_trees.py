@@ -1,0 +1,72 @@
+"""Trees mended where a word that is done was taken for a thing, or a thing for what is done."""
+
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.trees.tree import Tree
+
+LEAST_DONE = 3
+"""Words of "do ward 7"."""
+
+LET = 2
+"""Words before what is done in "let's film"."""
+
+
+def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "do ward 7" and "do the school run" their verb, where a name's last word was taken for it."""
+    helped = _does_named(tree) or _lets(tree)
+    if helped is not None:
+        return helped
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return tree
+    if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
+        return tree
+    moved = [
+        replace(node, head=0) if node.head == 1 and place > LEAST_DONE else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
+    moved[2] = replace(moved[2], relation="nummod", head=1)
+    return tree.with_nodes(moved)
+
+
+def _does_named(tree: Tree) -> Tree | None:
+    """Give "do the school run" its verb: nobody who is asked to do something has an article."""
+    root = tree.root or 0
+    if not tree.nodes or tree.nodes[0].lower != "do" or tree.nodes[0].relation != "aux" or root < LEAST_DONE:
+        return None
+    subjects = tree.children(root, "nsubj")
+    led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
+    if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
+        return None
+    moved = [
+        replace(node, head=0) if node.head == root and place > root else node
+        for place, node in enumerate(tree.nodes)
+    ]
+    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
+    moved[root] = replace(moved[root], tag="NN", relation="dobj", head=0)
+    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
+    return tree.with_nodes(moved)
+
+
+def _lets(tree: Tree) -> Tree | None:
+    """Give "let's film at noon" its second verb, which was taken for a thing."""
+    if len(tree.nodes) <= LET or tree.root != 0 or tree.nodes[0].lower != "let":
+        return None
+    us, done = tree.nodes[1], tree.nodes[LET]
+    if us.lower not in {"'s", "’s", "us"} or us.head != LET or done.tag != "NN" or not done.may_act:
+        return None
+    nodes = list(tree.nodes)
+    nodes[LET] = replace(done, tag="VB", relation="ccomp")
+    nodes[1] = replace(us, relation="nsubj")
+    return tree.with_nodes(nodes)
+
+
+def as_order(tree: Tree) -> Tree:
+    """Give a tree a verb for its first word, which has an object and was taken for a noun: "phone them"."""
+    root = tree.root
+    first = tree.nodes[0] if tree.nodes else None
+    if first is None or root != 0 or not first.tag.startswith("NN") or not first.may_act:
+        return tree
+    return tree.with_nodes((replace(first, tag="VB"), *tree.nodes[1:])) if tree.children(0, "dobj") else tree

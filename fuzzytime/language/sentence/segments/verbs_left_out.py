@@ -1,0 +1,155 @@
+"""Where a verb is left out before another thing and its time: "feed the cat at eight and the dog at nine"."""
+
+from collections.abc import Collection, Sequence
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Phrase, TimeWord
+from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
+from fuzzytime.language.sentence.segments.waiting import Part, Waiting
+from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.verbs.places import says_where
+from fuzzytime.requirement import Constraint
+
+SHORTEST_GAP = 2
+"""Words at least between two times of which the second is another thing's: "and lunch"."""
+
+THINGS = frozenset({"DT", "PRP$", "JJ", "NN", "NNS", "NNP", "IN", "UH", "CD"})
+"""Tags of words that name a thing, or what is called out: "goodbye"."""
+
+MORE = "more"
+
+NAMES = frozenset({"NN", "NNS", "NNP", "NNPS"})
+"""Tags of what names something, where a sentence has no verb."""
+
+MOMENTS = frozenset({None, Constraint.AT, Constraint.BETWEEN})
+"""How times bind that say when."""
+
+SIDES = MOMENTS | {Constraint.BEFORE, Constraint.AFTER}
+"""How times bind of which each is another thing's: "shirts before lunch and trousers after dinner"."""
+
+
+def _turns_to_particle(between: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words between two times are a verb's other particle: "on at six and off again at eight"."""
+    texts = [word.text for word in between]
+    said = [text for text in texts[1:] if text not in lexicon.closed.adverbs_of_repetition]
+    # "And back up to 37 degrees"
+    numbered = said[1:2] == ["to"] and said[2:3] != [] and said[2].isdecimal()
+    alone = len(said) == 1 or numbered
+    return texts[:1] in (["and"], [","], ["&"]) and alone and said[:1] != [] and said[0] in lexicon.particles
+
+
+def verbs_left_out(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+    """Give where the verb is left out before another thing and its time: "the cat at 8 and the dog at 9"."""
+    words, phrases = one.source.scanned.words, one.source.phrases
+    own = [p for p in phrases if part.offset <= p.span[0] and p.span[1] <= one.segment.span[1]]
+    found = []
+    for old, new in pairwise(own):
+        between = words[old.end : new.first]
+        if _turns_to_particle(between, lexicon):
+            found.append(between[1].start)
+            continue
+        if [word.text for word in between[:2]] in ([",", "and"], [",", "then"], ["and", "then"]):
+            between = between[1:]
+        elif not between or between[0].text not in {"and", ","}:
+            continue
+        if len(between) >= SHORTEST_GAP and (
+            _names_another(one, part, between, lexicon, old, new)
+            or _is_elsewhere(words, between, lexicon, old, new)
+            or _asks_another(part, between, lexicon)
+        ):
+            found.append(between[1].start)
+    return found + _gaps_in_front(one, part, lexicon)
+
+
+def _gaps_in_front(one: Waiting, part: Part, lexicon: Lexicon) -> list[int]:
+    """Give where times stand in front of things: "on monday wash the sheets and on tuesday the towels"."""
+    words, nodes, root = one.source.scanned.words, part.tree.nodes, part.tree.root
+    end = one.segment.span[1]
+    own = [p for p in one.source.phrases if one.segment.span[0] <= p.span[0] and p.span[1] <= end]
+    acted = root is not None and (one.segment.verbless or bool(part.tree.children(root, "dobj")))
+    if not own or root is None or not acted or own[0].span[0] > nodes[root].start + part.offset:
+        return []
+    found = []
+    for place, new in enumerate(own[1:], start=1):
+        last = own[place + 1].first if place + 1 < len(own) else len(words)
+        behind = [word for word in words[new.end : last] if word.end <= end]
+        while behind and behind[-1].text in lexicon.closed.additions | {"."}:
+            behind.pop()
+        if not behind or words[new.first - 1].text not in lexicon.closed.additions:
+            continue
+        named = part.tree.at(behind[0].start - part.offset, behind[-1].end - part.offset)
+        things = all(_is_of_thing(part, p, ()) for p in named)
+        opened = behind[0].text in lexicon.closed.noun_openers or behind[0].capital
+        if opened and things and _binds_alike(own[place - 1], new, happens=False):
+            found.append(new.span[0])
+    return found
+
+
+def _names_another(
+    one: Waiting, part: Part, between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether words between two times name another thing to do the same with: "and the dog at 9"."""
+    root = part.tree.root
+    objects = part.tree.children(root, "dobj") if root is not None else ()
+    things = {part.tree.nodes[p].lower for p in objects}
+    nodes = part.tree.at(between[1].start - part.offset, between[-1].end - part.offset)
+    others = [part.tree.nodes[p].tag for p in nodes if not _is_of_thing(part, p, things)]
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    listed = root is not None and part.tree.nodes[root].tag in NAMES and between[0].text == ","
+    if listed and not happens:
+        # "Story at seven, lights out by half past": one word says what becomes of the thing.
+        return all(tag == "RP" for tag in others[1:])
+    if not _binds_alike(old, new, happens=happens):
+        return False
+    places = part.tree.children(root, "prep") if root is not None else ()
+    # "Stop for a brew at ten and for lunch at noon"
+    prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
+    led = between[1].text in prepositions
+    has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
+    named = (
+        led
+        or between[1].text in lexicon.closed.noun_openers
+        or (has_object and between[0].text in {"and", ","})
+    )
+    return named and not others
+
+
+def _asks_another(part: Part, between: Sequence[Word], lexicon: Lexicon) -> bool:
+    """Whether words between two times say what another is asked: "… at two and Tom to lock up at four"."""
+    root, nodes = part.tree.root, part.tree.nodes
+    if root is None or nodes[root].lemma not in lexicon.addressing or between[0].text not in {"and", ","}:
+        return False
+    asked = [node.lower for node in nodes[root + 1 :] if node.start + part.offset < between[0].start]
+    texts = [word.text for word in between[1:]]
+    to = texts.index("to") if "to" in texts else 0
+    named = between[1].capital if to == 1 else texts[0] in lexicon.closed.noun_openers
+    return "to" in asked and 0 < to < len(texts) - 1 and named
+
+
+def _is_elsewhere(
+    words: Sequence[Word], between: Sequence[Word], lexicon: Lexicon, old: Phrase, new: Phrase
+) -> bool:
+    """Whether the same is done elsewhere: "hoover downstairs in the morning and upstairs after lunch"."""
+    where = len(between) == SHORTEST_GAP and says_where(between[1].text, lexicon)
+    where = where and old.first > 0 and says_where(words[old.first - 1].text, lexicon)
+    happens = not lexicon.happening.isdisjoint(word.text for word in between)
+    return where and _binds_alike(old, new, happens=happens)
+
+
+def _binds_alike(old: Phrase, new: Phrase, *, happens: bool) -> bool:
+    """Whether two times may be of two things to do, or of two that happen."""
+    kinds = {old.said.constraint, new.said.constraint}
+    ordered = isinstance(new.said.time, TimeWord) and new.said.time.word in ORDERING
+    return len(kinds) == 1 or kinds <= (MOMENTS if happens else SIDES) or ordered
+
+
+def _is_of_thing(part: Part, place: int, things: Collection[str]) -> bool:
+    """Whether a word names a thing, or is said of one; a tree takes some plurals for verbs: "colours"."""
+    node = part.tree.nodes[place]
+    plural = node.tag == "VBZ" and part.tree.root is not None and not part.tree.children(place, *SUBJECTS)
+    ordered = plural and not part.tree.children(part.tree.root or 0, *SUBJECTS)
+    # "Two more"
+    more = node.lower == MORE and place > 0 and part.tree.nodes[place - 1].tag == "CD"
+    return node.tag in THINGS or node.lower in things or ordered or more
