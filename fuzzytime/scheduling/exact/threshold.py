@@ -64,8 +64,11 @@ REJECTED = 25
 PART_ROUNDS = 2
 """Rounds in which the bound of a part is made better: what it began with is mostly good."""
 
-KICKS_A_PAIR = 0.05
-"""Of a local search where a schedule is doubtful, at most: what may change places are pairs of skills."""
+KICKS_A_PAIR, MORE_KICKS_A_PAIR = 0.05, 0.2
+"""Of a local search where a schedule is doubtful, at most, and where there are very many skills.
+
+What may change places are pairs of skills, and where labels cannot hold all a beam finds little.
+"""
 
 PAYS = 0.1
 """Of the gap, a search closes at least, or labels are tried with more room before the next one."""
@@ -223,7 +226,8 @@ class _Search(GridSearch):
     def _kick(self) -> None:
         """Search anew with kicks around the best schedule, where it is doubtful and was not kicked yet."""
         if self._is_early_search_worth() and self.best.cost < self._kicked:
-            kicks = round(KICKS_A_PAIR * math.comb(len(self.problem.jobs), 2))
+            a_pair = MORE_KICKS_A_PAIR if self._are_very_many else KICKS_A_PAIR
+            kicks = round(a_pair * math.comb(len(self.problem.jobs), 2))
             search = LocalSearch(kicks=kicks)
             self.take(search.search(self.problem, self.watch.share(0.3), self.best))
             self._kicked = self.best.cost
