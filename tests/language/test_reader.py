@@ -1,6 +1,6 @@
 """Sentences are read as the corpus says; texts refer to those before them; what is not understood is said."""
 
-from datetime import datetime
+from datetime import datetime, timedelta
 from functools import cache
 from typing import Any
 
@@ -9,6 +9,7 @@ import yaml
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
 
@@ -39,7 +40,7 @@ def _time(requirement: TimeRequirement, key: str) -> object:
 def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
     operation = instruction.operation
     found: dict[str, Any] = {}
-    for key in wanted:
+    for key, value in wanted.items():
         match key:
             case "do":
                 found[key] = operation.name if operation is not None else None
@@ -49,14 +50,18 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = getattr(operation, key)
             case "duration":
                 found[key] = instruction.duration
+            case "next":
+                assert isinstance(instruction.repeats, (CalendarRecurrence, EvenRecurrence))
+                coming = instruction.repeats.coming(len(value))
+                found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
             case "length_of":
                 found[key] = instruction.length_of and instruction.length_of.target
             case "times":
-                pairs = zip(instruction.requirements, wanted["times"], strict=False)
+                pairs = zip(instruction.requirements, value, strict=False)
                 found[key] = [
                     {name: _time(requirement, name) for name in time} for requirement, time in pairs
                 ]
-                found[key] += [{"text": r.text} for r in instruction.requirements[len(wanted["times"]) :]]
+                found[key] += [{"text": r.text} for r in instruction.requirements[len(value) :]]
     return found
 
 

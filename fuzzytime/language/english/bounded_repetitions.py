@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.expressions import (
     SameTime,
     Wall,
 )
+from fuzzytime.language.meaning.first_times import ending_with
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -218,7 +219,8 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
 def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
     """Every two hours, the last time at ten."""
     moment = _moment_of(repeat, said)
-    return replace(repeat, until=moment) if moment is not None and repeat.until is None else None
+    bounded = repeat.until is not None or (repeat.times is not None and repeat.starting is not None)
+    return None if moment is None or bounded else ending_with(repeat, moment)
 
 
 def _moment_of(repeat: Repeat, said: Said) -> Wall | None:

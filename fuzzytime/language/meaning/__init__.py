@@ -11,6 +11,6 @@ Values
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``.
-    Two times as one: ``beside``.
+    Two times as one: ``beside``, ``first_times``.
     What is handed on: ``requirements``, ``decisions``.
 """

@@ -16,6 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.first_times import first_time, is_release
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
@@ -211,11 +212,11 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
         return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
     if said.constraint is Constraint.BEFORE:
-        return replace(repeat, until=time)
-    if said.preposition == "starting":
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.AFTER:
-        return replace(repeat, starting=time)
+        # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
+        return None if repeat.apart else replace(repeat, until=time)
+    if is_release(said):
+        first = first_time(said)
+        return None if first is None else replace(repeat, starting=first)
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None

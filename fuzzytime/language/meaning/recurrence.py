@@ -226,10 +226,17 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
         raise UngroundedError("how many times is not said")
     if repeat.times is not None and repeat.every is not None:
         # "Twice, an hour apart"
-        start, step = max(0.0, first or 0.0), repeat.every.seconds
+        step = repeat.every.seconds
+        opens = moment.policy.plausible_from
+        wakes = opens.hour * 3600.0 + opens.minute * 60.0 if begins_by_policy(repeat) else 0.0
+        start = max(0.0, (first or 0.0) + wakes)
         over = start + (repeat.times - 1) * step
         return EvenRecurrence(
-            step=step, first=start, last=over if last is None else min(over, last), counted=last is None
+            step=step,
+            first=start,
+            last=over if last is None else min(over, last),
+            length=DAY_SECONDS if _begins_on_day(repeat.starting) and step >= DAY_SECONDS else 0.0,
+            counted=last is None,
         )
     if repeat.times is not None and last is not None:
         # "Twice today": once in each half of what is left of it.
@@ -247,6 +254,17 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
         # "Every hour from dawn till dusk", said in the morning: it goes on already.
         start = 0.0
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
+
+
+def begins_by_policy(repeat: Repeat) -> bool:
+    """Whether of turns so many hours apart only the day is said: "three times tomorrow, an hour apart"."""
+    counted = repeat.times is not None and repeat.every is not None and repeat.every.seconds < DAY_SECONDS
+    return counted and _begins_on_day(repeat.starting)
+
+
+def _begins_on_day(first: Time | None) -> bool:
+    """Whether nothing but a day, or more, says when the first is: at none of its hours in the night."""
+    return isinstance(first, Wall) and first.days is not None and first.clock is None and first.part is None
 
 
 def _is_even(repeat: Repeat) -> bool:

@@ -169,7 +169,8 @@ class _Grounder:
             grain=min(grains, key=list(Unit).index, default=None),
             recurrence=recurrence,
         )
-        remarks = self._deciding.of_repetition(time.walls, recurrence)
+        deciding = self._deciding
+        remarks = (*deciding.of_repetition(time.walls, recurrence), *deciding.of_bounds(time, recurrence))
         return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:

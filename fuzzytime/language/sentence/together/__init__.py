@@ -1,7 +1,8 @@
 """What the instructions of a text lend each other, in their ``sketches``.
 
 Words and times
-    ``lending``, ``pairs``, ``said_again``, ``both_sides``, ``turns``, ``at_once``, ``for_all``.
+    ``lending``, ``pairs``, ``said_again``, ``both_sides``, ``turns``, ``first_times``, ``at_once``,
+    ``for_all``.
 Days and lengths
     ``headings``, ``days_apart``, ``lengths``, ``waited``.
 What is none
