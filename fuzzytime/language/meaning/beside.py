@@ -150,6 +150,11 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     return days if period == Cycle(Unit.WEEK) and days.weekly else None
 
 
+def names_day_of(repeat: Repeat, wall: Wall) -> bool:
+    """Whether it is the day that a period is said to have."""
+    return _named_days(repeat, wall) is not None
+
+
 def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
     days = _named_days(repeat, wall)
@@ -282,7 +287,9 @@ def told_apart(said: Said, frame: Said) -> Said | None:
         found = (
             narrowed_repeat(other, time) if isinstance(time, Wall) and moment else bounded_repeat(other, said)
         )
-        return None if found is None else Said(found, Constraint.EVERY, said.preposition, said.hedges)
+        if found is None:
+            return None
+        return Said(found, Constraint.EVERY, said.preposition, said.hedges, lasting=said.lasting)
     if not isinstance(other, Wall):
         return None
     if isinstance(time, Offset) and isinstance(time.anchor, Wall):

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
-from fuzzytime.language.meaning.beside import told_apart
+from fuzzytime.language.meaning.beside import names_day_of, told_apart
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -56,7 +56,8 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     for sketch in sketches:
         if placed and ENDS & set(text_between(placed[-1], sketch, text)):
             held = above
-        named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        days = [(place, phrase.said) for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        named = [place for place, _ in sorted(days, key=lambda day: _narrowness(day[1]))]
         named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
         told = sketch
         if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
@@ -136,6 +137,13 @@ def _is_part(said: Said) -> bool:
     return isinstance(said.time, Wall) and said.time.days is None
 
 
+def _narrowness(said: Said) -> int:
+    """Give how deep a time lies in others of one thing: "at dawn … every other day" is dawn of those days."""
+    if isinstance(said.time, Repeat):
+        return 0
+    return 2 if _is_part(said) else 1
+
+
 def _ends_night(said: Said, day: Said) -> bool:
     """Whether it is a deadline of what goes on at night: "charge it overnight so it's ready by six"."""
     night = isinstance(day.time, Wall) and day.time.part is not None and day.time.part.half is Half.NIGHT
@@ -165,7 +173,7 @@ def _is_open(said: Said, day: Said) -> bool:
         return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
     if not isinstance(time, Wall):
         return False
-    if time.days is None:
+    if time.days is None or (isinstance(day.time, Repeat) and names_day_of(day.time, time)):
         return True
     return _is_in_week(time, day)
 
