@@ -51,8 +51,9 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
             case "duration":
                 found[key] = instruction.duration
             case "next":
-                assert isinstance(instruction.repeats, (CalendarRecurrence, EvenRecurrence))
-                coming = instruction.repeats.coming(len(value))
+                series = (CalendarRecurrence, EvenRecurrence)
+                known = isinstance(instruction.repeats, series)
+                coming = instruction.repeats.coming(len(value)) if known else ()
                 found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
             case "length_of":
                 found[key] = instruction.length_of and instruction.length_of.target
@@ -90,6 +91,21 @@ def test_a_later_text_refers_to_an_earlier_one() -> None:
     assert anchor is not None
     assert (anchor.target, anchor.edge) == (0, Edge.END)
     assert first.remarks == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "turn the grill on for the last five minutes",
+        "in the last 5 minutes add the peas",
+        "baste the duck every 20 minutes for the last hour",
+        "paint the gate. Turn the lights on for the last hour",
+    ],
+)
+def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+    assert "is the end of something" in remark.message
 
 
 def test_what_is_later_counts_from_the_text_before() -> None:

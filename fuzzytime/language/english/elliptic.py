@@ -5,7 +5,18 @@ from dataclasses import replace
 from fuzzytime.language.english.counted import so_far_in
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Duration, Offset, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.expressions import (
+    HALFWAY,
+    LAST,
+    LEFT,
+    Duration,
+    Offset,
+    Repeat,
+    Said,
+    TimeWord,
+    UnitWord,
+)
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -58,6 +69,30 @@ def halfway() -> Said:
 def left_of_it(duration: Duration) -> Said:
     """(add the peas) when there are ten minutes left: of what goes on."""
     return Said(Offset(replace(duration, hedges=()), -1), None, LEFT, duration.hedges)
+
+
+@grammar.rule("last of it", "the? last|final <duration>")
+def last_of_it(duration: Duration) -> Duration | None:
+    """The last ten minutes (of what goes on)."""
+    return duration if all(unit in SUB_DAY for _, unit in duration.terms) else None
+
+
+@grammar.rule("last of it", "the? last|final <unit>")
+def last_one_of_it(unit: UnitWord) -> Duration | None:
+    """The last hour (of what goes on)."""
+    return last_of_it(Duration(((unit.count, unit.unit),))) if len(unit.form) > 1 else None
+
+
+@grammar.rule("said", "during|in <last of it>", weight=0.5)
+def in_the_last_of_it(duration: Duration) -> Said:
+    """In the last hour: once so much of it is left."""
+    return replace(left_of_it(duration), preposition=LAST)
+
+
+@grammar.rule("said", "for|throughout <last of it>", weight=0.5)
+def for_the_last_of_it(duration: Duration) -> Said:
+    """For the last ten minutes: from then on, and that long."""
+    return replace(in_the_last_of_it(duration), lasting=replace(duration, hedges=()))
 
 
 @grammar.rule("said", "<duration> after", weight=0.05)

@@ -5,7 +5,7 @@ leave open.
 
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
-    ``feasts``, ``workdays``, ``recurrence``.
+    ``feasts``, ``workdays``, ``recurrence``, ``closing_recurrence``.
     What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 
 From values to requirements

@@ -16,7 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.feasts import Feast, Season
-from fuzzytime.language.meaning.first_times import first_time, is_release
+from fuzzytime.language.meaning.first_times import closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
@@ -201,6 +201,8 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         lasting = said.constraint is Constraint.FOR and time.seconds >= step
         bound = lasting or said.constraint is Constraint.BEFORE
         return replace(repeat, until=Offset(time)) if bound else None
+    if (closing := closing_of(said)) is not None:
+        return in_the_end(repeat, closing)
     if isinstance(time, Coming):
         return replace(repeat, until=Offset(time.duration))
     if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):

@@ -6,8 +6,10 @@ from fuzzytime.language.meaning.expressions import (
     EARLIER,
     HALFWAY,
     INTO,
+    LAST,
     LATER,
     LEFT,
+    Coming,
     Duration,
     Edge,
     Ending,
@@ -22,7 +24,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.requirement import Constraint, Unit
 
-COUNTED_FROM_ELSEWHERE = frozenset({LATER, EARLIER, INTO, LEFT, HALFWAY})
+COUNTED_FROM_ELSEWHERE = frozenset({LATER, EARLIER, INTO, LEFT, LAST, HALFWAY})
 """Prepositions of times that count from another instruction."""
 
 MOMENTS = frozenset({None, Constraint.AT})
@@ -57,6 +59,22 @@ def beginning(repeat: Repeat, first: Time) -> Repeat:
     if isinstance(until, Offset) and until.anchor is None:
         until = replace(until, anchor=first)
     return replace(repeat, starting=first, until=until)
+
+
+def closing_of(said: Said) -> Duration | None:
+    """Give how much of the end of something a time is: "for the last hour", "with ten minutes left"."""
+    time = said.time
+    if isinstance(time, Coming):
+        return time.duration if time.direction < 0 else None
+    return time.duration if isinstance(time, Offset) and said.preposition in {LEFT, LAST} else None
+
+
+def in_the_end(repeat: Repeat, length: Duration) -> Repeat | None:
+    """Give a repetition within the end of something; None where it has other bounds, or days."""
+    bounded = repeat.starting is not None or repeat.until is not None or repeat.times is not None
+    if bounded or repeat.walls or repeat.every is None:
+        return None
+    return replace(repeat, closing=length)
 
 
 def ending_with(repeat: Repeat, last: Time) -> Repeat:

@@ -12,6 +12,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
+from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight, over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
@@ -53,6 +54,11 @@ class EvenRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
+
+    @property
+    def closing(self) -> None:
+        """None: it counts from now."""
+        return None
 
     @property
     def spans(self) -> bool:
@@ -106,6 +112,11 @@ class CalendarRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
+
+    @property
+    def closing(self) -> None:
+        """None: it is on days of the calendar."""
+        return None
 
     @property
     def spans(self) -> bool:
@@ -203,7 +214,9 @@ def _series(days: Calendar | None) -> Calendar:
     return days if days is not None else Cycle(Unit.DAY)
 
 
-def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | CalendarRecurrence:
+def recurrence_of(
+    repeat: Repeat, moment: "Moment"
+) -> EvenRecurrence | CalendarRecurrence | ClosingRecurrence:
     """Ground a repetition.
 
     Raises
@@ -211,6 +224,8 @@ def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | Calendar
     UngroundedError
         If it needs a clock that is not known.
     """
+    if repeat.closing is not None and repeat.every is not None:
+        return ClosingRecurrence(step=repeat.every.seconds, closing=repeat.closing.seconds)
     first = _bound(repeat.starting, moment, last=False)
     last = _bound(repeat.until, moment, last=True)
     if repeat.walls and not _is_even(repeat):

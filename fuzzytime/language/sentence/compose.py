@@ -13,14 +13,19 @@ from fuzzytime.language.instruction import (
     Question,
     Reading,
     Remark,
-    RemarkKind,
     Span,
 )
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.sentence.asked_for import asked_of
+from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
-from fuzzytime.language.sentence.references.phrase_anchors import ORDERING, counts_from_nothing, of_phrase
+from fuzzytime.language.sentence.references.phrase_anchors import (
+    ORDERING,
+    counts_from_nothing,
+    of_nothing,
+    of_phrase,
+)
 from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     follows_nothing,
@@ -98,6 +103,7 @@ class _Composer:
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.days: dict[int, date] = {}
+        self.going: list[int] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
 
@@ -117,6 +123,8 @@ class _Composer:
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
                 self.days[self.first + place] = day
+            if instructions[-1].duration is not None:
+                self.going.append(self.first + place)
         if sketches:
             first = sketches[0].part.segment.span[0]
             self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
@@ -177,6 +185,7 @@ class _Composer:
             self.lexicon,
             self.awaits,
             day_above(self.draft.heading),
+            self.going,
         )
         self.explained += sketch.heard
         sketch, event, remarks = on_days_of_events(
@@ -253,11 +262,13 @@ class _Composer:
             phrase, reference = said[requirement.span]
             if phrase.rule == HEADED and self.draft.heading is not None:
                 requirement = replace(requirement, text=self.draft.heading.name)
-            requirement = of_phrase(anchors, phrase, requirement)
+            requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)
             requirements.append(referred(requirement, reference))
-            if counts_from_nothing(requirement, phrase.said, sketch.operation, anchors.position):
-                alone = follows_nothing(requirement.text, requirement.span)
-                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
+            waits = any(clause.marker == OF for clause in sketch.clauses)
+            if not waits and counts_from_nothing(
+                requirement, phrase.said, sketch.operation, anchors.position
+            ):
+                self.remarks.append(of_nothing(requirement, phrase.said))
             if requirement.word in ORDERING:
                 self.remarks.append(follows_nothing(requirement.text, requirement.span))
         return requirements

@@ -13,7 +13,7 @@ from fuzzytime.language.meaning.expressions import (
     Phrase,
     Wall,
 )
-from fuzzytime.language.sentence.clauses.before_markers import BeforeMarker
+from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
@@ -29,7 +29,6 @@ BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
-OF = "of"
 AFTER = ("after",)
 DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
@@ -136,8 +135,9 @@ class _Clauses:
         return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
 
     def bounded(self, place: int) -> tuple[str, ...] | None:
-        """Give the "of" of "within an hour of calling" as what begins a clause."""
-        return ("of",) if self.words[place].text == "of" and self.before.bound(place) is not None else None
+        """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""
+        counts = self.before.bound(place) is not None or self.before.closes(place)
+        return (OF,) if self.words[place].text == OF and counts else None
 
     def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""
@@ -181,6 +181,8 @@ class _Clauses:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
             return "within"
+        if form == (OF,):
+            return "while"
         return "by the time" if form == BY else kind
 
     def denied(self, place: int, form: tuple[str, ...]) -> Clause | None:
@@ -246,7 +248,7 @@ class _Clauses:
         if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event and _named_at(event, named, time)
-        named_event = edge is not None or form == BY
+        named_event = edge is not None or form == BY or (form == (OF,) and bound is None)
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told

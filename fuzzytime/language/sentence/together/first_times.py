@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
-from fuzzytime.language.meaning.first_times import beginning, first_time, is_release
+from fuzzytime.language.meaning.first_times import beginning, closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -24,6 +24,9 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if not isinstance(repeat, Repeat) or repeat.walls or repeat.every is None or repeat.starting is not None:
         return sketch
     every = phrases[repeated[0]]
+    in_its_end = _in_the_end(phrases, repeated[0], repeat)
+    if in_its_end is not None:
+        return replace(sketch, phrases=tuple(in_its_end))
     counted = repeat.times is not None
     lexicon = sketch.part.tree.lexicon
     said = [
@@ -47,6 +50,19 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
         )
         phrases[place] = replace(phrases[place], said=told)
     return replace(sketch, phrases=tuple(phrases))
+
+
+def _in_the_end(phrases: Sequence[Phrase], place: int, repeat: Repeat) -> list[Phrase] | None:
+    """Put a repetition in the end of something: "in the last hour, baste it every 20 minutes"."""
+    closings = [(other, length) for other, p in enumerate(phrases) if (length := closing_of(p.said))]
+    again = in_the_end(repeat, closings[0][1]) if len(closings) == 1 else None
+    if again is None:
+        return None
+    found = list(phrases)
+    for other in (place, closings[0][0]):
+        told = replace(found[other].said, time=again, constraint=Constraint.EVERY, lasting=None)
+        found[other] = replace(found[other], said=told)
+    return found
 
 
 def _between(one: Phrase, other: Phrase, words: Sequence[Word]) -> set[str]:
