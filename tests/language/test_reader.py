@@ -51,9 +51,12 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
             case "duration":
                 found[key] = instruction.duration
             case "next":
-                series = (CalendarRecurrence, EvenRecurrence)
-                known = isinstance(instruction.repeats, series)
-                coming = instruction.repeats.coming(len(value)) if known else ()
+                series = instruction.repeats
+                coming = (
+                    series.coming(len(value))
+                    if isinstance(series, CalendarRecurrence | EvenRecurrence)
+                    else ()
+                )
                 found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
             case "length_of":
                 found[key] = instruction.length_of and instruction.length_of.target
