@@ -11,6 +11,6 @@ Values
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``.
-    Two times as one: ``beside``, ``first_times``.
+    Two times as one: ``beside``, ``first_times``, ``distances``.
     What is handed on: ``requirements``, ``decisions``.
 """

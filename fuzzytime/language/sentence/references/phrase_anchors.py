@@ -155,8 +155,9 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
     lag = requirement.t_spec or 0.0
     target = anchors.going_on() if phrase.said.preposition == LEFT else before
-    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
-    return _counted_from(requirement, anchor, side)
+    bounded = phrase.said.constraint in {Constraint.BEFORE, Constraint.AFTER}
+    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=not bounded)
+    return _counted_from(requirement, anchor, requirement.constraint if bounded else side)
 
 
 def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:

@@ -303,7 +303,7 @@ class _Clauses:
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
         text = self.words[place].text
-        if text == "," and (self._is_inside_number(place) or self._goes_on(place)):
+        if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
@@ -318,7 +318,9 @@ class _Clauses:
         last = len(self.words) - 1
         return self.words[last].text == "," and goes_on_behind(self.words, place, last, self.lexicon)
 
-    def _is_inside_number(self, place: int) -> bool:
-        """Whether a mark joins digits: "below 1,200"."""
+    def _is_inside(self, place: int) -> bool:
+        """Whether a mark joins digits, as in "below 1,200", or words of one time."""
+        if place in self.covered:
+            return True
         around = self.words[place - 1 : place + 2]
         return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits
