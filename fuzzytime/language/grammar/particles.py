@@ -22,6 +22,8 @@ class Particles:
     def hold(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
+        if first in self.beside.prefixes and not self._prefixes(piece):
+            return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
@@ -42,6 +44,19 @@ class Particles:
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _prefixes(self, piece: Piece) -> bool:
+        """Whether "post" and "pre" are prepositions: not in "post 4 letters", "a pre-dinner walk"."""
+        words, behind = self.around.words, piece.start + 1
+        dashed = self.texts[behind : behind + 1] == ["-"]
+        apart = dashed and not all(word.glued for word in words[behind : behind + 2])
+        opens = not dashed and self.around.opens(piece.start)
+        wall = piece.value.time
+        # "Post tomorrow", "post at 4 pm"
+        verb = opens and not (isinstance(wall, Wall) and wall.clock is not None)
+        verb = verb or self.texts[behind] in self.beside.behind_round
+        noun = self.around.before(piece) in self.closed.noun_openers
+        return not (apart or verb or noun) and self.around.may_end(piece)
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

@@ -67,6 +67,7 @@ def clauses_of(
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             _leads_nowhere(form, words, place)
+            or _is_part_of_word(form, words, place, lexicon)
             or reader.leads_to_distance(place, form)
             or is_wish(tree, words[place:])
         )
@@ -100,6 +101,16 @@ def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> 
     """Whether a marker stands alone: "mow the front before and the back after"."""
     behind = place + len(form)
     return behind < len(words) and words[behind].text in {"and", "or"}
+
+
+def _is_part_of_word(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a marker with a hyphen begins a word that is no event: "pre-heat", "a post-party mess"."""
+    if form[-1] != "-":
+        return False
+    event, behind = (words[p] if p < len(words) else None for p in (place + len(form), place + len(form) + 1))
+    named = event is not None and event.glued and event.text in lexicon.happening | lexicon.taken
+    over = behind is None or behind.text in lexicon.function_words or not behind.is_letters
+    return not (named and over and words[place + 1].glued)
 
 
 class _Clauses:
@@ -235,7 +246,7 @@ class _Clauses:
             return None
         clause = Clause(
             kind=kind,
-            marker=" ".join(form) if bound is None else bound.said.preposition or kind,
+            marker=" ".join(form).replace(" -", "-") if bound is None else bound.said.preposition or kind,
             span=(start, content[1]),
             content=content,
             distance=duration,
