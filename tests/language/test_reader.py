@@ -31,6 +31,8 @@ def _time(requirement: TimeRequirement, key: str) -> object:
             return getattr(condition, key)
         case "hedges" if condition is not None:
             return list(condition.hedges)
+        case "fuzziness":
+            return list(requirement.fuzziness)
         case "target" | "lag" | "exact" | "edge":
             return getattr(anchor, key) if anchor is not None else None
         case _:
