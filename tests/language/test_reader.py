@@ -10,6 +10,7 @@ import yaml
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
 
@@ -56,7 +57,7 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 series = instruction.repeats
                 coming = (
                     series.coming(len(value))
-                    if isinstance(series, CalendarRecurrence | EvenRecurrence)
+                    if isinstance(series, CalendarRecurrence | EvenRecurrence | RecurrenceOnDays)
                     else ()
                 )
                 found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
@@ -442,7 +443,7 @@ def test_what_has_been_done_is_not_done_again(text: str) -> None:
 
 
 def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
-    reading = language().read("Scan it every five minutes between 9:00 and 17:00 on weekdays", now=NOW)
+    reading = language().read("Scan it every two days, on weekdays", now=NOW)
     assert [reading.text[slice(*r.span)] for r in reading.remarks if "repetitions" in r.message] == [
         "on weekdays"
     ]

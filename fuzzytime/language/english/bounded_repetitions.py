@@ -18,6 +18,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.first_times import ending_with
+from fuzzytime.language.meaning.intervals_on_days import on_days
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -154,6 +155,12 @@ def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
     return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
 
 
+@grammar.rule("repeat", "<repeat> ,? <repeat>", weight=0.4)
+def interval_on_days(interval: Repeat, days: Repeat) -> Repeat | None:
+    """Every five minutes on weekdays, on mondays every hour."""
+    return on_days(interval, days)
+
+
 @grammar.rule("said", "<repeat> ,? <hedge> <repeat>", weight=0.6)
 def weeks_mostly_on_weekdays(weeks: Repeat, hedge: str, weekdays: Repeat) -> Said | None:
     """Once a week, preferably on sundays."""
@@ -166,8 +173,9 @@ def _is_unbounded(repeat: Repeat) -> bool:
 
 
 def _is_plain(repeat: Repeat) -> bool:
-    """Whether it is nothing but days with times of day."""
+    """Whether it is nothing but days with times of day, or weekdays."""
     timed = all(wall.clock is not None or wall.part is not None for wall in repeat.walls)
+    timed = timed or all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
     return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)
 
 

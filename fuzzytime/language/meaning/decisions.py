@@ -8,7 +8,8 @@ from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Offset, Range, Repeat, Time, Wall
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence, begins_by_policy
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.series import begins_by_policy
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 

@@ -196,7 +196,8 @@ class Repeat:
     whole share of the time ("twice a day"); ``times`` how often it is between those bounds ("twice today"),
     or so long ``every`` time after the one before. ``apart`` says that how often is said elsewhere: "two
     tablets, six hours apart". ``closing`` is how much of the end of something else it is in: "every twenty
-    minutes for the last hour".
+    minutes for the last hour". ``within`` are the days that an interval is on: "every five minutes on
+    weekdays".
     """
 
     every: Duration | None = None
@@ -208,6 +209,7 @@ class Repeat:
     times: int | None = None
     apart: bool = False
     closing: Duration | None = None
+    within: "Repeat | None" = None
 
 
 @dataclass(frozen=True, slots=True)

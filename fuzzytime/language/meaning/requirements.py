@@ -23,8 +23,8 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.meaning.relations import Away
+from fuzzytime.language.meaning.series import recurrence_of
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
 UPPER = frozenset({"at most", "less than"})

@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.intervals_on_days import on_days
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
@@ -64,7 +65,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
             # "Sunday:", then "assemble the bed in the morning"
             told = _on_day(sketch, held)
         if named:
-            told = _on_own_day(told, named[0])
+            told = _on_own_day(told, named[0], text)
         # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
         heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
         held = _day_of(sketch, heads=heads) or held
@@ -184,7 +185,17 @@ def _is_in_week(wall: Wall, day: Said) -> bool:
     return coarse and isinstance(wall.days, Fields) and wall.days.weekly
 
 
-def _on_own_day(sketch: Sketch, place: int) -> Sketch:
+def _every_so_often(phrase: Phrase, day: Phrase, text: str) -> Said | None:
+    """Give what is done every so often, on the days that are said apart from that."""
+    first, second = sorted((phrase, day), key=lambda one: one.span)
+    said, joint = phrase.said, text[first.span[1] : second.span[0]].strip(" ,").lower()
+    if not isinstance(said.time, Repeat) or not isinstance(day.said.time, Repeat) or joint in {"and", "or"}:
+        return None
+    found = on_days(said.time, day.said.time)
+    return None if found is None else replace(said, time=found, constraint=Constraint.EVERY)
+
+
+def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
     """Put the other times of an instruction on its day; those of a repetition are all of it."""
     day, phrases = sketch.phrases[place].said, list(sketch.phrases)
     repeated = [place]
@@ -194,6 +205,12 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
             hedges = ("at most", *phrase.said.hedges)
             told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
             phrases[other] = replace(phrase, said=told_length)
+            continue
+        if isinstance(phrase.said.time, Repeat) and other != place:
+            often = _every_so_often(phrase, replace(sketch.phrases[place], said=day), text)
+            if often is not None:
+                phrases[other], day = replace(phrase, said=often), often
+                repeated.append(other)
             continue
         apart = other == place or not _is_open(phrase.said, day)
         told = (
