@@ -114,6 +114,15 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
     assert "is the end of something" in remark.message
 
 
+def test_then_behind_nothing_but_a_denial_is_said_not_to_be_used() -> None:
+    texts = ["Don't open the lid", "Then serve the soup"]
+    alone, lines = language().read(". ".join(texts), now=NOW), language().read_all([(t, NOW) for t in texts])
+    for remarks in (alone.remarks, lines[1].remarks):
+        assert [remark.message for remark in remarks] == [
+            "'Then' is not used: nothing that is to be done was said before it"
+        ]
+
+
 def test_what_is_later_counts_from_the_text_before() -> None:
     texts = [
         "Ten minutes later, call the bakery",

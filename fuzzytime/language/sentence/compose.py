@@ -29,6 +29,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
 from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     follows_nothing,
+    led_by_denial,
     led_by_nothing,
     within_after,
 )
@@ -104,6 +105,7 @@ class _Composer:
         self.questions: list[Question] = []
         self.days: dict[int, date] = {}
         self.going: list[int] = []
+        self.made: list[Instruction] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
 
@@ -116,7 +118,7 @@ class _Composer:
         self.remarks += remarks
         sketches = said_for_all(sketches, self.draft.text, self.lexicon)
         operations = [sketch.operation for sketch in sketches]
-        instructions: list[Instruction] = []
+        instructions = self.made
         for place, sketch in enumerate(sketches):
             self.moment = self._moment_of(sketches, place, instructions)
             instructions.append(self._instruction(sketch, self.first + place, operations))
@@ -201,9 +203,11 @@ class _Composer:
         self.remarks += times.remarks
         self.questions += times.questions
         segment = sketch.part.segment
-        connected = anchored_by_connective(segment, self.draft.text, position)
-        if connected is None and position == 0:
-            self.remarks += led_by_nothing(segment, self.draft.text)
+        before = self._asked_before(position)
+        connected = anchored_by_connective(segment, self.draft.text, before)
+        if before is None:
+            led = led_by_denial if position else led_by_nothing
+            self.remarks += led(segment, self.draft.text)
         requirements = self._required(sketch, times, anchors, connected)
         said = self.draft.text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
@@ -229,6 +233,12 @@ class _Composer:
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
         )
+
+    def _asked_before(self, position: int) -> int | None:
+        """Give the instruction before that "then" follows: not what is not to be done; None without one."""
+        given = (*self.mentions.operations[: self.first], *(made.operation for made in self.made))
+        asked = (p for p in range(position - 1, -1, -1) if (one := given[p]) is None or not one.negated)
+        return next(asked, None)
 
     def _required(
         self, sketch: Sketch, times: Times, anchors: Anchors, connected: TimeRequirement | None
