@@ -18,7 +18,7 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
 from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.actions import gone_to_do
+from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
     being_behind_order,
     goes_on,
@@ -93,22 +93,41 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     node = tree.nodes[place]
     if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in COORDINATE:
         return None
+    wanted = _is_wanted_too(tree, place, root, lexicon)
     denied = denied_from(tree, place)
-    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and tree.children(place, "aux")):
+    helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
+    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
         return None
     if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
         # "Weld seam 3 at 11 and seam 4 at 12"
         return None
-    start = behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
+    first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
+    start = behind_joint(tree, first, timed)
     if (
         start == 0
         or tree.nodes[start - 1].lower not in lexicon.closed.joints_of_orders
-        or _is_embedded(tree, place, root)
+        or (_is_embedded(tree, place, root) and not wanted)
     ):
         return None
     if gone_to_do(tree, root, lexicon) == place:
         return None
     return start if place > root or _leads(tree, place, root) else None
+
+
+def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him".
+
+    So it is to what is to be remembered.
+    """
+    action = action_of(tree, lexicon)
+    if action is None or action.negated:
+        return False
+    remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
+    meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
+    over = tree.nodes[place].head
+    while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
+        over = tree.nodes[over].head
+    return over in meant - {root} and gone_to_do(tree, over, lexicon) != place
 
 
 def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
