@@ -241,7 +241,7 @@ class Gathering:
             return range(0)
         meant = self.links.skills_of(told.target)
         for place in meant:
-            self.skills[place] = self.maker.lasting(self.skills[place], length)
+            self.skills[place] = self.maker.lasting(self.skills[place], length, alone=instruction.alone)
         return meant
 
 

@@ -115,3 +115,17 @@ def test_what_is_needed_then_is_done_by_then() -> None:
 def test_what_is_on_the_way_comes_behind() -> None:
     made = told(["take Leo to the dentist at half three and pick up a pizza on the way back"])
     assert order(made) == ["s1", "s1.2"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [["paint the door and give it a day", "sand it"], ["paint the door", "give it a day", "sand it"]],
+)
+def test_what_is_left_alone_leaves_the_hands_free(lines: list[str]) -> None:
+    first = told(lines).skills[0].skill
+    assert first.time_until_done == first.duration + 86400
+
+
+def test_what_something_that_takes_long_needs_comes_before_it() -> None:
+    made = told(["chill the pudding for four hours, so make it before noon"])
+    assert starts(made)["s1.2"] < starts(made)["s1"]

@@ -51,8 +51,8 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.addressee if operation is not None else None
             case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
                 found[key] = getattr(operation, key)
-            case "duration":
-                found[key] = instruction.duration
+            case "duration" | "alone":
+                found[key] = getattr(instruction, key)
             case "next":
                 series = instruction.repeats
                 coming = (

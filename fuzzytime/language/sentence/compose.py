@@ -16,6 +16,7 @@ from fuzzytime.language.instruction import (
     Span,
 )
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -26,6 +27,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     of_nothing,
     of_phrase,
 )
+from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     follows_nothing,
@@ -43,6 +45,7 @@ from fuzzytime.language.sentence.sketches.negations import awaiting, without_den
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
+from fuzzytime.language.sentence.together.consequences import behind_consequences
 from fuzzytime.language.sentence.together.doubts import unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
@@ -127,6 +130,7 @@ class _Composer:
                 self.days[self.first + place] = day
             if instructions[-1].duration is not None:
                 self.going.append(self.first + place)
+        instructions = behind_consequences(instructions, sketches, self.draft.text, self.first)
         if sketches:
             first = sketches[0].part.segment.span[0]
             self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
@@ -232,6 +236,7 @@ class _Composer:
             way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
+            alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
         )
 
     def _asked_before(self, position: int) -> int | None:
@@ -301,3 +306,8 @@ class _Composer:
             self.moment = replace(self.moment, since=said.clock, carried=False)
         if said.day is not None:
             self.moment = replace(self.moment, day=said.day)
+
+
+def _leaves(aside: Aside, length: Grounded) -> bool:
+    """Whether a length is told by an aside as how long something is left alone."""
+    return aside.left and aside.length.span == length.requirement.span

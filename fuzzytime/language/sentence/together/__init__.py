@@ -4,7 +4,7 @@ Words and times
     ``lending``, ``pairs``, ``said_again``, ``both_sides``, ``turns``, ``first_times``, ``at_once``,
     ``for_all``.
 Days and lengths
-    ``headings``, ``days_apart``, ``lengths``, ``waited``.
+    ``headings``, ``days_apart``, ``lengths``, ``waited``, ``consequences``.
 What is none
     ``doubts``.
 """
