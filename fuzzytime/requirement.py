@@ -150,6 +150,11 @@ class Recurrence(Protocol):
         ...
 
     @property
+    def closing(self) -> float | None:
+        """Seconds at the end of what goes on in which it lies: "every ten minutes for the last hour"."""
+        ...
+
+    @property
     def spans(self) -> bool:
         """Whether words say where each occurrence begins and where it is over: "every day from 9 to 10"."""
         ...

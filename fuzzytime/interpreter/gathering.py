@@ -241,7 +241,7 @@ class Gathering:
             return range(0)
         meant = self.links.skills_of(told.target)
         for place in meant:
-            self.skills[place] = self.maker.lasting(self.skills[place], length)
+            self.skills[place] = self.maker.lasting(self.skills[place], length, alone=instruction.alone)
         return meant
 
 
@@ -270,7 +270,9 @@ def _by_how_much(wish: SpokenWish, news: News, made: Interpreted) -> Problem:
 def _noted_inside(wish: SpokenWish, instruction: Instruction, inside: GoingOn) -> Problem:
     """Say that a repetition without an end is over with what goes on."""
     said = next(part for part in instruction.requirements if part.recurrence is not None)
-    message = f"{said.text!r} is as long as this goes on: {inside.name}"
+    closing = said.recurrence is not None and said.recurrence.closing is not None
+    what = "is the end of this" if closing else "is as long as this goes on"
+    message = f"{said.text!r} {what}: {inside.name}"
     return problem_of(wish, ProblemKind.NOTE, message, said.span, wish.identifier)
 
 

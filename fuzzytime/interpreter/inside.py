@@ -27,7 +27,13 @@ class GoingOn:
     def times(self, repeated: TimeRequirement, recurrence: Recurrence, _: float) -> list[TimeRequirement]:
         """Give a repetition's times in it, each at its distance from the start."""
         interval = recurrence.interval or self.length
-        lags = (count * interval for count in range(1, math.ceil(self.length / interval)))
+        if recurrence.closing is not None:
+            # "For the last hour": from where that begins.
+            begins = self.length - recurrence.closing
+            turns = math.ceil(recurrence.closing / interval)
+            lags = [begins + count * interval for count in range(turns) if begins + count * interval >= 0]
+        else:
+            lags = [count * interval for count in range(1, math.ceil(self.length / interval))]
         return [turn(repeated, self.target, Edge.START, lag) for lag in lags]
 
 
@@ -40,6 +46,8 @@ def going_on(
     thing and goes on long enough. ``before`` are the positions of the skills of all instructions so far.
     """
     repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
+    if repeated is not None and repeated.recurrence is not None and repeated.recurrence.closing is not None:
+        return _closing(instruction, repeated, before, skills)
     if repeated is None or repeated.recurrence is None or not repeated.recurrence.endless:
         return None
     interval = repeated.recurrence.interval
@@ -62,6 +70,21 @@ def _begins_behind(recurrence: Recurrence, interval: float, one: Interpreted) ->
     starts = [0.0, *(part.t_spec for part in one.requirements if part.t_spec is not None)]
     firsts = (interval + start for start in starts)
     return any(recurrence.windows(first)[:1] == ((first, first),) for first in firsts)
+
+
+def _closing(
+    instruction: Instruction,
+    repeated: TimeRequirement,
+    before: Sequence[range],
+    skills: Sequence[Interpreted],
+) -> GoingOn | None:
+    """Give what is over where a repetition is: "baste it every 20 minutes for the last hour"."""
+    target = _named(instruction)
+    target = repeated.anchor.target if target is None and repeated.anchor is not None else target
+    made = [] if target is None or target >= len(before) else [skills[place] for place in before[target]]
+    if target is None or len(made) != 1:
+        return None
+    return GoingOn(target, made[0].skill.time_until_done, made[0].skill.name)
 
 
 def _named(instruction: Instruction) -> int | None:

@@ -217,6 +217,10 @@ class Maker:
             return replace(known, hands_on=0.0)
         if length is None:
             return table
+        if instruction.alone:
+            # "Paint the door and give it an hour"
+            whole = table.hands_on + length
+            return OperationDuration(hands_on=table.hands_on, elapsed=whole, source="said", assumed=False)
         unattended = table.known and table.elapsed > table.hands_on
         hands_on = min(table.hands_on, length) if unattended else length
         if operation is not None and operation.object is not None:
@@ -234,18 +238,19 @@ class Maker:
         found = self.rulebook.duration_of(ATTEND, operation.object)
         return found if operation.attended or found != anything else None
 
-    def lasting(self, made: Interpreted, length: float) -> Interpreted:
+    def lasting(self, made: Interpreted, length: float, *, alone: bool = False) -> Interpreted:
         """Let a skill go on for as long as was told of it afterwards.
 
-        What is only begun by hand ("put the bread in the oven") goes on by itself.
+        What is only begun by hand ("put the bread in the oven") goes on by itself, and so does what is left
+        ``alone`` ("give it an hour").
         """
         if made.wish.hands_on is not None or made.wish.elapsed is not None or made.instruction is None:
             return made
         table = self._table_duration(made.instruction.operation)
-        duration = self._said(made.instruction, length)
-        alone = self.rulebook.left_alone(table, length)
-        if alone is not None:
-            duration = replace(duration, hands_on=min(duration.hands_on, alone))
+        duration = self._said(replace(made.instruction, alone=alone), length)
+        begun = self.rulebook.left_alone(table, length)
+        if begun is not None:
+            duration = replace(duration, hands_on=min(duration.hands_on, begun))
         skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
         return replace(made, skill=skill, duration=duration)
 

@@ -4,6 +4,7 @@ from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Comparison, Recurrence, TimeRequirement
 from fuzzytime.times import instant_after
 
@@ -141,7 +142,7 @@ def _instant(seconds: float | None, reading: Reading) -> str | None:
 
 def _coming(recurrence: Recurrence | None, count: int) -> tuple[tuple[float, float], ...]:
     """Give where the next occurrences begin and are over, at most so many."""
-    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence)):
+    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence, RecurrenceOnDays)):
         return recurrence.coming(count)
     return ()
 

@@ -107,6 +107,8 @@ class Instruction:
     way
         How many seconds it takes to go where it is done, None where nothing was said: of the instruction
         that ``length_of`` means, if there is one.
+    alone
+        Whether ``duration`` is how long what it is about is left alone then: "paint it and give it an hour".
     day_of
         The position of what happens from whose day that of its times was counted, as in "the evening before
         the trip"; None where no day was.
@@ -122,6 +124,7 @@ class Instruction:
     time_of: Anchor | None = None
     way: float | None = None
     day_of: int | None = None
+    alone: bool = False
 
 
 class RemarkKind(StrEnum):

@@ -21,6 +21,25 @@ def test_a_repetition_is_over_with_what_it_is_about(lines: list[str]) -> None:
     assert any("as long as this goes on" in note for note in notes(made))
 
 
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["roast the duck for two hours", "baste it every 20 minutes for the last hour"],
+        ["the party is from 7 am to 9 am", "pass the cake every 20 minutes in the last hour of the party"],
+        ["simmer the stock for two hours", "during the last hour, skim it every 20 minutes"],
+    ],
+)
+def test_a_repetition_in_the_end_of_something_counts_back_from_there(lines: list[str]) -> None:
+    made = told(lines)
+    assert sorted(starts(made).values()) == ["07:00", "08:00", "08:20", "08:40"]
+    assert any("is the end of this" in note for note in notes(made))
+
+
+def test_a_repetition_in_the_end_of_nothing_that_is_known_is_not_planned() -> None:
+    assert not told(["baste the duck every 20 minutes for the last hour"]).skills
+    assert not starts(told(["baste the duck every 20 minutes for the last hour of roasting"]))
+
+
 def test_a_repetition_of_its_own_goes_on() -> None:
     made = told(["simmer the soup for an hour", "stretch every 20 minutes until noon"])
     assert len(made.skills) > 10
@@ -96,3 +115,17 @@ def test_what_is_needed_then_is_done_by_then() -> None:
 def test_what_is_on_the_way_comes_behind() -> None:
     made = told(["take Leo to the dentist at half three and pick up a pizza on the way back"])
     assert order(made) == ["s1", "s1.2"]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [["paint the door and give it a day", "sand it"], ["paint the door", "give it a day", "sand it"]],
+)
+def test_what_is_left_alone_leaves_the_hands_free(lines: list[str]) -> None:
+    first = told(lines).skills[0].skill
+    assert first.time_until_done == first.duration + 86400
+
+
+def test_what_something_that_takes_long_needs_comes_before_it() -> None:
+    made = told(["chill the pudding for four hours, so make it before noon"])
+    assert starts(made)["s1.2"] < starts(made)["s1"]

@@ -1,6 +1,6 @@
 """Sentences are read as the corpus says; texts refer to those before them; what is not understood is said."""
 
-from datetime import datetime
+from datetime import datetime, timedelta
 from functools import cache
 from typing import Any
 
@@ -9,6 +9,8 @@ import yaml
 
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
 
@@ -33,6 +35,8 @@ def _time(requirement: TimeRequirement, key: str) -> object:
             return list(condition.hedges)
         case "first":
             return requirement.recurrence.occurrences(WEEK)[0] if requirement.recurrence is not None else None
+        case "fuzziness":
+            return list(requirement.fuzziness)
         case "target" | "lag" | "exact" | "edge":
             return getattr(anchor, key) if anchor is not None else None
         case _:
@@ -42,7 +46,7 @@ def _time(requirement: TimeRequirement, key: str) -> object:
 def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
     operation = instruction.operation
     found: dict[str, Any] = {}
-    for key in wanted:
+    for key, value in wanted.items():
         match key:
             case "do":
                 found[key] = operation.name if operation is not None else None
@@ -50,16 +54,24 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 found[key] = operation.addressee if operation is not None else None
             case "lemma" | "negated" | "object" | "place" | "manner" | "order" | "stated" | "attended":
                 found[key] = getattr(operation, key)
-            case "duration":
-                found[key] = instruction.duration
+            case "duration" | "alone":
+                found[key] = getattr(instruction, key)
+            case "next":
+                series = instruction.repeats
+                coming = (
+                    series.coming(len(value))
+                    if isinstance(series, CalendarRecurrence | EvenRecurrence | RecurrenceOnDays)
+                    else ()
+                )
+                found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
             case "length_of":
                 found[key] = instruction.length_of and instruction.length_of.target
             case "times":
-                pairs = zip(instruction.requirements, wanted["times"], strict=False)
+                pairs = zip(instruction.requirements, value, strict=False)
                 found[key] = [
                     {name: _time(requirement, name) for name in time} for requirement, time in pairs
                 ]
-                found[key] += [{"text": r.text} for r in instruction.requirements[len(wanted["times"]) :]]
+                found[key] += [{"text": r.text} for r in instruction.requirements[len(value) :]]
     return found
 
 
@@ -88,6 +100,30 @@ def test_a_later_text_refers_to_an_earlier_one() -> None:
     assert anchor is not None
     assert (anchor.target, anchor.edge) == (0, Edge.END)
     assert first.remarks == ()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "turn the grill on for the last five minutes",
+        "in the last 5 minutes add the peas",
+        "baste the duck every 20 minutes for the last hour",
+        "paint the gate. Turn the lights on for the last hour",
+    ],
+)
+def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+    assert "is the end of something" in remark.message
+
+
+def test_then_behind_nothing_but_a_denial_is_said_not_to_be_used() -> None:
+    texts = ["Don't open the lid", "Then serve the soup"]
+    alone, lines = language().read(". ".join(texts), now=NOW), language().read_all([(t, NOW) for t in texts])
+    for remarks in (alone.remarks, lines[1].remarks):
+        assert [remark.message for remark in remarks] == [
+            "'Then' is not used: nothing that is to be done was said before it"
+        ]
 
 
 def test_what_is_later_counts_from_the_text_before() -> None:
@@ -419,7 +455,7 @@ def test_what_has_been_done_is_not_done_again(text: str) -> None:
 
 
 def test_of_two_repetitions_the_second_is_said_not_to_be_used() -> None:
-    reading = language().read("Scan it every five minutes between 9:00 and 17:00 on weekdays", now=NOW)
+    reading = language().read("Scan it every two days, on weekdays", now=NOW)
     assert [reading.text[slice(*r.span)] for r in reading.remarks if "repetitions" in r.message] == [
         "on weekdays"
     ]

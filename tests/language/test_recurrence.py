@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from fuzzytime.language import find_times
 from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Recurrence
 from fuzzytime.times import instant_after
 
@@ -25,6 +26,7 @@ def recurrence(text: str, now: datetime = NOW) -> Recurrence:
 TEXTS = (
     "every 20 minutes", "every day at nine pm", "on weekdays at 7", "every other friday", "twice a day",
     "every monday and thursday", "the first monday of every month", "every hour until 6 pm", "every morning",
+    "every hour on weekdays from nine to five",
 )  # fmt: skip
 
 
@@ -46,7 +48,7 @@ def test_a_longer_horizon_only_adds_occurrences(text: str, until: float, more: f
 @pytest.mark.parametrize("text", TEXTS)
 def test_the_coming_occurrences_are_the_first(text: str) -> None:
     found = recurrence(text)
-    assert isinstance(found, (EvenRecurrence, CalendarRecurrence))
+    assert isinstance(found, (EvenRecurrence, CalendarRecurrence, RecurrenceOnDays))
     coming = found.coming(3)
     assert found.windows(coming[-1][0])[: len(coming)] == coming
 
@@ -97,3 +99,22 @@ def test_even_spacing_has_an_interval_and_weekdays_have_none() -> None:
 def test_without_a_clock_only_lengths_can_repeat() -> None:
     assert find_times("every ten minutes", None).found[0].recurrence is not None
     assert find_times("every day at nine", None).found == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "hour", "first", "count"),
+    [
+        ("every half hour from nine to ten on weekdays", 8, 3600.0, 3),
+        ("every half hour from nine to ten on weekdays", 9, 0.0, 3),
+        ("twice a day on wednesdays", 13, 0.0, 1),
+    ],
+)
+def test_an_interval_on_some_days_goes_on_where_a_day_has_begun(
+    text: str, hour: int, first: float, count: int
+) -> None:
+    said = find_times(text, NOW.replace(hour=hour)).found[0].recurrence
+    assert isinstance(said, RecurrenceOnDays)
+    today = said.occurrences((24 - hour) * 3600.0 - 1)
+    assert (today[0], len(today)) == (first, count)
+    assert said.spaced(60) is said
+    assert said.endless

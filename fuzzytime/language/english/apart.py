@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+from fuzzytime.language.english.bounded_repetitions import from_first_time, to_last_time
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Said
 from fuzzytime.requirement import Constraint
@@ -49,7 +50,29 @@ def each_alone(length: Duration) -> Said:
     return Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
 
 
-@grammar.rule("said", "<apart>", weight=0.3)
-def apart_alone(length: Duration) -> Said:
+@grammar.rule("repeat", "<apart>", weight=0.2)
+def apart_alone(length: Duration) -> Repeat:
     """(Two tablets) six hours apart: how many, what is done says."""
-    return Said(Repeat(length, apart=True), Constraint.EVERY)
+    return Repeat(length, apart=True)
+
+
+@grammar.rule(
+    "repeat",
+    "the? first time|one|dose? <said> , <apart>",
+    "the first time|one|dose? <said> <apart>",
+    weight=0.6,
+)
+def first_and_apart(said: Said, length: Duration) -> Repeat | None:
+    """(Two tablets,) the first at eight, six hours apart."""
+    return from_first_time(apart_alone(length), said)
+
+
+@grammar.rule(
+    "repeat",
+    "the? last time|one|dose? <said> , <apart>",
+    "the last time|one|dose? <said> <apart>",
+    weight=0.6,
+)
+def last_and_apart(said: Said, length: Duration) -> Repeat | None:
+    """(Three alarms,) the last at seven, ten minutes apart."""
+    return to_last_time(apart_alone(length), said)

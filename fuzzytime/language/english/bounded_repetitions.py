@@ -17,6 +17,8 @@ from fuzzytime.language.meaning.expressions import (
     SameTime,
     Wall,
 )
+from fuzzytime.language.meaning.first_times import ending_with
+from fuzzytime.language.meaning.intervals_on_days import on_days
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -153,6 +155,12 @@ def weeks_on_weekdays(weeks: Repeat, weekdays: Repeat) -> Repeat | None:
     return replace(weekdays, skip=weeks.skip) if _is_unbounded(weeks) and _is_unbounded(weekdays) else None
 
 
+@grammar.rule("repeat", "<repeat> ,? <repeat>", weight=0.4)
+def interval_on_days(interval: Repeat, days: Repeat) -> Repeat | None:
+    """Every five minutes on weekdays, on mondays every hour."""
+    return on_days(interval, days)
+
+
 @grammar.rule("said", "<repeat> ,? <hedge> <repeat>", weight=0.6)
 def weeks_mostly_on_weekdays(weeks: Repeat, hedge: str, weekdays: Repeat) -> Said | None:
     """Once a week, preferably on sundays."""
@@ -165,8 +173,9 @@ def _is_unbounded(repeat: Repeat) -> bool:
 
 
 def _is_plain(repeat: Repeat) -> bool:
-    """Whether it is nothing but days with times of day."""
+    """Whether it is nothing but days with times of day, or weekdays."""
     timed = all(wall.clock is not None or wall.part is not None for wall in repeat.walls)
+    timed = timed or all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
     return bool(repeat.walls) and timed and repeat.skip == 1 and not (repeat.starting or repeat.until)
 
 
@@ -218,7 +227,8 @@ def from_first_time(repeat: Repeat, said: Said) -> Repeat | None:
 def to_last_time(repeat: Repeat, said: Said) -> Repeat | None:
     """Every two hours, the last time at ten."""
     moment = _moment_of(repeat, said)
-    return replace(repeat, until=moment) if moment is not None and repeat.until is None else None
+    bounded = repeat.until is not None or (repeat.times is not None and repeat.starting is not None)
+    return None if moment is None or bounded else ending_with(repeat, moment)
 
 
 def _moment_of(repeat: Repeat, said: Said) -> Wall | None:

@@ -4,8 +4,22 @@ from dataclasses import replace
 
 from fuzzytime.language.english.counted import so_far_in
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.expressions import HALFWAY, LEFT, Duration, Offset, Repeat, Said, TimeWord
+from fuzzytime.language.meaning.distances import far_off
+from fuzzytime.language.meaning.expressions import (
+    EARLIER,
+    HALFWAY,
+    LAST,
+    LEFT,
+    Duration,
+    Offset,
+    Repeat,
+    Said,
+    TimeWord,
+    UnitWord,
+)
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS
 from fuzzytime.requirement import Constraint, Unit
 
@@ -60,6 +74,30 @@ def left_of_it(duration: Duration) -> Said:
     return Said(Offset(replace(duration, hedges=()), -1), None, LEFT, duration.hedges)
 
 
+@grammar.rule("last of it", "the? last|final <duration>")
+def last_of_it(duration: Duration) -> Duration | None:
+    """The last ten minutes (of what goes on)."""
+    return duration if all(unit in SUB_DAY for _, unit in duration.terms) else None
+
+
+@grammar.rule("last of it", "the? last|final <unit>")
+def last_one_of_it(unit: UnitWord) -> Duration | None:
+    """The last hour (of what goes on)."""
+    return last_of_it(Duration(((unit.count, unit.unit),))) if len(unit.form) > 1 else None
+
+
+@grammar.rule("said", "during|in <last of it>", weight=0.5)
+def in_the_last_of_it(duration: Duration) -> Said:
+    """In the last hour: once so much of it is left."""
+    return replace(left_of_it(duration), preposition=LAST)
+
+
+@grammar.rule("said", "for|throughout <last of it>", weight=0.5)
+def for_the_last_of_it(duration: Duration) -> Said:
+    """For the last ten minutes: from then on, and that long."""
+    return replace(in_the_last_of_it(duration), lasting=replace(duration, hedges=()))
+
+
 @grammar.rule("said", "<duration> after", weight=0.05)
 def after_it(duration: Duration) -> Said | None:
     """(call me) ten minutes after: counted from what was said before; but "the day after"."""
@@ -70,6 +108,68 @@ def after_it(duration: Duration) -> Said | None:
 def before_it(duration: Duration) -> Said | None:
     """(be there) ten minutes before: counted from what was said before; but "the night before"."""
     return Said(Offset(replace(duration, hedges=()), -1), None, "earlier", duration.hedges)
+
+
+@grammar.rule("so far off", "<hedge>? <duration> before|early|earlier|beforehand")
+def so_long_before(hedge: str | None, duration: Duration) -> Said:
+    """(before you go,) at least ten minutes before: counted from what was just named."""
+    told = Said(Offset(replace(duration, hedges=()), -1), None, EARLIER, duration.hedges)
+    return replace(told, hedges=(*((hedge,) if hedge else ()), *told.hedges))
+
+
+@grammar.rule("so far off", "<hedge>? <duration> after|later|afterwards|afterward")
+def so_long_after(hedge: str | None, duration: Duration) -> Said:
+    """(after lunch,) at least an hour after."""
+    told = so_far_in(duration)
+    return replace(told, hedges=(*((hedge,) if hedge else ()), *told.hedges))
+
+
+@grammar.rule(
+    "bounded so far off",
+    "at? the? very? latest ,? <so far off>",
+    "<so far off> at? the? very? latest",
+    "<preposition_before> <so far off>",
+    weight=0.7,
+)
+def so_far_off_at_the_latest(first: Preposition | Said, second: Said | None = None) -> Said | None:
+    """(before you go,) at the latest ten minutes before, no later than an hour before."""
+    return _bounded(Constraint.BEFORE, first, second)
+
+
+@grammar.rule(
+    "bounded so far off",
+    "at? the? very? earliest ,? <so far off>",
+    "<so far off> at? the? very? earliest",
+    "<preposition_after> <so far off>",
+    weight=0.7,
+)
+def so_far_off_at_the_earliest(first: Preposition | Said, second: Said | None = None) -> Said | None:
+    """(after the match,) at the earliest an hour after, no earlier than an hour after."""
+    return _bounded(Constraint.AFTER, first, second)
+
+
+def _bounded(side: Constraint, first: Preposition | Said, second: Said | None) -> Said | None:
+    told = first if isinstance(first, Said) else second
+    sure = isinstance(first, Said) or first.name in {"no later than", "not before"}
+    return replace(told, constraint=side) if told is not None and sure else None
+
+
+@grammar.rule("bounded so far off", "<so far off>", weight=0.5)
+def hedged_so_far_off(told: Said) -> Said | None:
+    """(before they come,) at least an hour before."""
+    return told if told.hedges else None
+
+
+@grammar.rule("said", "<bounded so far off>")
+def so_far_off_alone(told: Said) -> Said:
+    """(before they come,) no later than an hour before."""
+    return told
+
+
+@grammar.rule("said", "<said> ,|-|( <bounded so far off> )?", weight=0.3)
+def and_so_far_off(named: Said, distance: Said) -> Said | None:
+    """Before noon, at the latest ten minutes before."""
+    return far_off(named, distance)
 
 
 @grammar.rule("said", "after", weight=-0.5)

@@ -26,6 +26,9 @@ BANK_HOLIDAY = ["bank", "holiday"]
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
 
+EXTREMES = frozenset({"latest", "earliest"})
+"""The ends of "at the latest" and "at the earliest"."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
@@ -84,11 +87,19 @@ class Borders:
         led = any(said.category.startswith("preposition") for said in self.around.pieces(piece.end))
         # "Tonight, ideally before it gets dark" wishes something else than a time.
         place = piece.end + led
-        if not (self.around.timely(place) or self.measures.is_number(place)):
+        article = not {*self.texts[place : place + 1]}.isdisjoint(self.beside.of_lengths)
+        if not (self.around.timely(place) or self.measures.is_number(place) or article):
             return False
+        if self.texts[piece.end - 1] in EXTREMES and "," in self.texts[piece.end - LONGEST_WISH : piece.end]:
+            # "Before they come at seven, at the latest | an hour before"
+            return True
         starts = range(max(piece.start + 1, piece.end - LONGEST_WISH), piece.end)
         ending = (said for start in starts for said in self.around.pieces(start) if said.end == piece.end)
-        return any(said.category == "hedge" and said.value == "about" for said in ending)
+        # "Before the walk at six, at least | half an hour before"
+        return any(
+            said.category.startswith("hedge") and (said.value == "about" or self.texts[said.start - 1] == ",")
+            for said in ending
+        )
 
     def _counts_another(self, piece: Piece) -> bool:
         """Whether its last number counts something else: "every 3 months or | 3000 miles"."""

@@ -16,6 +16,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     INTO,
+    LAST,
     Coming,
     Duration,
     HourMark,
@@ -126,14 +127,19 @@ class Judge:
             sure = said.preposition in OF_HOURS or bool(said.hedges)
             counts = follower in self.closed.noun_openers or self.measures.is_number(piece.end)
             return sure and not counts and self.around.may_end(piece)
-        if isinstance(time, Coming) and time.direction < 0:
-            # "In the last five minutes": of what, is not said; in what is asked for, never of the past.
+        if self._is_past(piece, said):
             return False
         if isinstance(time, Repeat) and not self._accepts_repeat(piece):
             return False
         if isinstance(time, (Repeat, TimeWord)):
             return said.preposition is not None or not self.around.describes(piece)
         return True
+
+    def _is_past(self, piece: Piece, said: Said) -> bool:
+        """Whether it is the time just gone: "what was said in the last hour"; not "in the last hour of X"."""
+        if said.preposition == LAST:
+            return said.lasting is None and piece.start > 0 and self.around.follower(piece) != "of"
+        return isinstance(said.time, Coming) and said.time.direction < 0
 
     def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""

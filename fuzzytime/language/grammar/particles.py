@@ -25,6 +25,8 @@ class Particles:
     def hold(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
+        if first in self.beside.prefixes and not self._prefixes(piece):
+            return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
             return True
@@ -67,6 +69,19 @@ class Particles:
         comes = self.around.before(piece) in self.lexicon.coming_in
         number = isinstance(time, Duration) and time.bare_end and len(time.terms) == 1
         return isinstance(time, Wall) or (comes and number and time.terms[0][0] <= HOURS)
+
+    def _prefixes(self, piece: Piece) -> bool:
+        """Whether "post" and "pre" are prepositions: not in "post 4 letters", "a pre-dinner walk"."""
+        words, behind = self.around.words, piece.start + 1
+        dashed = self.texts[behind : behind + 1] == ["-"]
+        apart = dashed and not all(word.glued for word in words[behind : behind + 2])
+        opens = not dashed and self.around.opens(piece.start)
+        wall = piece.value.time
+        # "Post tomorrow", "post at 4 pm"
+        verb = opens and not (isinstance(wall, Wall) and wall.clock is not None)
+        verb = verb or self.texts[behind] in self.beside.behind_round
+        noun = self.around.before(piece) in self.closed.noun_openers
+        return not (apart or verb or noun) and self.around.may_end(piece)
 
     def _counts_from_that(self, piece: Piece) -> bool:
         """Whether "in" belongs to the verb before a distance: "put the roast in two hours before that"."""

@@ -127,6 +127,7 @@ class BesideTimes:
     behind_round: Words
     taking_along: Words
     being_late: Words
+    prefixes: Words
     greeting: Words
     of_hours: Words
     of_clocks: Words

@@ -5,12 +5,13 @@ leave open.
 
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
-    ``feasts``, ``workdays``, ``recurrence``.
+    ``feasts``, ``workdays``, ``recurrence``, ``closing_recurrence``,
+    ``recurrence_on_days``.
     What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
-    ``range_instants``.
-    Two times as one: ``beside``.
+    ``range_instants``; repetitions: ``series``.
+    Two times as one: ``beside``, ``first_times``, ``distances``, ``intervals_on_days``.
     What is handed on: ``requirements``, ``decisions``.
 """

@@ -16,6 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.feasts import Feast, Season
+from fuzzytime.language.meaning.first_times import closing_of, first_time, in_the_end, is_release
 from fuzzytime.language.meaning.instants import halved
 from fuzzytime.language.meaning.nested import Share
 from fuzzytime.language.meaning.relations import Away, narrowed, same_day, weekday_at
@@ -152,6 +153,11 @@ def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
     return days if period == Cycle(Unit.WEEK) and days.weekly else None
 
 
+def names_day_of(repeat: Repeat, wall: Wall) -> bool:
+    """Whether it is the day that a period is said to have."""
+    return _named_days(repeat, wall) is not None
+
+
 def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
     """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
     days = _named_days(repeat, wall)
@@ -198,6 +204,8 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         lasting = said.constraint is Constraint.FOR and time.seconds >= step
         bound = lasting or said.constraint is Constraint.BEFORE
         return replace(repeat, until=Offset(time)) if bound else None
+    if (closing := closing_of(said)) is not None:
+        return in_the_end(repeat, closing)
     if isinstance(time, Coming):
         return replace(repeat, until=Offset(time.duration))
     if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
@@ -214,11 +222,11 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
         return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
     if said.constraint is Constraint.BEFORE:
-        return replace(repeat, until=time)
-    if said.preposition == "starting":
-        return replace(repeat, starting=time)
-    if said.constraint is Constraint.AFTER:
-        return replace(repeat, starting=time)
+        # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
+        return None if repeat.apart else replace(repeat, until=time)
+    if is_release(said):
+        first = first_time(said)
+        return None if first is None else replace(repeat, starting=first)
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
@@ -284,7 +292,9 @@ def told_apart(said: Said, frame: Said) -> Said | None:
         found = (
             narrowed_repeat(other, time) if isinstance(time, Wall) and moment else bounded_repeat(other, said)
         )
-        return None if found is None else Said(found, Constraint.EVERY, said.preposition, said.hedges)
+        if found is None:
+            return None
+        return Said(found, Constraint.EVERY, said.preposition, said.hedges, lasting=said.lasting)
     if not isinstance(other, Wall):
         return None
     if isinstance(time, Offset) and isinstance(time.anchor, Wall):

@@ -5,10 +5,11 @@ from datetime import UTC, datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind, Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Range, Time, Wall
+from fuzzytime.language.meaning.expressions import Offset, Range, Repeat, Time, Wall
 from fuzzytime.language.meaning.instants import Instants, is_eve
 from fuzzytime.language.meaning.moment import Moment, zone_of
-from fuzzytime.language.meaning.recurrence import CalendarRecurrence
+from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.series import begins_by_policy
 from fuzzytime.language.policy import Midnight
 from fuzzytime.requirement import Recurrence
 
@@ -34,6 +35,18 @@ class Deciding:
             others = [seconds for seconds in clock.candidates() if seconds != chosen]
             if others:
                 remarks.append(self._taken(_hours(chosen), _hours(others[0])))
+        return tuple(dict.fromkeys(remarks))
+
+    def of_bounds(self, repeat: Repeat, recurrence: Recurrence) -> tuple[Remark, ...]:
+        """Say what was chosen for the first and the last time of a repetition."""
+        remarks: list[Remark] = []
+        if begins_by_policy(repeat) and isinstance(recurrence, EvenRecurrence) and recurrence.first:
+            first = self.moment.grounding().now + timedelta(seconds=recurrence.first)
+            remarks.append(self._noted(f" begins at {first:%H:%M}: when on that day is not said"))
+        for bound in (repeat.starting, repeat.until):
+            said = bound.anchor if isinstance(bound, Offset) else bound
+            if isinstance(said, Wall) and said.clock is not None and not remarks:
+                remarks += self.of_instants(self.moment.grounding(said.zone).instants(said), said.zone)[0]
         return tuple(dict.fromkeys(remarks))
 
     def of_instants(

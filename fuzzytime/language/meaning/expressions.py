@@ -145,8 +145,11 @@ INTO = "into"
 LATER, EARLIER = "later", "earlier"
 """The prepositions of times that count from what was said before, on and back."""
 
-LEFT = "left"
-"""The preposition of times that count back from the end of what goes on: "with ten minutes left"."""
+LEFT, LAST = "left", "last"
+"""The prepositions of times that count back from the end of what goes on, or of what is named behind them.
+
+"With ten minutes left", "for the last ten minutes of baking".
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,7 +195,9 @@ class Repeat:
     ``starting`` and ``until`` bound it where that was said; ``shared`` says that each occurrence has its
     whole share of the time ("twice a day"); ``times`` how often it is between those bounds ("twice today"),
     or so long ``every`` time after the one before. ``apart`` says that how often is said elsewhere: "two
-    tablets, six hours apart".
+    tablets, six hours apart". ``closing`` is how much of the end of something else it is in: "every twenty
+    minutes for the last hour". ``within`` are the days that an interval is on: "every five minutes on
+    weekdays".
     """
 
     every: Duration | None = None
@@ -203,6 +208,8 @@ class Repeat:
     shared: bool = False
     times: int | None = None
     apart: bool = False
+    closing: Duration | None = None
+    within: "Repeat | None" = None
 
 
 @dataclass(frozen=True, slots=True)

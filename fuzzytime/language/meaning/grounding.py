@@ -227,7 +227,9 @@ class Grounding(Standpoint):
         after = said.direction > 0 and not self._is_day(said.anchor)
         base = anchor.end if over or after else anchor.start
         start = shifted(base, duration, said.direction)
-        return Instants(start, start, Unit.MINUTE, (), anchor.zone)
+        # "An hour before seven": which seven, is not said.
+        choices = tuple(shifted(choice, duration, said.direction) for choice in anchor.choices)
+        return Instants(start, start, Unit.MINUTE, choices if start in choices else (), anchor.zone)
 
     @staticmethod
     def _is_day(said: Time) -> bool:

@@ -12,8 +12,8 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Repeat, Time, TimeWord, Wall
-from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError, halved, midnight, over_at_midnight
+from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.instants import UngroundedError, halved, midnight, over_at_midnight
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.requirement import Unit
 
@@ -53,6 +53,11 @@ class EvenRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
+
+    @property
+    def closing(self) -> None:
+        """None: it counts from now."""
+        return None
 
     @property
     def spans(self) -> bool:
@@ -106,6 +111,11 @@ class CalendarRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
+
+    @property
+    def closing(self) -> None:
+        """None: it is on days of the calendar."""
+        return None
 
     @property
     def spans(self) -> bool:
@@ -201,63 +211,3 @@ class CalendarRecurrence:
 
 def _series(days: Calendar | None) -> Calendar:
     return days if days is not None else Cycle(Unit.DAY)
-
-
-def recurrence_of(repeat: Repeat, moment: "Moment") -> EvenRecurrence | CalendarRecurrence:
-    """Ground a repetition.
-
-    Raises
-    ------
-    UngroundedError
-        If it needs a clock that is not known.
-    """
-    first = _bound(repeat.starting, moment, last=False)
-    last = _bound(repeat.until, moment, last=True)
-    if repeat.walls and not _is_even(repeat):
-        moment.grounding()
-        return CalendarRecurrence(
-            walls=repeat.walls,
-            moment=moment,
-            skip=repeat.skip,
-            first=0.0 if first is None else max(0.0, first),
-            last=math.inf if last is None else last,
-        )
-    if repeat.apart:
-        raise UngroundedError("how many times is not said")
-    if repeat.times is not None and repeat.every is not None:
-        # "Twice, an hour apart"
-        start, step = max(0.0, first or 0.0), repeat.every.seconds
-        over = start + (repeat.times - 1) * step
-        return EvenRecurrence(
-            step=step, first=start, last=over if last is None else min(over, last), counted=last is None
-        )
-    if repeat.times is not None and last is not None:
-        # "Twice today": once in each half of what is left of it.
-        start = max(0.0, first or 0.0)
-        step = (last - start) / repeat.times
-        return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
-    if repeat.every is None:
-        raise UngroundedError("a repetition must say how often")
-    step = repeat.every.seconds
-    sub_day = all(unit in SUB_DAY for _, unit in repeat.every.terms)
-    # "Every day", "every two weeks": any time in a day, in a week; "twice a day": in each half of one.
-    length = step if repeat.shared else UNIT_SECONDS[repeat.every.unit] if repeat.walls else 0.0
-    start = first if first is not None else (step if sub_day and not length else 0.0)
-    if sub_day and last is not None and 0.0 < last < start:
-        # "Every hour from dawn till dusk", said in the morning: it goes on already.
-        start = 0.0
-    return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
-
-
-def _is_even(repeat: Repeat) -> bool:
-    """Whether days are counted from today: "every two days", without a time of day."""
-    return repeat.every is not None and all(wall.clock is None and wall.part is None for wall in repeat.walls)
-
-
-def _bound(time: Time | None, moment: "Moment", *, last: bool) -> float | None:
-    if time is None:
-        return None
-    if isinstance(time, TimeWord):
-        return 0.0
-    found = moment.grounding().instants(time)
-    return moment.seconds(found.end if last else found.start)

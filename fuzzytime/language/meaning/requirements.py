@@ -23,8 +23,8 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
-from fuzzytime.language.meaning.recurrence import recurrence_of
 from fuzzytime.language.meaning.relations import Away
+from fuzzytime.language.meaning.series import recurrence_of
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
 
 UPPER = frozenset({"at most", "less than"})
@@ -169,7 +169,8 @@ class _Grounder:
             grain=min(grains, key=list(Unit).index, default=None),
             recurrence=recurrence,
         )
-        remarks = self._deciding.of_repetition(time.walls, recurrence)
+        deciding = self._deciding
+        remarks = (*deciding.of_repetition(time.walls, recurrence), *deciding.of_bounds(time, recurrence))
         return Grounded(requirement=requirement, recurrence=recurrence, remarks=remarks)
 
     def _of_instants(self, time: Time) -> Grounded:

@@ -38,11 +38,31 @@ def asked_of(
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
             anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
+            thing = thing or _behind_denials(sketch, operation, operations, mentions, first)
             thing = thing or resolved_object(operation, operations, mentions, first)
             again = thing != operation.object
             found.append(replace(sketch, operation=replace(operation, object=thing, again=again)))
         operations.append(found[-1].operation)
     return found, remarks
+
+
+def _behind_denials(
+    sketch: Sketch,
+    operation: Operation,
+    own: Sequence[Operation | None],
+    mentions: Mentions,
+    first: int,
+) -> str | None:
+    """Give what "it" is in what goes on behind a denial: "boil the rice; don't open the lid; then serve it".
+
+    None where that is not said, or what it goes on from names nothing.
+    """
+    denied = [one is not None and one.negated for one in own]
+    if sketch.part.segment.connective != "then" or denied[-1:] != [True]:
+        return None
+    asked = [None if no else one for one, no in zip(own, denied, strict=True)]
+    thing = resolved_object(operation, asked, mentions, first)
+    return thing if thing != operation.object else None
 
 
 def _doubts(sketch: Sketch, draft: Draft, lexicon: Lexicon) -> list[Remark]:

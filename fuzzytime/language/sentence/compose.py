@@ -13,17 +13,25 @@ from fuzzytime.language.instruction import (
     Question,
     Reading,
     Remark,
-    RemarkKind,
     Span,
 )
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
+from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
-from fuzzytime.language.sentence.references.phrase_anchors import ORDERING, counts_from_nothing, of_phrase
+from fuzzytime.language.sentence.references.phrase_anchors import (
+    ORDERING,
+    counts_from_nothing,
+    of_nothing,
+    of_phrase,
+)
+from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
     anchored_by_connective,
     follows_nothing,
+    led_by_denial,
     led_by_nothing,
     within_after,
 )
@@ -37,6 +45,7 @@ from fuzzytime.language.sentence.sketches.negations import awaiting, without_den
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
+from fuzzytime.language.sentence.together.consequences import behind_consequences
 from fuzzytime.language.sentence.together.doubts import unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
@@ -98,6 +107,8 @@ class _Composer:
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
         self.days: dict[int, date] = {}
+        self.going: list[int] = []
+        self.made: list[Instruction] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
 
@@ -110,13 +121,16 @@ class _Composer:
         self.remarks += remarks
         sketches = said_for_all(sketches, self.draft.text, self.lexicon)
         operations = [sketch.operation for sketch in sketches]
-        instructions: list[Instruction] = []
+        instructions = self.made
         for place, sketch in enumerate(sketches):
             self.moment = self._moment_of(sketches, place, instructions)
             instructions.append(self._instruction(sketch, self.first + place, operations))
             day = day_of(instructions[-1], self.draft.now)
             if day is not None:
                 self.days[self.first + place] = day
+            if instructions[-1].duration is not None:
+                self.going.append(self.first + place)
+        instructions = behind_consequences(instructions, sketches, self.draft.text, self.first)
         if sketches:
             first = sketches[0].part.segment.span[0]
             self.remarks += lengths_in_front(self.draft.asides, first, self.draft.text)
@@ -177,6 +191,7 @@ class _Composer:
             self.lexicon,
             self.awaits,
             day_above(self.draft.heading),
+            self.going,
         )
         self.explained += sketch.heard
         sketch, event, remarks = on_days_of_events(
@@ -192,9 +207,11 @@ class _Composer:
         self.remarks += times.remarks
         self.questions += times.questions
         segment = sketch.part.segment
-        connected = anchored_by_connective(segment, self.draft.text, position)
-        if connected is None and position == 0:
-            self.remarks += led_by_nothing(segment, self.draft.text)
+        before = self._asked_before(position)
+        connected = anchored_by_connective(segment, self.draft.text, before)
+        if before is None:
+            led = led_by_denial if position else led_by_nothing
+            self.remarks += led(segment, self.draft.text)
         requirements = self._required(sketch, times, anchors, connected)
         said = self.draft.text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
@@ -219,7 +236,14 @@ class _Composer:
             way=None if sketch.way is None else sketch.way.seconds,
             time_of=None if told is not None else time_of(operation, requirements, said, anchors),
             day_of=event,
+            alone=bool(lengths) and any(_leaves(aside, lengths[0]) for aside in self.draft.asides),
         )
+
+    def _asked_before(self, position: int) -> int | None:
+        """Give the instruction before that "then" follows: not what is not to be done; None without one."""
+        given = (*self.mentions.operations[: self.first], *(made.operation for made in self.made))
+        asked = (p for p in range(position - 1, -1, -1) if (one := given[p]) is None or not one.negated)
+        return next(asked, None)
 
     def _required(
         self, sketch: Sketch, times: Times, anchors: Anchors, connected: TimeRequirement | None
@@ -253,11 +277,13 @@ class _Composer:
             phrase, reference = said[requirement.span]
             if phrase.rule == HEADED and self.draft.heading is not None:
                 requirement = replace(requirement, text=self.draft.heading.name)
-            requirement = of_phrase(anchors, phrase, requirement)
+            requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)
             requirements.append(referred(requirement, reference))
-            if counts_from_nothing(requirement, phrase.said, sketch.operation, anchors.position):
-                alone = follows_nothing(requirement.text, requirement.span)
-                self.remarks.append(replace(alone, kind=RemarkKind.NOT_UNDERSTOOD))
+            waits = any(clause.marker == OF for clause in sketch.clauses)
+            if not waits and counts_from_nothing(
+                requirement, phrase.said, sketch.operation, anchors.position
+            ):
+                self.remarks.append(of_nothing(requirement, phrase.said))
             if requirement.word in ORDERING:
                 self.remarks.append(follows_nothing(requirement.text, requirement.span))
         return requirements
@@ -280,3 +306,8 @@ class _Composer:
             self.moment = replace(self.moment, since=said.clock, carried=False)
         if said.day is not None:
             self.moment = replace(self.moment, day=said.day)
+
+
+def _leaves(aside: Aside, length: Grounded) -> bool:
+    """Whether a length is told by an aside as how long something is left alone."""
+    return aside.left and aside.length.span == length.requirement.span

@@ -186,7 +186,7 @@ _ROWS = {
     "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
     "told": (
         "joints", "small", "subjects", "determiners", "being", "taking", "going", "there", "by", "vehicles",
-        "between", "helping", "enough", "allowing", "for it",
+        "between", "helping", "enough", "allowing", "leaving", "for it",
     ),
     "asides": ("naming", "back", "helping", "taking", "whom"),
     "spacing": ("leading", "beside", "nouns", "turns"),

@@ -7,12 +7,16 @@ from dataclasses import dataclass, replace
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Said, Wall
+from fuzzytime.language.meaning.expressions import Coming, Duration, Offset, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.first_times import closing_of
 from fuzzytime.language.meaning.relations import Deictic, Which
 from fuzzytime.requirement import Constraint
 
 BESIDE = 2
 """Words of a unit, or a part of a day, behind its article: "the day", "the evening"."""
+
+OF = "of"
+"""The marker of what a time is the end of: "for the last hour of roasting"."""
 
 LONGEST_ASIDE = 6
 """Words at most before the time of an event in what is said of it."""
@@ -43,6 +47,12 @@ class BeforeMarker:
         """Give the length of time right before a marker that something must not be later than."""
         found = (phrase for phrase in self.phrases if phrase.end == place)
         return next((p for p in found if _counts_within(p)), None)
+
+    def closes(self, place: int) -> bool:
+        """Whether a time right before "of" is the end of something: "for the last hour of roasting"."""
+        said = [phrase.said for phrase in self.phrases if phrase.end == place]
+        repeats = [one.time for one in said if isinstance(one.time, Repeat)]
+        return any(map(closing_of, said)) or any(repeat.closing for repeat in repeats)
 
     def behind_denied(self, place: int, form: tuple[str, ...]) -> int | None:
         """Give where "after" stands in "don't … until ten minutes after it", None in other words."""

@@ -30,7 +30,8 @@ class Anchors:
 
     ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
     operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
-    where nothing said before is meant. ``day`` is that of a line above.
+    where nothing said before is meant. ``day`` is that of a line above, ``going`` are
+    those of its text that were said to go on for some time.
     """
 
     position: int
@@ -40,6 +41,7 @@ class Anchors:
     lexicon: Lexicon
     awaits: bool = False
     day: Calendar | None = None
+    going: Sequence[int] = ()
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""
@@ -254,6 +256,12 @@ class Anchors:
                 break
             before -= 1
         return before
+
+    def said_to_last(self) -> int | None:
+        """Give the latest instruction before it that was said to go on for some time; None without one."""
+        known = [place for place in self.mentions.lasting if place < self.first]
+        known += [place for place in self.going if place < self.position]
+        return known[-1] if known else None
 
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""

@@ -1,22 +1,28 @@
 """Times that count from another instruction without a clause: "before dinner", "ten minutes later"."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language.instruction import Operation
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import (
     EARLIER,
     HALFWAY,
     INTO,
+    LAST,
     LATER,
     LEFT,
     Offset,
     Phrase,
+    Repeat,
     Said,
     TimeWord,
     Wall,
 )
 from fuzzytime.language.meaning.expressions import Edge as Bound
+from fuzzytime.language.meaning.first_times import closing_of
 from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.sentence.clauses.before_markers import OF
+from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import waits_for
 from fuzzytime.language.sentence.trees.content_words import content_words
@@ -38,7 +44,7 @@ HOUR = "time"
 """The end of the name of when a meal is: "lunchtime"."""
 
 WITHIN = "within"
-INSIDE = frozenset({LEFT, HALFWAY})
+INSIDE = frozenset({LEFT, LAST, HALFWAY})
 """The prepositions of times that are inside something else, and nothing without that."""
 
 COUNTED: dict[str | None, Constraint] = {
@@ -54,17 +60,25 @@ def counts_from_nothing(
     requirement: TimeRequirement, said: Said, operation: Operation | None, position: int
 ) -> bool:
     """Whether a time is inside something, or before it, and nothing was said: "remind me a day before"."""
-    if requirement.anchor is not None:
+    if requirement.anchor is not None or requirement.constraint is Constraint.FOR:
         return False
     asked = operation is not None and not operation.stated
     days = said.time.days if isinstance(said.time, Wall) else None
     # "Bake it the day before"
     day_before = position == 0 and isinstance(days, Relative) and days.onward and days.days < 0
-    return requirement.preposition in INSIDE or (asked and (day_before or requirement.preposition == EARLIER))
+    return (
+        requirement.preposition in INSIDE
+        or is_in_the_end(said)
+        or (asked and (day_before or requirement.preposition == EARLIER))
+    )
 
 
-def of_phrase(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement:
-    """Give a requirement of the grammar as a reference, where it is one."""
+def of_phrase(
+    anchors: Anchors, phrase: Phrase, requirement: TimeRequirement, clauses: Sequence[Clause] = ()
+) -> TimeRequirement:
+    """Give a requirement of the grammar as a reference, where it is one; ``clauses`` stand beside it."""
+    if is_in_the_end(phrase.said):
+        return _in_the_end(anchors, phrase.said, requirement, clauses)
     found = _meal(anchors, phrase, requirement) or _later(anchors, phrase, requirement)
     return found or _upon_arrival(anchors, requirement) or requirement
 
@@ -141,8 +155,40 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
     lag = requirement.t_spec or 0.0
     target = anchors.going_on() if phrase.said.preposition == LEFT else before
-    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=True)
-    return _counted_from(requirement, anchor, side)
+    bounded = phrase.said.constraint in {Constraint.BEFORE, Constraint.AFTER}
+    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=not bounded)
+    return _counted_from(requirement, anchor, requirement.constraint if bounded else side)
+
+
+def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:
+    """Point at a time that is inside something, or before it, where nothing of that was said."""
+    message = f"{requirement.text!r} is about an instruction before it, and none was given so far"
+    if is_in_the_end(said):
+        message = f"{requirement.text!r} is the end of something, and what goes on until then is not said"
+    return Remark(RemarkKind.NOT_UNDERSTOOD, requirement.span, message)
+
+
+def is_in_the_end(said: Said) -> bool:
+    """Whether it is in the end of something: "for the last ten minutes", "every minute for the last hour"."""
+    closing = isinstance(said.time, Repeat) and said.time.closing is not None
+    return closing or said.preposition == LAST
+
+
+def _in_the_end(
+    anchors: Anchors, said: Said, requirement: TimeRequirement, clauses: Sequence[Clause]
+) -> TimeRequirement:
+    """Read "for the last hour (of baking)" as counted back from the end of that, or of what goes on."""
+    length = said.time.closing if isinstance(said.time, Repeat) else closing_of(said)
+    named = next((clause for clause in clauses if clause.marker == OF), None)
+    target = anchors.said_to_last() if named is None else anchors.target_of(named)
+    unknown = target is None and named is None
+    if length is None or unknown or requirement.constraint is Constraint.FOR:
+        return requirement
+    lag = -length.seconds
+    anchor = Anchor(text=requirement.text, target=target, edge=Edge.END, lag=lag, exact=True)
+    if requirement.recurrence is not None:
+        return replace(requirement, anchor=anchor)
+    return _counted_from(requirement, anchor, Constraint.AFTER)
 
 
 def _counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

@@ -22,11 +22,15 @@ PURPOSE = 3
 
 @dataclass(frozen=True, slots=True)
 class Aside:
-    """An aside: its stretch, and the length that it says; ``way`` where that is how long one goes there."""
+    """An aside: its stretch, and the length that it says.
+
+    ``way`` says that this is how long one goes there, ``left`` that what was done is left alone so long.
+    """
 
     span: Span
     length: Phrase
     way: bool = False
+    left: bool = False
 
 
 def asides_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Aside, ...]:

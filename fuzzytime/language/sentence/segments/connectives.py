@@ -24,9 +24,17 @@ def led_by_nothing(segment: Segment, text: str) -> Iterator[Remark]:
         yield follows_nothing(said, segment.connective_span)
 
 
-def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRequirement | None:
-    """Give the order that "then" or "meanwhile" says, to the instruction before; None without one."""
-    if segment.connective not in ORDERING or position == 0:
+def led_by_denial(segment: Segment, text: str) -> Iterator[Remark]:
+    """Point at the connective of what comes behind nothing but what is not to be done: "don't …, then …"."""
+    if segment.connective in ORDERING:
+        said = text[slice(*segment.connective_span)].rstrip(" ,:")
+        message = f"{said!r} is not used: nothing that is to be done was said before it"
+        yield Remark(RemarkKind.POLICY, segment.connective_span, message)
+
+
+def anchored_by_connective(segment: Segment, text: str, before: int | None) -> TimeRequirement | None:
+    """Give the order that "then" or "meanwhile" says, to the instruction ``before``; None without one."""
+    if segment.connective not in ORDERING or before is None:
         return None
     first, end = segment.connective_span
     said = text[first:end].rstrip(" ,:") or text[first:end]
@@ -36,7 +44,7 @@ def anchored_by_connective(segment: Segment, text: str, position: int) -> TimeRe
         span=(first, first + len(said)),
         constraint=Constraint.AFTER if follows else Constraint.AT,
         preposition=segment.connective,
-        anchor=Anchor(text=said, target=position - 1, edge=Edge.END if follows else Edge.START),
+        anchor=Anchor(text=said, target=before, edge=Edge.END if follows else Edge.START),
     )
 
 

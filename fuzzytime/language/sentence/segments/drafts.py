@@ -174,7 +174,7 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
         if not waiting:
             break
         found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
-        led = {} if last_round else fronts_of(waiting, found, trees, lexicon)
+        led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
         following: list[Waiting] = []
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
             if place in led:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.clauses.conditions import being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
 from fuzzytime.language.sentence.verbs.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
@@ -55,22 +55,25 @@ class _Try:
 
 
 def fronts_of(
-    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+    waiting: Sequence[Waiting], found: Sequence[Tree], fronts: Sequence[Tree], trees: Trees, lexicon: Lexicon
 ) -> dict[int, Front]:
-    """Give the clauses in front of those that wait, by their places; ``found`` are their trees."""
+    """Give the clauses in front of those that wait, by their places.
+
+    ``found`` are their trees, ``fronts`` those of what stands before a comma in front of them.
+    """
     tries = [
         attempt
-        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
-        for attempt in _tries(place, one, tree, lexicon)
+        for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True))
+        for attempt in (*_tries(place, one, tree, lexicon), *_with_order(place, one, front, lexicon))
     ]
     clauses = trees([attempt.clause for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
-    fronts: dict[int, Front] = {}
+    led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in fronts and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
-            fronts[attempt.one] = attempt.front
-    return fronts
+        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
+            led[attempt.one] = attempt.front
+    return led
 
 
 def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
@@ -91,6 +94,41 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
         yield _Try(place, kind, Front(marker.start, start), clause, source.sound[start:end])
+
+
+def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    """Give the order in what stands before a comma: "after the meeting send the notes, book the room"."""
+    words, source = one.source.scanned.words, one.source
+    marker = one.leading_marker(lexicon)
+    if marker is None or marker.end >= len(words):
+        return
+    first, end = words[marker.end].start, one.segment.span[1]
+    for here, node in enumerate(front.nodes):
+        start = node.start + one.segment.span[0]
+        if start > first and (_disagrees(front, here, lexicon) or _is_taken_for_noun(front, here)):
+            clause = source.sound[first:start].strip(" ,")
+            yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+
+
+def _is_taken_for_noun(tree: Tree, place: int) -> bool:
+    """Whether what may be a bare verb has a thing behind it, and no subject: "the flight pack the bags"."""
+    node = tree.nodes[place]
+    bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, *SUBJECTS)
+    named = place > 0 and tree.nodes[place - 1].tag not in BINDING
+    return bare and named and place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag in DETERMINERS
+
+
+def _disagrees(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what stands right before a bare verb is one thing: it would do that in another form."""
+    if tree.nodes[place].tag not in IMPERATIVE:
+        return False
+    subjects = tree.children(place, "nsubj")
+    if len(subjects) != 1 or tree.children(place, "aux", "auxpass"):
+        return False
+    node = tree.nodes[subjects[0]]
+    several = tree.children(subjects[0], "conj") or node.lower in lexicon.beside.plurals | lexicon.persons
+    one = node.tag in {"NN", "NNP"} and node.lower == node.lemma.lower() and not several
+    return one and tree.reach(subjects[0])[1] == place
 
 
 def _is_counted(tree: Tree, place: int) -> bool:

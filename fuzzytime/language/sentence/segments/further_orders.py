@@ -10,13 +10,15 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 from fuzzytime.language.sentence.segments.orders_in_front import (
     ANY_SUBJECTS,
     COORDINATE,
+    behind_joint,
+    denied_from,
     first_of,
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
 from fuzzytime.language.sentence.trees.tags import IMPERATIVE
 from fuzzytime.language.sentence.trees.tree import Node, Tree
-from fuzzytime.language.sentence.verbs.actions import gone_to_do
+from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
     being_behind_order,
     goes_on,
@@ -39,7 +41,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
     timed = {place for span in times for place in tree.at(*span)}
-    first = (order_behind_order(tree, root), order_behind_statement(tree, root, timed))
+    first = (order_behind_order(tree, root, timed), order_behind_statement(tree, root, timed))
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
         if place in timed and place != root:
@@ -67,7 +69,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         if is_overlooked(tree, place, timed, lexicon):
             return place
         if is_led_by_time(tree, place, timed, lexicon):
-            return _behind_joint(tree, place, timed)
+            return behind_joint(tree, place, timed)
     if (
         place > 1
         and _is_passive_order(tree, place)
@@ -91,17 +93,20 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     node = tree.nodes[place]
     if place in {0, root} or not _is_bare(node, lexicon) or node.relation not in COORDINATE:
         return None
-    denied = _denied_from(tree, place)
-    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and tree.children(place, "aux")):
+    wanted = _is_wanted_too(tree, place, root, lexicon)
+    denied = denied_from(tree, place)
+    helping = [p for p in tree.children(place, "aux") if not (wanted and tree.nodes[p].lower == "to")]
+    if tree.children(place, *ANY_SUBJECTS, "mark") or (denied is None and helping):
         return None
     if any(tree.nodes[p].lower == node.lower for p in tree.children(root, "dobj")):
         # "Weld seam 3 at 11 and seam 4 at 12"
         return None
-    start = _behind_joint(tree, _behind_place(tree, place) if denied is None else denied, timed)
+    first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
+    start = behind_joint(tree, first, timed)
     if (
         start == 0
         or tree.nodes[start - 1].lower not in lexicon.closed.joints_of_orders
-        or _is_embedded(tree, place, root)
+        or (_is_embedded(tree, place, root) and not wanted)
     ):
         return None
     if gone_to_do(tree, root, lexicon) == place:
@@ -109,11 +114,20 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
     return start if place > root or _leads(tree, place, root) else None
 
 
-def _denied_from(tree: Tree, place: int) -> int | None:
-    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
-    helping = tree.children(place, "aux")
-    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
-    return helping[0] if denied else None
+def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
+    """Whether a verb is joined to the one that is meant below another: "I need to water it and feed him".
+
+    So it is to what is to be remembered.
+    """
+    action = action_of(tree, lexicon)
+    if action is None or action.negated:
+        return False
+    remembered = tree.nodes[action.place].lemma in lexicon.doing.remembering
+    meant = {*tree.children(action.place, "xcomp")} if remembered else {action.place}
+    over = tree.nodes[place].head
+    while tree.nodes[over].relation in {"conj", "dep"} and over not in meant:
+        over = tree.nodes[over].head
+    return over in meant - {root} and gone_to_do(tree, over, lexicon) != place
 
 
 def _goes_on(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> bool:
@@ -147,19 +161,6 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux")}
     told = told or (named and bool(helping) and helping <= closed.future | {"should"} and node.tag == "VB")
     return beside and told and not tree.children(place, *ANY_SUBJECTS, "aux")
-
-
-def _behind_joint(tree: Tree, start: int, timed: set[int]) -> int:
-    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
-    first = start
-    while first and first - 1 in timed:
-        first -= 1
-    behind = first
-    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
-        behind -= 1
-    # "Boil it, and before that, wash it"
-    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
-    return behind if led else first
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:

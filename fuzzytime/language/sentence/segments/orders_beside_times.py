@@ -104,11 +104,14 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     node, behind = tree.nodes[first], tree.nodes[first + 1]
     owning = behind.tag in DETERMINERS and node.may_act
     called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
-    return node.tag.startswith("NN") and node.lower == node.lemma and (owning or called)
+    # "After dinner clear the table": no adjective stands before an article.
+    named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
+    return named and node.lower == node.lemma and (owning or called)
 
 
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a noun may be somebody: not "interview" in "phone interview at two"."""
     node = tree.nodes[place]
-    event = node.may_act or node.lower in lexicon.happening | lexicon.taken
+    named = node.tag == "NNP" and node.text[0].isupper()
+    event = node.lower in lexicon.happening | lexicon.taken or (node.may_act and not named)
     return node.lower in lexicon.persons or (node.tag.startswith("NN") and not event)

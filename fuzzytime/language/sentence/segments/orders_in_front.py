@@ -1,5 +1,7 @@
 """Where the root of a tree is no first order: "weld it, wait" has its first below the second."""
 
+from collections.abc import Set as AbstractSet
+
 from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 
@@ -8,17 +10,23 @@ COORDINATE = ("conj", "dep", "parataxis", "ccomp", "advcl", "appos")
 """Relations of what stands beside an order and may be another."""
 
 
-def order_behind_order(tree: Tree, root: int) -> int | None:
+def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int] = frozenset()) -> int | None:
     """Give where the root begins, if it is a second order: "weld it, wait" has its first below it.
 
-    So has a statement behind an order: "bring my coat, we leave at three".
+    So has a statement behind an order: "bring my coat, we leave at three". What is ``timed`` before the root
+    is its time: "clean the oven, tomorrow mop the floor".
     """
     closed = tree.lexicon.closed
     subjects = tree.children(root, *ANY_SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
     brought = [p for p in tree.children(root, "aux") if p == start - 1 and tree.nodes[p].lower == "have"]
+    denied = denied_from(tree, root)
+    if denied is not None:
+        # "Mix the paint, don't touch the lid"
+        brought.append(denied)
     # "Scrub the potatoes, have them peeled"
     start = min([start, *brought])
+    start = start if subjects else behind_joint(tree, start, timed)
     joint = tree.nodes[start - 1].lower if start else ""
     helping = {tree.nodes[p].lower for p in tree.children(root, "aux") if p not in brought}
     telling = (
@@ -37,6 +45,26 @@ def order_behind_order(tree: Tree, root: int) -> int | None:
         for p in orders
     )
     return start if ordered else None
+
+
+def denied_from(tree: Tree, place: int) -> int | None:
+    """Give where a verb begins that is denied: "fill it but don't switch it on"."""
+    helping = tree.children(place, "aux")
+    denied = bool(tree.children(place, "neg")) and [tree.nodes[p].lower for p in helping] == ["do"]
+    return helping[0] if denied else None
+
+
+def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
+    """Give where an instruction begins with the time in front: "…, and by seven have the soup ready"."""
+    first = start
+    while first and first - 1 in timed:
+        first -= 1
+    behind = first
+    while behind and (behind - 1 in timed or tree.nodes[behind - 1].lower == ","):
+        behind -= 1
+    # "Boil it, and before that, wash it"
+    led = behind > 0 and tree.nodes[behind - 1].lower in {"and", "&", "but"}
+    return behind if led else first
 
 
 def _orders_before(tree: Tree, root: int, start: int, joint: str) -> list[int]:

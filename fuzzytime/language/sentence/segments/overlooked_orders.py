@@ -8,6 +8,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import (
 )
 from fuzzytime.language.sentence.segments.orders_in_front import COORDINATE
 from fuzzytime.language.sentence.segments.segment import ENDS
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
 
@@ -41,11 +42,11 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         and (node.tag == "NN" or _stands_apart(tree, place))
     ):
         return True
-    if (
-        node.tag not in {"NN", "NNP", "JJ", "JJR"}
-        or before not in closed.joints_of_orders
-        or place + 2 >= len(tree.nodes)
-    ):
+    if node.tag not in {"NN", "NNP", "JJ", "JJR"} or before not in closed.joints_of_orders:
+        return False
+    if before == "," and _is_before_object(tree, place, lexicon):
+        return True
+    if place + 2 >= len(tree.nodes):
         return False
     behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
     if node.lower in lexicon.particles.get(behind, ()):
@@ -68,6 +69,17 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         # "The painters come at nine, clear the room"
         return True
     return node.relation == "conj" and before in {"and", "&"} and behind in closed.noun_openers
+
+
+def _is_before_object(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a bare word behind a comma has a thing or a person behind it: "…, hoover the seats"."""
+    if place + 1 >= len(tree.nodes):
+        return False
+    node, behind = tree.nodes[place], tree.nodes[place + 1]
+    described = tree.children(place, "det", "amod", "poss", "nummod")
+    called = node.lower in lexicon.addressing and (behind.lower in lexicon.persons or behind.tag == "NNP")
+    thing = node.may_act and behind.tag in DETERMINERS
+    return node.lower == node.lemma.lower() and not described and (thing or called)
 
 
 def _stands_apart(tree: Tree, place: int) -> bool:

@@ -222,6 +222,9 @@ def _behind_opening(
     begin = start
     while begin < end - 1:
         suggestion = longest_match(words, begin, lexicon.questions["suggesting"])
+        if begin in times:
+            # "Let's say noon"
+            break
         if suggestion is not None and begin + len(suggestion) < end:
             begin += len(suggestion)
         elif (asked := _asked_before(words, begin, times, lexicon)) is not None:

@@ -9,12 +9,15 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import TIMELY
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Said
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Duration, Phrase, Said
 from fuzzytime.language.sentence.segments.asides import Aside
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 PARTS = frozenset({"part", "meal"})
 """Categories of parts of the day, some of which are places too."""
+
+AND, THEN = "and", "then"
+"""Words before what is done next."""
 
 RULE = "told"
 """The rule of a length that is told."""
@@ -65,7 +68,17 @@ class _Telling:
             (first, words[end - 1].end),
             Phrase(Said(piece.value, Constraint.FOR), piece.start, piece.end, span, RULE),
             way=way,
+            left=self._leaves(before, texts[start - 1] if start else "", piece.value),
         )
+
+    def _leaves(self, before: Sequence[str], joint: str, length: Duration) -> bool:
+        """Whether it says how long something is left alone: "paint it and give it an hour", "give it a week".
+
+        "Copy it, give it half an hour" says how long that takes, which is no whole day.
+        """
+        if " ".join(self._said(before)) not in self.told["leaving"]:
+            return False
+        return joint == AND or THEN in before or length.seconds >= UNIT_SECONDS[Unit.DAY]
 
     def _said(self, before: Sequence[str]) -> list[str]:
         """Give the words before a length that say what it is of."""

@@ -142,6 +142,13 @@ class Waiting:
             if marker is not None:
                 yield marker
 
+    def leading_marker(self, lexicon: Lexicon) -> Marker | None:
+        """Give the marker of the clause in front that a comma ends; None where there is none."""
+        places = self.source.places(*self.segment.span)
+        if self.main == self.segment.span[0] or not places:
+            return None
+        return _marker_at(self.source, places[0], self.segment.span[1], lexicon)
+
     def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before a clause in front, and what it leads from ``main`` on."""
         first, end = self.segment.span

@@ -1,7 +1,10 @@
 """One instruction before it is grounded: a ``sketch`` of its times, its clauses, what is to be done.
 
-Its times     ``said_of_time``, and not ``elsewhere``; ``clock_times``, ``usual_hours``, ``days_of_events``,
-``at_events``, what is     ``prepared``. Its clauses     Where ``clauses`` stand, what they require
-(``clause_requirements``), ``deadlines_of_clauses``. What it means     ``negations``, ``contradictions``,
-``pronouns``.
+Its times
+    ``said_of_time``, and not ``elsewhere``; ``how_far``, ``clock_times``, ``usual_hours``,
+    ``days_of_events``, ``at_events``, what is ``prepared``.
+Its clauses
+    Where ``clauses`` stand, what they require (``clause_requirements``), ``deadlines_of_clauses``.
+What it means
+    ``negations``, ``contradictions``, ``pronouns``.
 """

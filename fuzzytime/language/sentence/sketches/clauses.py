@@ -13,7 +13,7 @@ from fuzzytime.language.meaning.expressions import (
     Phrase,
     Wall,
 )
-from fuzzytime.language.sentence.clauses.before_markers import BeforeMarker
+from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
@@ -29,7 +29,6 @@ BY_THEN = "by the time"
 EVENTFUL = frozenset({"after", "before", "until", BY_THEN})
 """Clauses about an event, which may have a clock time of its own: "before the guests arrive at seven"."""
 
-OF = "of"
 AFTER = ("after",)
 DAYS_APART = ((BEFORE,), AFTER)
 """Markers before which a part of a day is that of a day before or after: "the evening before the trip"."""
@@ -72,6 +71,7 @@ def clauses_of(
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
             _leads_nowhere(form, words, place)
+            or _is_part_of_word(form, words, place, lexicon)
             or reader.leads_to_distance(place, form)
             or is_wish(tree, words[place:])
             or reader.inquires(place, form)
@@ -106,6 +106,16 @@ def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> 
     """Whether a marker stands alone: "mow the front before and the back after"."""
     behind = place + len(form)
     return behind < len(words) and words[behind].text in {"and", "or"}
+
+
+def _is_part_of_word(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a marker with a hyphen begins a word that is no event: "pre-heat", "a post-party mess"."""
+    if form[-1] != "-":
+        return False
+    event, behind = (words[p] if p < len(words) else None for p in (place + len(form), place + len(form) + 1))
+    named = event is not None and event.glued and event.text in lexicon.happening | lexicon.taken
+    over = behind is None or behind.text in lexicon.function_words or not behind.is_letters
+    return not (named and over and words[place + 1].glued)
 
 
 class _Clauses:
@@ -149,8 +159,9 @@ class _Clauses:
         return found or ASK in before[-ASKED:]
 
     def bounded(self, place: int) -> tuple[str, ...] | None:
-        """Give the "of" of "within an hour of calling" as what begins a clause."""
-        return ("of",) if self.words[place].text == "of" and self.before.bound(place) is not None else None
+        """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""
+        counts = self.before.bound(place) is not None or self.before.closes(place)
+        return (OF,) if self.words[place].text == OF and counts else None
 
     def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""
@@ -194,6 +205,8 @@ class _Clauses:
             return OF_EDGES.get(form[0], {}).get(edge, kind)
         if bound is not None:
             return "within"
+        if form == (OF,):
+            return "while"
         return "by the time" if form == BY else kind
 
     def denied(self, place: int, form: tuple[str, ...]) -> Clause | None:
@@ -246,7 +259,7 @@ class _Clauses:
             return None
         clause = Clause(
             kind=kind,
-            marker=" ".join(form) if bound is None else bound.said.preposition or kind,
+            marker=" ".join(form).replace(" -", "-") if bound is None else bound.said.preposition or kind,
             span=(start, content[1]),
             content=content,
             distance=duration,
@@ -259,7 +272,7 @@ class _Clauses:
         if named is not None and (time is None or time.said.is_day) and kind in EVENTFUL:
             event = self.contents.event(clause, nodes)
             return event and _named_at(event, named, time)
-        named_event = edge is not None or form == BY
+        named_event = edge is not None or form == BY or (form == (OF,) and bound is None)
         told = self.contents.event(clause, nodes) if named_event else self.contents.told(clause, nodes)
         # "By the time the night shift clocks off at six", where a tree finds no verb.
         told = clause if told is None and kind == BY_THEN and time is not None else told
@@ -314,7 +327,7 @@ class _Clauses:
     def _is_mark(self, place: int) -> bool:
         """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
         text = self.words[place].text
-        if text == "," and (self._is_inside_number(place) or self._goes_on(place)):
+        if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
             return text in ENDS
@@ -329,7 +342,9 @@ class _Clauses:
         last = len(self.words) - 1
         return self.words[last].text == "," and goes_on_behind(self.words, place, last, self.lexicon)
 
-    def _is_inside_number(self, place: int) -> bool:
-        """Whether a mark joins digits: "below 1,200"."""
+    def _is_inside(self, place: int) -> bool:
+        """Whether a mark joins digits, as in "below 1,200", or words of one time."""
+        if place in self.covered:
+            return True
         around = self.words[place - 1 : place + 2]
         return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits

@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.clauses import clauses_of
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import with_deadlines
+from fuzzytime.language.sentence.sketches.how_far import with_distances
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Constraint
 from fuzzytime.requirement import Edge as EventEdge
@@ -76,6 +77,7 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     kept += passed
     clauses = [clause for clause in clauses if clause.time is None]
     kept.sort(key=lambda phrase: phrase.span)
+    clauses, kept = with_distances(clauses, kept, draft.text)
     return SaidOfTime(kept, clauses, left_out, excepted)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
-from fuzzytime.language.meaning.beside import told_apart
+from fuzzytime.language.meaning.beside import names_day_of, told_apart
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.intervals_on_days import on_days
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
@@ -56,14 +57,15 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     for sketch in sketches:
         if placed and ENDS & set(text_between(placed[-1], sketch, text)):
             held = above
-        named = [place for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        days = [(place, phrase.said) for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        named = [place for place, _ in sorted(days, key=lambda day: _narrowness(day[1]))]
         named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
         told = sketch
         if held is not None and (not named or _is_part(sketch.phrases[named[0]].said)):
             # "Sunday:", then "assemble the bed in the morning"
             told = _on_day(sketch, held)
         if named:
-            told = _on_own_day(told, named[0])
+            told = _on_own_day(told, named[0], text)
         # What stands before a colon holds for all behind it, as in "school trip on the 12th: …".
         heads = text[sketch.part.segment.span[1] :].lstrip().startswith(":")
         held = _day_of(sketch, heads=heads) or held
@@ -136,6 +138,13 @@ def _is_part(said: Said) -> bool:
     return isinstance(said.time, Wall) and said.time.days is None
 
 
+def _narrowness(said: Said) -> int:
+    """Give how deep a time lies in others of one thing: "at dawn … every other day" is dawn of those days."""
+    if isinstance(said.time, Repeat):
+        return 0
+    return 2 if _is_part(said) else 1
+
+
 def _ends_night(said: Said, day: Said) -> bool:
     """Whether it is a deadline of what goes on at night: "charge it overnight so it's ready by six"."""
     night = isinstance(day.time, Wall) and day.time.part is not None and day.time.part.half is Half.NIGHT
@@ -165,7 +174,7 @@ def _is_open(said: Said, day: Said) -> bool:
         return len(ends) > 1 and (clocks or all(_is_in_week(end, day) for end in ends))
     if not isinstance(time, Wall):
         return False
-    if time.days is None:
+    if time.days is None or (isinstance(day.time, Repeat) and names_day_of(day.time, time)):
         return True
     return _is_in_week(time, day)
 
@@ -176,7 +185,17 @@ def _is_in_week(wall: Wall, day: Said) -> bool:
     return coarse and isinstance(wall.days, Fields) and wall.days.weekly
 
 
-def _on_own_day(sketch: Sketch, place: int) -> Sketch:
+def _every_so_often(phrase: Phrase, day: Phrase, text: str) -> Said | None:
+    """Give what is done every so often, on the days that are said apart from that."""
+    first, second = sorted((phrase, day), key=lambda one: one.span)
+    said, joint = phrase.said, text[first.span[1] : second.span[0]].strip(" ,").lower()
+    if not isinstance(said.time, Repeat) or not isinstance(day.said.time, Repeat) or joint in {"and", "or"}:
+        return None
+    found = on_days(said.time, day.said.time)
+    return None if found is None else replace(said, time=found, constraint=Constraint.EVERY)
+
+
+def _on_own_day(sketch: Sketch, place: int, text: str) -> Sketch:
     """Put the other times of an instruction on its day; those of a repetition are all of it."""
     day, phrases = sketch.phrases[place].said, list(sketch.phrases)
     repeated = [place]
@@ -186,6 +205,12 @@ def _on_own_day(sketch: Sketch, place: int) -> Sketch:
             hedges = ("at most", *phrase.said.hedges)
             told_length = replace(phrase.said, constraint=Constraint.FOR, preposition="for", hedges=hedges)
             phrases[other] = replace(phrase, said=told_length)
+            continue
+        if isinstance(phrase.said.time, Repeat) and other != place:
+            often = _every_so_often(phrase, replace(sketch.phrases[place], said=day), text)
+            if often is not None:
+                phrases[other], day = replace(phrase, said=often), often
+                repeated.append(other)
             continue
         apart = other == place or not _is_open(phrase.said, day)
         told = (

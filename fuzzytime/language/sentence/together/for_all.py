@@ -25,6 +25,7 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.clause_requirements import LASTING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.consequences import leads_to_consequence
 from fuzzytime.requirement import Constraint
 
 HELD = frozenset({"when", "if", "after", "before"})
@@ -76,6 +77,9 @@ def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> lis
         last = place + 1 == len(sketches) or _is_ended(sketch, sketches[place + 1], text)
         for other in range(place - 1, -1, -1):
             if not shared or not last or _is_ended(found[other], found[other + 1], text):
+                break
+            if leads_to_consequence(found[other], found[other + 1], text):
+                # "Chill it for four hours, so make it before lunch": the one is why, not what is due.
                 break
             if not _is_bare(found[other], STEPS):
                 break

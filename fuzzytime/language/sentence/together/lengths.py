@@ -168,4 +168,5 @@ def told_alone(aside: Aside, text: str, given: int, moment: Moment) -> Instructi
         duration=None if aside.way else seconds,
         length_of=Anchor(text=said.strip(" .,!"), target=given - 1 if given else None),
         way=seconds if aside.way else None,
+        alone=aside.left,
     )

@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
+from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.said_again import (
     apart,
@@ -64,7 +65,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
             for phrase in dropped:
                 remarks.append(_not_used(draft.text, phrase.span))
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
-    return _with_asides(on_their_days(found, draft.text, draft.heading), draft), remarks
+    placed = on_their_days(found, draft.text, draft.heading)
+    return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
 
 
 def _ordered(sketch: Sketch, draft: Draft) -> Sketch:

@@ -7,6 +7,7 @@ from fuzzytime.english import singular
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat
+from fuzzytime.language.meaning.first_times import ending_with
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.said_again import ONE_OF, SEVERAL
 from fuzzytime.requirement import Constraint
@@ -29,6 +30,8 @@ def counted_apart(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sk
             if counted is not None:
                 sketch, times = counted
                 again = replace(time, times=times, apart=False)
+                if again.starting is None and again.until is not None:
+                    again = ending_with(again, again.until)
                 phrases[at] = replace(phrase, said=replace(phrase.said, time=again))
             return replace(sketch, phrases=tuple(phrases))
     counted = _counted(sketch, lexicon, turns=True) if isinstance(length, Duration) else None

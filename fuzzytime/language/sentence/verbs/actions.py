@@ -65,7 +65,7 @@ def action_of(tree: Tree, lexicon: Lexicon) -> Action | None:
             negated = _is_negated(tree, below) or (
                 negated and tree.nodes[root].lemma not in lexicon.forgetting
             )
-        root = below
+        root = gone_to_do(tree, below, lexicon) or below
     if reference is None:
         reference = reference_of(tree, root, lexicon)
     return Action(root, reference, negated)

@@ -39,10 +39,18 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return False
     if tree.nodes[root].lower in lexicon.happening | lexicon.taken:
         return True
+    if _is_somebodys(tree, root) and any(_is_clock(p) or p.said.is_day for p in phrases):
+        return True
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     # "Incision at eight"
     listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
+
+
+def _is_somebodys(tree: Tree, root: int) -> bool:
+    """Whether it is named by whose it is, which no order is: "kids' bath at half six"."""
+    owners = tree.children(root, "poss")
+    return tree.nodes[root].tag in {*SINGULAR, "VBG"} and any(tree.children(p, "case") for p in owners)
 
 
 def _is_person(node: Node, lexicon: Lexicon) -> bool:

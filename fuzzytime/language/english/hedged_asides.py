@@ -1,0 +1,61 @@
+"""Hedges between commas behind a preposition: "in, say, ten minutes", "by, let's say, noon"."""
+
+from dataclasses import replace
+
+from fuzzytime.language.english.bounds import deadline, release
+from fuzzytime.language.english.counted import after_duration, for_duration, in_duration
+from fuzzytime.language.english.counted import within as within_duration
+from fuzzytime.language.english.prepositions import beside
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.expressions import Duration, Goal, Said
+
+grammar = Grammar()
+
+
+@grammar.rule("hedge aside", ", <hedge> ,")
+def hedge_aside(hedge: str) -> str:
+    """What stands between the commas of "at, say, six"."""
+    return hedge
+
+
+@grammar.rule("said", "in <hedge aside> <duration>", weight=0.6)
+def in_about(hedge: str, duration: Duration) -> Said:
+    """In, say, ten minutes."""
+    return in_duration(duration.hedged(hedge))
+
+
+@grammar.rule("said", "for <hedge aside> <duration>", weight=0.6)
+def for_about(hedge: str, duration: Duration) -> Said:
+    """For, let's say, ten minutes."""
+    return for_duration(duration.hedged(hedge))
+
+
+@grammar.rule("said", "after <hedge aside> <duration>", weight=0.6)
+def after_about(hedge: str, duration: Duration) -> Said | None:
+    """After, say, ten minutes."""
+    return after_duration(duration.hedged(hedge))
+
+
+@grammar.rule("said", "<within> <hedge aside> <duration>", weight=0.6)
+def within_about(preposition: Preposition, hedge: str, duration: Duration) -> Said:
+    """Within, say, an hour."""
+    return within_duration(preposition, duration.hedged(hedge))
+
+
+@grammar.rule("said", "<preposition_at> <hedge aside> the? <goal>", weight=0.4)
+def at_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
+    """At, say, six."""
+    return beside(preposition, replace(goal, hedges=(hedge, *goal.hedges)))
+
+
+@grammar.rule("said", "<preposition_before> <hedge aside> the? <goal>", weight=0.4)
+def by_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
+    """By, let's say, noon."""
+    return deadline(preposition, replace(goal, hedges=(hedge, *goal.hedges)))
+
+
+@grammar.rule("said", "<preposition_after> <hedge aside> the? <goal>", weight=0.4)
+def from_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
+    """From, say, nine."""
+    return release(preposition, replace(goal, hedges=(hedge, *goal.hedges)))

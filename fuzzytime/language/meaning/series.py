@@ -1,0 +1,105 @@
+"""From a repetition as said to its occurrences."""
+
+import math
+
+from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Repeat, Time, TimeWord, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError
+from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+
+Series = EvenRecurrence | CalendarRecurrence | ClosingRecurrence | RecurrenceOnDays
+"""The kinds of repetitions."""
+
+
+def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
+    """Ground a repetition.
+
+    Raises
+    ------
+    UngroundedError
+        If it needs a clock that is not known.
+    """
+    if repeat.closing is not None and repeat.every is not None:
+        return ClosingRecurrence(step=repeat.every.seconds, closing=repeat.closing.seconds)
+    if repeat.within is not None and repeat.every is not None:
+        mark = repeat.starting.minute * 60.0 if isinstance(repeat.starting, HourMark) else 0.0
+        step = repeat.every.seconds
+        days = _on_calendar(repeat.within, moment)
+        return RecurrenceOnDays(days=days, step=step, offset=mark, length=step if repeat.shared else 0.0)
+    if repeat.walls and not _is_even(repeat):
+        return _on_calendar(repeat, moment)
+    first = _bound(repeat.starting, moment, last=False)
+    last = _bound(repeat.until, moment, last=True)
+    if repeat.apart:
+        raise UngroundedError("how many times is not said")
+    if repeat.times is not None and repeat.every is not None:
+        # "Twice, an hour apart"
+        step = repeat.every.seconds
+        opens = moment.policy.plausible_from
+        wakes = opens.hour * 3600.0 + opens.minute * 60.0 if begins_by_policy(repeat) else 0.0
+        start = max(0.0, (first or 0.0) + wakes)
+        over = start + (repeat.times - 1) * step
+        return EvenRecurrence(
+            step=step,
+            first=start,
+            last=over if last is None else min(over, last),
+            length=DAY_SECONDS if _begins_on_day(repeat.starting) and step >= DAY_SECONDS else 0.0,
+            counted=last is None,
+        )
+    if repeat.times is not None and last is not None:
+        # "Twice today": once in each half of what is left of it.
+        start = max(0.0, first or 0.0)
+        step = (last - start) / repeat.times
+        return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
+    if repeat.every is None:
+        raise UngroundedError("a repetition must say how often")
+    step = repeat.every.seconds
+    sub_day = all(unit in SUB_DAY for _, unit in repeat.every.terms)
+    # "Every day", "every two weeks": any time in a day, in a week; "twice a day": in each half of one.
+    length = step if repeat.shared else UNIT_SECONDS[repeat.every.unit] if repeat.walls else 0.0
+    start = first if first is not None else (step if sub_day and not length else 0.0)
+    if sub_day and last is not None and 0.0 < last < start:
+        # "Every hour from dawn till dusk", said in the morning: it goes on already.
+        start = 0.0
+    return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
+
+
+def _on_calendar(repeat: Repeat, moment: Moment) -> CalendarRecurrence:
+    moment.grounding()
+    first = _bound(repeat.starting, moment, last=False)
+    last = _bound(repeat.until, moment, last=True)
+    return CalendarRecurrence(
+        walls=repeat.walls,
+        moment=moment,
+        skip=repeat.skip,
+        first=0.0 if first is None else max(0.0, first),
+        last=math.inf if last is None else last,
+    )
+
+
+def begins_by_policy(repeat: Repeat) -> bool:
+    """Whether of turns so many hours apart only the day is said: "three times tomorrow, an hour apart"."""
+    counted = repeat.times is not None and repeat.every is not None and repeat.every.seconds < DAY_SECONDS
+    return counted and _begins_on_day(repeat.starting)
+
+
+def _begins_on_day(first: Time | None) -> bool:
+    """Whether nothing but a day, or more, says when the first is: at none of its hours in the night."""
+    return isinstance(first, Wall) and first.days is not None and first.clock is None and first.part is None
+
+
+def _is_even(repeat: Repeat) -> bool:
+    """Whether days are counted from today: "every two days", without a time of day."""
+    return repeat.every is not None and all(wall.clock is None and wall.part is None for wall in repeat.walls)
+
+
+def _bound(time: Time | None, moment: Moment, *, last: bool) -> float | None:
+    if time is None:
+        return None
+    if isinstance(time, TimeWord):
+        return 0.0
+    found = moment.grounding().instants(time)
+    return moment.seconds(found.end if last else found.start)
