@@ -18,6 +18,12 @@ def with_meal(meal: Part) -> Said | None:
     return None if meal.place else Said(Wall(part=meal), None, "at")
 
 
+@grammar.rule("wall", "for <meal>", weight=0.1)
+def for_meal(meal: Part) -> Wall | None:
+    """For lunch: a time of what is done at the table, as "meet Sam for lunch"."""
+    return None if meal.place else Wall(part=meal)
+
+
 @grammar.rule("several meals", "<meal> ,|and|& <meal>")
 @grammar.rule("several meals", "<several meals> ,|and|& <meal>", "<several meals> , and <meal>")
 def several_meals(first: Part | Meals, last: Part) -> Meals | None:

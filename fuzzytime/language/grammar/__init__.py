@@ -11,6 +11,7 @@ From a text to readings
     What looks like a time and is none: ``leftovers``.
 
 Whether a reading is a time where it stands (``judging``)
-    For any kind of time: ``borders``, ``particles``, ``doses``, ``standing``, ``surroundings``.
+    For any kind of time: ``borders``, ``particles``, ``doses``, ``dining``, ``standing``,
+    ``surroundings``.
     For each kind: ``walls``, ``ranges``, ``lengths``, ``measuring``.
 """

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
@@ -41,6 +42,7 @@ class Borders:
         self.measures = Measures(words, lexicon)
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
+        self.dining = Dining(lexicon, around)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
@@ -70,6 +72,7 @@ class Borders:
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
             or any(map(self.doses.count, range(piece.start, piece.end)))
+            or self.dining.is_purpose(piece)
             or self._offers_more(piece)
         )
 

@@ -97,6 +97,8 @@ class Lexicon:
         Verbs of what is taken so many at a time: "one in the morning and one at night".
     coming_in
         Verbs right behind which "in" is where to: "come in around six".
+    dining
+        Words of what is done at a meal that it is "for": "meet for lunch".
     playing
         Verbs whose object may be called like a time: "play yesterday".
     timing, timing_alone
@@ -188,6 +190,7 @@ class Lexicon:
     circling: frozenset[str]
     dosing: frozenset[str]
     coming_in: frozenset[str]
+    dining: frozenset[str]
     playing: frozenset[str]
     timing: frozenset[str]
     timing_alone: frozenset[str]

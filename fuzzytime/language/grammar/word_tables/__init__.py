@@ -112,6 +112,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         circling=speech.single_words("circling"),
         dosing=speech.single_words("dosing"),
         coming_in=speech.single_words("coming_in"),
+        dining=speech.single_words("dining"),
         timing=speech.single_words("timing", "verbs"),
         timing_alone=speech.single_words("timing", "alone"),
         citing=speech.single_words("citing"),
@@ -171,7 +172,7 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling", "dosing", "coming_in", "closed_classes", "beside_times",
+    "passing", "doing", "past", "circling", "dosing", "coming_in", "dining", "closed_classes", "beside_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),
