@@ -47,8 +47,9 @@ class Walls(Standing):
         if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
             # "Within a minute of the first", "within an hour of the fall"
             return False
-        if wall.clock is not None and said.preposition is None and self.measures.named(piece):
-            # "Seat 12A"
+        whole = wall.clock is not None and not wall.clock.shift
+        if whole and said.preposition is None and self.measures.named(piece):
+            # "Seat 12A"; but "at the gate five past nine"
             return False
         if wall.clock is not None and wall.clock.pair and wall.days is None and wall.part is None:
             return self._accepts_pair(piece, said)
@@ -146,7 +147,17 @@ class Walls(Standing):
         sure = said.preposition == "at" and worded
         unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
         bound = said.preposition is not None or bool(said.hedges)
-        return bound and (self.around.may_end(piece) or (sure and not unit))
+        alone = not (bound or unit) and self._ends_behind_object(piece)
+        return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
+
+    def _ends_behind_object(self, piece: Piece) -> bool:
+        """Whether it ends an order with a person: "meet me five thirty", "pick Leo up ten to eight"."""
+        place = piece.start - (self.around.before(piece) in self.beside.put_off)
+        before = self.texts[place - 1] if place else ""
+        someone = before in self.closed.object_pronouns | self.lexicon.persons | self.lexicon.events
+        named = place > 1 and self.words[place - 1].capital
+        spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
+        return spelt and (someone or named) and self.around.follower(piece) in {"", ".", "!", ",", ";"}
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""
