@@ -83,6 +83,12 @@ def test_a_sentence_is_read_as_its_row_says(row: dict[str, Any]) -> None:
     assert [_said(i, w) for i, w in zip(reading.instructions, wanted, strict=True)] == wanted
 
 
+def test_a_time_that_bounds_what_is_before_it_is_told_of_where_it_is_said() -> None:
+    text = "Put the roast in at noon, baste it every half hour and take it out at three"
+    taken = [remark for remark in language().read(text, now=NOW).remarks if "am or pm" in remark.message]
+    assert [text[slice(*remark.span)] for remark in taken] == ["at three"]
+
+
 def test_texts_read_together_are_read_as_alone() -> None:
     texts = [row["text"] for row in CORPUS["sentences"]]
     together = language().read_independent([(text, NOW) for text in texts])

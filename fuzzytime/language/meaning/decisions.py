@@ -43,7 +43,7 @@ class Deciding:
         if begins_by_policy(repeat) and isinstance(recurrence, EvenRecurrence) and recurrence.first:
             first = self.moment.grounding().now + timedelta(seconds=recurrence.first)
             remarks.append(self._noted(f" begins at {first:%H:%M}: when on that day is not said"))
-        for bound in (repeat.starting, repeat.until):
+        for bound in () if repeat.lent else (repeat.starting, repeat.until):
             said = bound.anchor if isinstance(bound, Offset) else bound
             if isinstance(said, Wall) and said.clock is not None and not remarks:
                 remarks += self.of_instants(self.moment.grounding(said.zone).instants(said), said.zone)[0]

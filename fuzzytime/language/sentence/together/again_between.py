@@ -61,7 +61,7 @@ def _bounded(phrase: Phrase, begin: Wall, end: Wall | None, *, then: bool) -> Ph
         return _repeating(phrase, replace(time, walls=walls, starting=Wall(Away(1, Unit.DAY, begin.days))))
     until = Offset(JUST, -1, end) if time.until is None and end is not None else time.until
     starting = Offset(replace(time.every, hedges=()), 1, begin)
-    return _repeating(phrase, replace(time, starting=starting, until=until))
+    return _repeating(phrase, replace(time, starting=starting, until=until, lent=time.until is None))
 
 
 def _repeating(phrase: Phrase, time: Repeat) -> Phrase:
