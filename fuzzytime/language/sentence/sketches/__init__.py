@@ -4,7 +4,8 @@ Its times
     ``said_of_time``, and not ``elsewhere``; ``how_far``, ``clock_times``, ``usual_hours``,
     ``days_of_events``, ``at_events``, what is ``prepared``.
 Its clauses
-    Where ``clauses`` stand, what they require (``clause_requirements``), ``deadlines_of_clauses``.
+    Where ``clauses`` stand, from their ``clause_markers`` to their ``clause_ends``; what they require
+    (``clause_requirements``), ``deadlines_of_clauses``.
 What it means
     ``negations``, ``contradictions``, ``pronouns``.
 """

@@ -17,10 +17,11 @@ from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_contents import Contents
 from fuzzytime.language.sentence.clauses.clause_sides import at_most_after, sided
-from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
+from fuzzytime.language.sentence.clauses.conditions import IF
 from fuzzytime.language.sentence.clauses.times_of_events import dates, happens, is_apart
-from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event, is_length
-from fuzzytime.language.sentence.segments.waiting import goes_on_behind
+from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, is_length
+from fuzzytime.language.sentence.sketches.clause_ends import ClauseEnds
+from fuzzytime.language.sentence.sketches.clause_markers import ClauseMarkers
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge, Unit
 
@@ -42,12 +43,6 @@ OFF = (("before",), ("after",))
 """Markers of what a distance counts from."""
 
 EVEN = "even"
-ASK = "ask"
-ASKED = 4
-"""Words from "ask" on, before "if", at most: who is asked is one of them."""
-
-ENDS = frozenset({",", "(", ")"})
-"""Marks at which a clause ends: "until golden (about ten minutes)"."""
 
 
 def clauses_of(
@@ -70,18 +65,13 @@ def clauses_of(
         is_name = place > 0 and words[place - 1].text in lexicon.closed.sure_noun_openers
         form = None if place in covered or is_name else longest_match(words, place, lexicon.clauses)
         leads = form is not None and (
-            _leads_nowhere(form, words, place)
-            or _is_part_of_word(form, words, place, lexicon)
-            or reader.leads_to_distance(place, form)
-            or is_wish(tree, words[place:])
-            or reader.inquires(place, form)
+            reader.markers.begins_none(place, form) or reader.leads_to_distance(place, form)
         )
         if form is not None and (is_length(form, words, place, lexicon) or leads):
             # "Rest it for half as long as you cooked it"
             place += len(form)
             continue
-        form = form or reader.awaited(place) or reader.bounded(place) or reader.inverted(place)
-        form = form or reader.edged(place)
+        form = form or reader.markers.other(place)
         clause = None if form is None else reader.denied(place, form) or reader.read(place, form)
         if form is None or clause is None:
             place += 1
@@ -102,22 +92,6 @@ def _named_at(event: Clause, named: Phrase, day: Phrase | None) -> Clause:
     return replace(event, time=dated, span=(event.span[0], day.span[1]))
 
 
-def _leads_nowhere(form: tuple[str, ...], words: Sequence[Word], place: int) -> bool:
-    """Whether a marker stands alone: "mow the front before and the back after"."""
-    behind = place + len(form)
-    return behind < len(words) and words[behind].text in {"and", "or"}
-
-
-def _is_part_of_word(form: tuple[str, ...], words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a marker with a hyphen begins a word that is no event: "pre-heat", "a post-party mess"."""
-    if form[-1] != "-":
-        return False
-    event, behind = (words[p] if p < len(words) else None for p in (place + len(form), place + len(form) + 1))
-    named = event is not None and event.glued and event.text in lexicon.happening | lexicon.taken
-    over = behind is None or behind.text in lexicon.function_words or not behind.is_letters
-    return not (named and over and words[place + 1].glued)
-
-
 class _Clauses:
     def __init__(
         self,
@@ -136,32 +110,8 @@ class _Clauses:
         self.named = named
         self.contents = Contents(tree, phrases, lexicon)
         self.before = BeforeMarker(words, phrases, lexicon, covered)
-
-    def awaited(self, place: int) -> tuple[str, ...] | None:
-        """Give the "for" of "wait for the kettle to boil" as what begins a clause."""
-        before = self.words[place - 1].text if place else ""
-        if (
-            self.words[place].text != "for"
-            or before not in self.lexicon.doing.waiting
-            or place in self.covered
-        ):
-            return None
-        tree = self.tree
-        marks = (p for p in tree.at(self.words[place].start, self.words[place].end))
-        return ("for",) if any(tree.nodes[p].relation == "mark" for p in marks) else None
-
-    def inquires(self, place: int, form: tuple[str, ...]) -> bool:
-        """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form != (IF,):
-            return False
-        before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
-        found = before[-2:] == ["find", "out"] or bool(self.lexicon.doing.inquiring & {*before[-1:]})
-        return found or ASK in before[-ASKED:]
-
-    def bounded(self, place: int) -> tuple[str, ...] | None:
-        """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""
-        counts = self.before.bound(place) is not None or self.before.closes(place)
-        return (OF,) if self.words[place].text == OF and counts else None
+        self.ends = ClauseEnds(words, phrases, lexicon, covered)
+        self.markers = ClauseMarkers(tree, words, lexicon, self.before, self.ends)
 
     def leads_to_distance(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether a marker bounds so long before or after an event: "until ten minutes before the parade"."""
@@ -174,28 +124,6 @@ class _Clauses:
             for end in ends
             if end < len(self.words)
         )
-
-    def inverted(self, place: int) -> tuple[str, ...] | None:
-        """Give the "should" of "should the bell ring, …", which has a tree of its own, as what begins it."""
-        word, node = self.words[place], next(iter(self.tree.nodes), None)
-        leads = place == 0 and node is not None and node.lower == IF != word.text
-        return (word.text,) if leads and word.text in self.lexicon.closed.conditional_inversion else None
-
-    def edged(self, place: int) -> tuple[str, ...] | None:
-        """Give the "by" of "by the end of the lesson" as what begins a clause."""
-        text = self.words[place].text
-        known = text in OF_EDGES and place not in self.covered
-        if (
-            known
-            and text == "by"
-            and is_event(self.words, place + 1, self._end(place + 1), self.covered, self.lexicon)
-        ):
-            # "By kick-off", "by knocking-off time"
-            return BY
-        return (text,) if known and self._edge(place + 1) is not None else None
-
-    def _edge(self, place: int) -> tuple[Edge, int] | None:
-        return edge_of(self.words, place, self.covered, self.lexicon)
 
     def _kind(self, form: tuple[str, ...], bound: Phrase | None, edge: Edge | None) -> str:
         """Give the kind of the clause that a marker begins."""
@@ -220,7 +148,7 @@ class _Clauses:
     def read(self, place: int, form: tuple[str, ...]) -> Clause | None:
         """Read the clause that a marker at a place begins; None where it begins none."""
         bound = self.before.bound(place) if form in WITHIN else None
-        edge, first = self._edge(place + len(form)) or (None, place + len(form))
+        edge, first = self.markers.edge(place + len(form)) or (None, place + len(form))
         counted = place > 0 and self.words[place - 1].text == "one"
         if counted and self.words[first].text in self.lexicon.beside.the_other:
             # "One after the other"
@@ -228,7 +156,7 @@ class _Clauses:
         kind = self._kind(form, bound, edge)
         if edge is None and bound is not None and isinstance(bound.said.time, Coming):
             edge = Edge.START
-        end = self._end(first)
+        end = self.ends.of(first)
         last = (phrase for phrase in self.phrases if first < phrase.first and phrase.end == end)
         time = next((phrase for phrase in last if is_apart(phrase, kind)), None)
         said_end = end if time is None else time.first
@@ -319,32 +247,3 @@ class _Clauses:
     def _is_counted(self, place: int) -> bool:
         """Whether a word behind "the second" is counted: "the second tray", not "the second it boils"."""
         return self.tree.nodes[place].tag.startswith(("NN", "JJ", "CD")) or not self.tree.nodes[place].tag
-
-    def _end(self, first: int) -> int:
-        """Give where the clause ends: at a mark, or at "and" and a time."""
-        return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
-
-    def _is_mark(self, place: int) -> bool:
-        """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
-        text = self.words[place].text
-        if text == "," and (self._is_inside(place) or self._goes_on(place)):
-            return False
-        if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
-            return text in ENDS
-        # "Before you leave and again when you get back"
-        behind = place + 1 + (self.words[place + 1].text == "again" and place + 2 < len(self.words))
-        clause = longest_match(self.words, behind, self.lexicon.clauses)
-        bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
-        return bound or bool(clause and self.lexicon.clauses[clause])
-
-    def _goes_on(self, place: int) -> bool:
-        """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""
-        last = len(self.words) - 1
-        return self.words[last].text == "," and goes_on_behind(self.words, place, last, self.lexicon)
-
-    def _is_inside(self, place: int) -> bool:
-        """Whether a mark joins digits, as in "below 1,200", or words of one time."""
-        if place in self.covered:
-            return True
-        around = self.words[place - 1 : place + 2]
-        return len(around) == 3 and all(word.glued for word in around[1:]) and around[2].is_digits
