@@ -173,17 +173,19 @@ def first_thing(days: Calendar) -> Wall | None:
 @grammar.rule("wall", "<wall> first thing", weight=0.6)
 def first_in_part(wall: Wall) -> Wall | None:
     """Monday morning first thing."""
-    return (
-        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0, 0.5))
-    )
+    return _share_of(wall, 0, 0.5)
 
 
 @grammar.rule("wall", "<wall> last thing", weight=0.6)
 def last_in_part(wall: Wall) -> Wall | None:
     """Friday night last thing."""
-    return (
-        None if wall.part is None or wall.clock is not None else replace(wall, part=wall.part.share(0.5, 1))
-    )
+    return _share_of(wall, 0.5, 1)
+
+
+def _share_of(wall: Wall, low: float, high: float) -> Wall | None:
+    if wall.part is None or wall.clock is not None:
+        return None
+    return replace(wall, part=wall.part.share(low, high))
 
 
 @grammar.rule("wall", "first thing", weight=0.1)

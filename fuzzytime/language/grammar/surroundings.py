@@ -129,7 +129,7 @@ class Surroundings:
 
     def is_part_or_meal(self, place: int) -> bool:
         """Whether the word at a place names a part of the day, or a meal."""
-        return any(piece.category in {"part", "meal"} for piece in self.pieces(place))
+        return self.is_part(place) or self.is_meal(place)
 
     def is_object(self, place: int) -> bool:
         """Whether a part of the day is what something is done to: "film the sunrise"."""

@@ -2,26 +2,28 @@
 
 from dataclasses import dataclass
 
+from fuzzytime.language.meaning.recurrence import PlainRecurrence
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ClosingRecurrence:
+class ClosingRecurrence(PlainRecurrence):
     """Every so many seconds of the last so many seconds of what goes on; when that is, it does not know.
 
-    >>> ClosingRecurrence(step=1200, closing=3600).windows(86400)
+    >>> ClosingRecurrence(step=1200, stretch=3600).windows(86400)
     ()
     """
 
     step: float
-    closing: float
+    stretch: float
+
+    @property
+    def closing(self) -> float:
+        """Seconds at the end of what goes on."""
+        return self.stretch
 
     @property
     def endless(self) -> bool:
         """False: it ends with what goes on."""
-        return False
-
-    @property
-    def spans(self) -> bool:
-        """Whether words say where each occurrence begins and where it is over."""
         return False
 
     @property
@@ -36,7 +38,3 @@ class ClosingRecurrence:
     def windows(self, until: float) -> tuple[tuple[float, float], ...]:  # noqa: ARG002 - as above
         """Give no times either."""
         return ()
-
-    def spaced(self, length: float) -> "ClosingRecurrence":  # noqa: ARG002 - how often is said
-        """Give the same."""
-        return self

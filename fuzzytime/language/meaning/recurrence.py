@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from itertools import islice
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Self
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today
 from fuzzytime.language.meaning.expressions import Wall
@@ -33,8 +33,28 @@ Window = tuple[float, float]
 """Where an occurrence begins, and where it is over, in seconds; a moment where the two are one."""
 
 
+class PlainRecurrence:
+    """What most repetitions have in common: they lie in nothing else that goes on, and stay as said."""
+
+    __slots__ = ()
+
+    @property
+    def closing(self) -> float | None:
+        """None: no end of what goes on."""
+        return None
+
+    @property
+    def spans(self) -> bool:
+        """Whether words say where each occurrence begins and where it is over."""
+        return False
+
+    def spaced(self, length: float) -> Self:  # noqa: ARG002 - how often is said
+        """Give the same."""
+        return self
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
-class EvenRecurrence:
+class EvenRecurrence(PlainRecurrence):
     """Every so many seconds, from a first time on; each lasts a length.
 
     ``counted`` says that how often is said, and how long is waited in between: "three sets, a minute apart".
@@ -53,16 +73,6 @@ class EvenRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
-
-    @property
-    def closing(self) -> None:
-        """None: it counts from now."""
-        return None
-
-    @property
-    def spans(self) -> bool:
-        """Whether words say where each occurrence begins and where it is over."""
-        return False
 
     @property
     def interval(self) -> float | None:
@@ -88,7 +98,7 @@ class EvenRecurrence:
         """Give the next occurrences, at most so many."""
         return self.windows(self.first + self.step * count)[:count]
 
-    def spaced(self, length: float) -> "EvenRecurrence":
+    def spaced(self, length: float) -> Self:
         """Give the same for what goes on that many seconds: none begins before the one before it is over."""
         if not self.counted or length < self.step or math.isclose(length, self.step):
             return self
@@ -98,7 +108,7 @@ class EvenRecurrence:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class CalendarRecurrence:
+class CalendarRecurrence(PlainRecurrence):
     """At each of some days, parts of the day and clock times, of which only every ``skip``-th counts."""
 
     walls: tuple[Wall, ...]
@@ -111,11 +121,6 @@ class CalendarRecurrence:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return math.isinf(self.last)
-
-    @property
-    def closing(self) -> None:
-        """None: it is on days of the calendar."""
-        return None
 
     @property
     def spans(self) -> bool:
@@ -203,10 +208,6 @@ class CalendarRecurrence:
     def _is_of_workdays(self, wall: Wall) -> bool:
         """Whether a clock time is that of all workdays: "at six on weekdays and at eight at weekends"."""
         return {other.days for other in self.walls if other.clock == wall.clock} == WORKDAYS
-
-    def spaced(self, length: float) -> "CalendarRecurrence":  # noqa: ARG002 - what the calendar names stays
-        """Give the same: its times are named."""
-        return self
 
 
 def _series(days: Calendar | None) -> Calendar:

@@ -5,14 +5,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import islice
 
-from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, Window
+from fuzzytime.language.meaning.recurrence import MOST, CalendarRecurrence, PlainRecurrence, Window
 
 MORE = 3
 """How many stretches tell how long one is that has begun."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RecurrenceOnDays:
+class RecurrenceOnDays(PlainRecurrence):
     """Every so many seconds within each stretch of ``days``, from its beginning on, and ``offset`` seconds.
 
     Each lasts a ``length``.
@@ -27,16 +27,6 @@ class RecurrenceOnDays:
     def endless(self) -> bool:
         """Whether no end of the repetition is named."""
         return self.days.endless
-
-    @property
-    def closing(self) -> None:
-        """None: it is on days of the calendar."""
-        return None
-
-    @property
-    def spans(self) -> bool:
-        """Whether words say where each occurrence begins and where it is over."""
-        return False
 
     @property
     def interval(self) -> float | None:
@@ -59,10 +49,6 @@ class RecurrenceOnDays:
         """Give the next occurrences, at most so many."""
         stretches = self.days.coming(count)
         return tuple(islice((turn for one in stretches for turn in self._turns(one, math.inf)), count))
-
-    def spaced(self, length: float) -> "RecurrenceOnDays":  # noqa: ARG002 - how often is said
-        """Give the same."""
-        return self
 
     def _turns(self, stretch: Window, until: float) -> Iterator[Window]:
         """Give the occurrences in one stretch; at its very end too, where its hours are said."""

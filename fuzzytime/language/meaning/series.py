@@ -23,7 +23,7 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         If it needs a clock that is not known.
     """
     if repeat.closing is not None and repeat.every is not None:
-        return ClosingRecurrence(step=repeat.every.seconds, closing=repeat.closing.seconds)
+        return ClosingRecurrence(step=repeat.every.seconds, stretch=repeat.closing.seconds)
     if repeat.within is not None and repeat.every is not None:
         mark = repeat.starting.minute * 60.0 if isinstance(repeat.starting, HourMark) else 0.0
         step = repeat.every.seconds

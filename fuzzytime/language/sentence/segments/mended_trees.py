@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.trees.tree import Node, Tree
 
 LEAST_DONE = 3
 """Words of "do ward 7"."""
@@ -13,20 +13,17 @@ LET = 2
 
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
-    """Give "do ward 7" and "do the school run" their verb, where a name's last word was taken for it."""
-    helped = _does_named(tree) or _lets(tree)
-    if helped is not None:
-        return helped
+    """Give an order its verb, where what is called like one was taken for it."""
+    return _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or tree
+
+
+def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "do ward 7" its verb."""
     if not tree.nodes or tree.nodes[0].lower != "do" or tree.root != 1 or len(tree.nodes) < LEAST_DONE:
-        return tree
+        return None
     if tree.nodes[1].lower not in lexicon.machines or tree.nodes[2].tag != "CD":
-        return tree
-    moved = [
-        replace(node, head=0) if node.head == 1 and place > LEAST_DONE else node
-        for place, node in enumerate(tree.nodes)
-    ]
-    moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
-    moved[1] = replace(moved[1], tag="NN", relation="dobj", head=0)
+        return None
+    moved = _with_thing_done(tree, 1, LEAST_DONE)
     moved[2] = replace(moved[2], relation="nummod", head=1)
     return tree.with_nodes(moved)
 
@@ -40,14 +37,20 @@ def _does_named(tree: Tree) -> Tree | None:
     led = bool(subjects) and tree.nodes[root - 1] is tree.nodes[subjects[0]] and tree.nodes[1].tag == "DT"
     if not led or tree.nodes[0].head != root or tree.nodes[-1].text == "?" or tree.children(root, "dobj"):
         return None
+    moved = _with_thing_done(tree, root, root)
+    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
+    return tree.with_nodes(moved)
+
+
+def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
+    """Make the first word the verb, a thing its object, and what hung on that behind a word the verb's."""
     moved = [
-        replace(node, head=0) if node.head == root and place > root else node
+        replace(node, head=0) if node.head == thing and place > last else node
         for place, node in enumerate(tree.nodes)
     ]
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
-    moved[root] = replace(moved[root], tag="NN", relation="dobj", head=0)
-    moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
-    return tree.with_nodes(moved)
+    moved[thing] = replace(moved[thing], tag="NN", relation="dobj", head=0)
+    return moved
 
 
 def _lets(tree: Tree) -> Tree | None:
