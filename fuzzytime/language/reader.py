@@ -15,7 +15,6 @@ from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said
-from fuzzytime.language.sentence.sketches.days_of_events import day_of
 from fuzzytime.language.sentence.together.headings import under_headings
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
@@ -121,14 +120,7 @@ class Language:
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
             since = last_said(_times_in(reading), since)
             for instruction in reading.instructions:
-                if instruction.duration is not None:
-                    told = instruction.length_of
-                    meant = len(mentions.operations) if told is None else told.target
-                    if meant is not None:
-                        mentions.lasting.append(meant)
-                day = day_of(instruction, reading.now)
-                if day is not None:
-                    mentions.days[len(mentions.operations)] = day
+                mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
             readings.append(reading)
         first = len(given)

@@ -42,6 +42,41 @@ def test_when_something_must_be_done_is_told_of_it(line: str) -> None:
     assert report.skill.duration == 7200
 
 
+@pytest.mark.parametrize(
+    ("lines", "start"),
+    [
+        (["put the pie in at noon. Take it out after forty minutes"], "12:41"),
+        (["put the pie in at noon, take it out after forty minutes"], "12:41"),
+        (["put the pie in at noon, then take it out after forty minutes"], "12:41"),
+        (["put the pie in at noon and take it out in forty minutes"], "12:41"),
+        (["put the pie in at noon", "take it out after forty minutes"], "12:41"),
+        (["put the pie in at noon", "take the pie out after forty minutes"], "12:41"),
+        # How long eggs boil is said, so that nothing is assumed.
+        (["boil the eggs at noon and take them out after seven minutes"], "12:08"),
+        (["boil the eggs at noon", "take them out seven minutes later"], "12:08"),
+        (["roast the beef at noon for an hour", "turn it after ten minutes"], "12:10"),
+        (["roast the beef at noon for an hour", "serve it ten minutes later"], "13:10"),
+    ],
+)
+def test_so_long_after_counts_from_what_was_asked_for_of_the_same_thing(lines: list[str], start: str) -> None:
+    assert list(starts(told(lines)).values()) == ["12:00", start]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        ["feed the cat at noon", "feed the cat after forty minutes"],
+        ["feed the cat at noon", "brush the dog after forty minutes"],
+        ["feed the cat at noon", "brush the cat in forty minutes"],
+        ["feed the cat every day at noon", "brush it after forty minutes"],
+        ["feed the cat", "brush it in forty minutes"],
+        ["don't feed the cat at noon", "brush it after forty minutes"],
+    ],
+)
+def test_so_long_from_now_counts_from_now_elsewhere(lines: list[str]) -> None:
+    assert "07:40" in starts(told(lines)).values()
+
+
 @pytest.mark.parametrize("word", ["then", "after that,", "afterwards"])
 def test_what_goes_on_telling_goes_on_from_what_was_last_planned(word: str) -> None:
     made = told(["simmer the soup for 20 minutes, stirring occasionally", f"{word} serve the soup"])

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from datetime import date
 
 from fuzzytime.language.finding import Times, ground_all
 from fuzzytime.language.grammar.leftovers import leftovers
@@ -27,8 +26,10 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     of_nothing,
     of_phrase,
 )
+from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
+    agreeing,
     anchored_by_connective,
     follows_nothing,
     led_by_denial,
@@ -40,7 +41,7 @@ from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.contradictions import contradictions
-from fuzzytime.language.sentence.sketches.days_of_events import day_of, on_days_of_events
+from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
 from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -106,8 +107,7 @@ class _Composer:
         self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
-        self.days: dict[int, date] = {}
-        self.going: list[int] = []
+        self.told = Told()
         self.made: list[Instruction] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
@@ -125,11 +125,7 @@ class _Composer:
         for place, sketch in enumerate(sketches):
             self.moment = self._moment_of(sketches, place, instructions)
             instructions.append(self._instruction(sketch, self.first + place, operations))
-            day = day_of(instructions[-1], self.draft.now)
-            if day is not None:
-                self.days[self.first + place] = day
-            if instructions[-1].duration is not None:
-                self.going.append(self.first + place)
+            self.told.add(self.first + place, instructions[-1], self.draft.now)
         instructions = behind_consequences(instructions, sketches, self.draft.text, self.first)
         if sketches:
             first = sketches[0].part.segment.span[0]
@@ -191,12 +187,11 @@ class _Composer:
             self.lexicon,
             self.awaits,
             day_above(self.draft.heading),
-            self.going,
+            self.told,
+            self.draft.now,
         )
         self.explained += sketch.heard
-        sketch, event, remarks = on_days_of_events(
-            sketch, anchors, {**self.mentions.days, **self.days}, self.draft.text
-        )
+        sketch, event, remarks = on_days_of_events(sketch, anchors, self.draft.text)
         self.remarks += remarks
         times = ground_all(
             sketch.phrases,
@@ -257,6 +252,7 @@ class _Composer:
         events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
         self.remarks += remarks
         requirements += [*events, *self._headed(sketch, anchors)]
+        connected = agreeing(connected, requirements)
         if connected is not None:
             requirements.append(connected)
             self.explained.append(connected.span)

@@ -1,4 +1,5 @@
-"""Which instruction words refer to (``mentions``), and times that count from it.
+"""Which instruction words refer to (``mentions``), what was ``told`` of it, and times that count from it.
 
-They stand in clauses (``anchors``) or in phrases (``phrase_anchors``).
+They stand in clauses (``anchors``) or in phrases (``phrase_anchors``), and some count from what was asked
+for of the ``same_thing``.
 """

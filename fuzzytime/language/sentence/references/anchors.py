@@ -1,7 +1,8 @@
 """Times that depend on another instruction: "five minutes before you serve", "ten minutes later", "then"."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
+from datetime import datetime
 from itertools import chain
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -17,8 +18,9 @@ from fuzzytime.language.sentence.references.mentions import (
     comes,
     is_done_with,
 )
+from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words
-from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 NEAR = 50
 """How many instructions back somebody's coming is looked for."""
@@ -30,8 +32,8 @@ class Anchors:
 
     ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
     operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
-    where nothing said before is meant. ``day`` is that of a line above, ``going`` are
-    those of its text that were said to go on for some time.
+    where nothing said before is meant. ``day`` is that of a line above, ``told`` what
+    was told of the times of its text so far, ``now`` when that is said.
     """
 
     position: int
@@ -41,7 +43,8 @@ class Anchors:
     lexicon: Lexicon
     awaits: bool = False
     day: Calendar | None = None
-    going: Sequence[int] = ()
+    told: Told = field(default_factory=Told)
+    now: datetime | None = None
 
     def about(self, clause: Clause) -> str | None:
         """Give what an instruction before is about that a clause is about too; None where there is none."""
@@ -80,7 +83,7 @@ class Anchors:
         if (
             clause.is_event
             and (clause.object or "").lower() in self.lexicon.beside.the_end
-            and self.mentions.lasting
+            and self.mentions.told.lasting
         ):
             # "Add the hops 15 minutes before the end"
             return self.going_on()
@@ -102,7 +105,7 @@ class Anchors:
             clause.kind not in FIRST
             or clause.distance is None
             or condition is None
-            or not self.mentions.lasting
+            or not self.mentions.told.lasting
         ):
             return False
         return (
@@ -257,16 +260,26 @@ class Anchors:
             before -= 1
         return before
 
+    def told_so_far(self) -> Told:
+        """Give what was told of the times of all instructions."""
+        return self.mentions.told.beside(self.told)
+
     def said_to_last(self) -> int | None:
         """Give the latest instruction before it that was said to go on for some time; None without one."""
-        known = [place for place in self.mentions.lasting if place < self.first]
-        known += [place for place in self.going if place < self.position]
+        known = [place for place in self.told_so_far().lasting if place < self.position]
         return known[-1] if known else None
 
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""
-        before = [place for place in self.mentions.lasting if place < self.first]
+        before = [place for place in self.mentions.told.lasting if place < self.first]
         return self.position - 1 if self.position > self.first or not before else before[-1]
+
+
+def counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
+    """Give a requirement that counts from another instruction alone."""
+    return replace(
+        requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
+    )
 
 
 def _comes_back(operation: Operation, lexicon: Lexicon) -> bool:

@@ -4,12 +4,12 @@ import heapq
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
-from datetime import date
 from itertools import groupby
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.clauses.clause import Clause
+from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
@@ -41,14 +41,13 @@ def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> b
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.
 
-    What was denied names nothing: nobody refers to "don't peel the apples". ``lasting`` are the positions of
-    those that were said to go on for some time, ``days`` the days that those are on of which that is known.
+    What was denied names nothing: nobody refers to "don't peel the apples". ``told`` is what was
+    told of their times.
     """
 
     lexicon: Lexicon
     operations: list[Operation | None] = field(default_factory=list)
-    lasting: list[int] = field(default_factory=list)
-    days: dict[int, date] = field(default_factory=dict)
+    told: Told = field(default_factory=Told)
     _by_word: dict[str, list[int]] = field(default_factory=dict)
     _by_verb: dict[str, list[int]] = field(default_factory=dict)
     _bare: dict[str, list[int]] = field(default_factory=dict)

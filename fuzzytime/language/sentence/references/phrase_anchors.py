@@ -23,8 +23,9 @@ from fuzzytime.language.meaning.first_times import closing_of
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.anchors import Anchors, counted_from
 from fuzzytime.language.sentence.references.mentions import waits_for
+from fuzzytime.language.sentence.references.same_thing import since_the_same, tells_length_of
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
@@ -80,6 +81,7 @@ def of_phrase(
     if is_in_the_end(phrase.said):
         return _in_the_end(anchors, phrase.said, requirement, clauses)
     found = _meal(anchors, phrase, requirement) or _later(anchors, phrase, requirement)
+    found = found or since_the_same(anchors, phrase.said, requirement)
     return found or _upon_arrival(anchors, requirement) or requirement
 
 
@@ -91,7 +93,7 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     for place, happening in anchors.just_before():
         if waits_for(operation, happening, anchors.lexicon):
             anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
-            return _counted_from(requirement, anchor, Constraint.BETWEEN)
+            return counted_from(requirement, anchor, Constraint.BETWEEN)
     return None
 
 
@@ -128,7 +130,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     anchor = Anchor(
         text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
     )
-    return _counted_from(requirement, anchor, constraint)
+    return counted_from(requirement, anchor, constraint)
 
 
 def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -142,10 +144,10 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
         anchor = Anchor(text=requirement.text, target=target, edge=edge)
-        return _counted_from(replace(requirement, word=None), anchor, constraint)
+        return counted_from(replace(requirement, word=None), anchor, constraint)
     if phrase.said.preposition == HALFWAY and anchors.position > 0:
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
-        return _counted_from(requirement, anchor, Constraint.AFTER)
+        return counted_from(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
     before = anchors.position - 1
     if phrase.said.preposition == INTO:
@@ -155,9 +157,11 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
     lag = requirement.t_spec or 0.0
     target = anchors.going_on() if phrase.said.preposition == LEFT else before
+    if phrase.said.preposition == LATER and lag and tells_length_of(anchors, target):
+        edge = Edge.FREE
     bounded = phrase.said.constraint in {Constraint.BEFORE, Constraint.AFTER}
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=not bounded)
-    return _counted_from(requirement, anchor, requirement.constraint if bounded else side)
+    return counted_from(requirement, anchor, requirement.constraint if bounded else side)
 
 
 def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:
@@ -188,11 +192,4 @@ def _in_the_end(
     anchor = Anchor(text=requirement.text, target=target, edge=Edge.END, lag=lag, exact=True)
     if requirement.recurrence is not None:
         return replace(requirement, anchor=anchor)
-    return _counted_from(requirement, anchor, Constraint.AFTER)
-
-
-def _counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
-    """Give a requirement that counts from another instruction alone."""
-    return replace(
-        requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None
-    )
+    return counted_from(requirement, anchor, Constraint.AFTER)

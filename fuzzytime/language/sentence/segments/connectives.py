@@ -48,6 +48,17 @@ def anchored_by_connective(segment: Segment, text: str, before: int | None) -> T
     )
 
 
+def agreeing(connected: TimeRequirement | None, others: Sequence[TimeRequirement]) -> TimeRequirement | None:
+    """Let "then" agree with a distance from the same: "bake it, then take it out after an hour"."""
+    if connected is None or connected.anchor is None:
+        return connected
+    anchor = connected.anchor
+    edges = [
+        o.anchor.edge for o in others if o.anchor and o.anchor.exact and o.anchor.target == anchor.target
+    ]
+    return replace(connected, anchor=replace(anchor, edge=edges[0])) if edges else connected
+
+
 def within_after(requirements: Sequence[TimeRequirement]) -> list[TimeRequirement]:
     """Let a length that something is to be done within count from what it is to be done after.
 

@@ -4,11 +4,10 @@ Where something told says when the event is, they are on that day; where nothing
 least of all on today.
 """
 
-from collections.abc import Mapping
 from dataclasses import replace
-from datetime import date, datetime, timedelta
+from datetime import timedelta
 
-from fuzzytime.language.instruction import Instruction, Remark, RemarkKind
+from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.meaning.beside import joined
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Said, Wall
@@ -17,7 +16,6 @@ from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.clause_sides import FIRST
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint
 
 ON_THE_DAY = "on the day of"
 """The marker of what is on the day of an event."""
@@ -29,22 +27,12 @@ ALL_DAY = "all day"
 """The rule of such a day where no time of day is said."""
 
 DAY = timedelta(days=1)
-WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 
 
-def day_of(instruction: Instruction, now: datetime | None) -> date | None:
-    """Give the day that something is on, where its words say it."""
-    said = (part.earliest for part in instruction.requirements if part.constraint in WHEN)
-    first = next((seconds for seconds in said if seconds is not None), None)
-    return None if first is None or now is None else (now + timedelta(seconds=first)).date()
-
-
-def on_days_of_events(
-    sketch: Sketch, anchors: Anchors, days: Mapping[int, date], text: str
-) -> tuple[Sketch, int | None, list[Remark]]:
+def on_days_of_events(sketch: Sketch, anchors: Anchors, text: str) -> tuple[Sketch, int | None, list[Remark]]:
     """Put the times of day of an instruction on the day that its clause counts from an event.
 
-    ``days`` are those of instructions, by their positions. Gives the position of the event, too, if there is
+    Gives the position of the event, too, if there is
     one, and what is pointed at.
     """
     remarks: list[Remark] = []
@@ -55,7 +43,7 @@ def on_days_of_events(
         if away is None or not (timed or _is_any_time(clause)):
             continue
         target = anchors.target_of(clause)
-        day = None if target is None else days.get(target)
+        day = None if target is None else anchors.told_so_far().starts.get(target)
         if day is None and not timed:
             continue
         if day is None:
@@ -65,7 +53,7 @@ def on_days_of_events(
             remarks += (_unknown(text, phrase, clause) for phrase in unused)
             sketch = _without_times_of_day(sketch)
             continue
-        event, there = target, day + away * DAY
+        event, there = target, day.date() + away * DAY
         wall = Wall(Fields(there.year, there.month, there.day))
         if clause.day_part is not None:
             sketch, wall = _in_part(sketch, replace(clause.day_part, span=clause.span), wall)

@@ -15,10 +15,8 @@ from fuzzytime.language.meaning.expressions import (
     Repeat,
     Said,
     TimeWord,
-    later_by,
 )
 from fuzzytime.language.sentence.references.mentions import BE
-from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.language.sentence.verbs.places import says_where
 from fuzzytime.requirement import Constraint, Reference, Unit
@@ -198,28 +196,8 @@ def within(sketches: list[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
         if sketch.part.segment.connective != "then":
             length = _length(before)
             told = replace(told, phrases=tuple(_counted_in(phrase, length) for phrase in told.phrases))
-            if not length and _goes_on_soon(before, sketch, text):
-                told = replace(told, phrases=tuple(map(_behind_that, told.phrases)))
         found.append(told)
     return [replace(sketch, phrases=tuple(map(_halfway, sketch.phrases))) for sketch in found]
-
-
-def _goes_on_soon(before: Sketch, sketch: Sketch, text: str) -> bool:
-    """Whether the same sentence asks for something else of the same thing: "put it in, turn it after …"."""
-    between = text_between(before, sketch, text)
-    one, other = before.operation, sketch.operation
-    if one is None or other is None or one.stated or one.negated or ENDS & set(between):
-        return False
-    return (other.object or "").lower() in {"it", "them"} and before.part is not sketch.part
-
-
-def _behind_that(phrase: Phrase) -> Phrase:
-    """Let so long "after" count from what the same sentence asks for before."""
-    said = phrase.said
-    time = said.time.duration if isinstance(said.time, Offset) and said.time.anchor is None else said.time
-    if not isinstance(time, Duration) or said.preposition != "after" or said.constraint is Constraint.FOR:
-        return phrase
-    return replace(phrase, said=later_by(time, said.hedges))
 
 
 def _halfway(phrase: Phrase) -> Phrase:

@@ -1,0 +1,67 @@
+"""Times that count from what was asked for of the same thing before: "take it out after forty minutes"."""
+
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said
+from fuzzytime.language.sentence.references.anchors import Anchors, counted_from
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
+from fuzzytime.times import seconds_between
+
+AFTER, IN = "after", "in"
+
+
+def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -> TimeRequirement | None:
+    """Count so long "after" from what was asked for of the same thing before; None where it counts from now.
+
+    "In an hour" counts from now, and so does what names its thing anew, unless that would be before the same
+    thing's own time: "put the lasagne in at six and take it out in forty minutes".
+    """
+    own, distance = anchors.operation_at(anchors.position), requirement.t_spec
+    bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
+    if own is None or own.stated or own.negated or distance is None or not bare:
+        return None
+    target = _asked_before(anchors) if said.preposition in {AFTER, IN} else None
+    if target is None:
+        return None
+    told = anchors.told_so_far()
+    start = told.starts.get(target)
+    begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
+    too_early = begun is not None and distance < begun
+    if not (own.again or too_early if said.preposition == AFTER else own.again and too_early):
+        return None
+    edge = Edge.FREE if tells_length_of(anchors, target) else Edge.END
+    if distance < told.lasting.get(target, 0.0):
+        # "Roast it for an hour. Turn it after ten minutes"
+        edge = Edge.START
+    anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=distance, exact=True)
+    return counted_from(requirement, anchor, Constraint.AFTER)
+
+
+def tells_length_of(anchors: Anchors, target: int) -> bool:
+    """Whether a distance from another instruction is how long that goes on.
+
+    So it is where both ask for something of the same thing, and nothing else tells how long: "bake it at
+    six, take it out after an hour". "Another tablet two hours later" tells no length.
+    """
+    own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)
+    if own is None or other is None or own.stated or other.stated or own.lemma == other.lemma:
+        return False
+    return _is_of_the_same(anchors, target) and target not in anchors.told_so_far().lasting
+
+
+def _asked_before(anchors: Anchors) -> int | None:
+    """Give the latest instruction, not long ago, that asks once for something of the same thing.
+
+    Who asks for the very same anew, by its name, means another time of it: "feed the cat".
+    """
+    own, told = anchors.operation_at(anchors.position), anchors.told_so_far()
+    for place, before in anchors.just_before():
+        anew = own is not None and not own.again and own.lemma == before.lemma
+        asked = not before.stated and not before.negated and place not in told.repeated
+        if asked and not anew and _is_of_the_same(anchors, place):
+            return place
+    return None
+
+
+def _is_of_the_same(anchors: Anchors, target: int) -> bool:
+    """Whether another instruction is about the thing of this one."""
+    own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)
+    return own is not None and other is not None and own.object is not None and own.object == other.object

@@ -1,0 +1,42 @@
+"""What was told of instructions, by their positions: starts, lengths, which are repeated."""
+
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta
+
+from fuzzytime.language.instruction import Instruction
+from fuzzytime.requirement import Constraint
+
+WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
+"""What says when something begins, and not only when at the latest or at the earliest."""
+
+
+@dataclass(slots=True)
+class Told:
+    """What was told so far: ``starts``; lengths in seconds, the latest told last; what is ``repeated``."""
+
+    starts: dict[int, datetime] = field(default_factory=dict)
+    lasting: dict[int, float] = field(default_factory=dict)
+    repeated: set[int] = field(default_factory=set)
+
+    def add(self, position: int, instruction: Instruction, now: datetime | None) -> None:
+        """Add what an instruction tells of itself, or how long another goes on: "it takes an hour"."""
+        start = start_of(instruction, now)
+        if start is not None:
+            self.starts[position] = start
+        if instruction.repeats is not None:
+            self.repeated.add(position)
+        meant = position if instruction.length_of is None else instruction.length_of.target
+        if instruction.duration is not None and meant is not None:
+            self.lasting.pop(meant, None)
+            self.lasting[meant] = instruction.duration
+
+    def beside(self, other: "Told") -> "Told":
+        """Give all that was told here and, after it, there."""
+        return Told(self.starts | other.starts, self.lasting | other.lasting, self.repeated | other.repeated)
+
+
+def start_of(instruction: Instruction, now: datetime | None) -> datetime | None:
+    """Give when something begins, at the earliest, where its words say when it is."""
+    said = (part.earliest for part in instruction.requirements if part.constraint in WHEN)
+    first = next((seconds for seconds in said if seconds is not None), None)
+    return None if first is None or now is None else now + timedelta(seconds=first)
