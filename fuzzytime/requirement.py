@@ -96,7 +96,8 @@ class Condition:
     ``comparisons`` are the numbers in it, in the order of the words. ``target`` is the position of the
     instruction that makes it so ("warm up the printer"), which counts where no reading tells; ``about`` that
     of the latest that is about the same thing ("paint the door", where the paint is dry). ``takes`` is how
-    many seconds it takes then to become so, where that is said.
+    many seconds it takes then to become so, where that is said. ``goes_on`` says that something is so for a
+    time and is waited for no longer than until it begins: "while the bread bakes".
     """
 
     text: str
@@ -109,6 +110,7 @@ class Condition:
     target: int | None = None
     about: int | None = None
     takes: float | None = None
+    goes_on: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -23,7 +23,7 @@ def with_waits(requirement: TimeRequirement, rulebook: Rulebook, request: Reques
     if target is None and not (assumed and request.awaits_readings):
         target = condition.about
     if target is not None:
-        edge = Edge.END if takes is None else Edge.FREE
+        edge = Edge.END if takes is None and not condition.goes_on else Edge.FREE
         anchor = Anchor(text=condition.text, target=target, edge=edge, lag=takes or 0.0, assumed=assumed)
         return replace(requirement, constraint=Constraint.AFTER, condition=None, anchor=anchor)
     if takes is None:

@@ -77,6 +77,30 @@ def test_so_long_from_now_counts_from_now_elsewhere(lines: list[str]) -> None:
     assert "07:40" in starts(told(lines)).values()
 
 
+@pytest.mark.parametrize("clause", ["the pie is baking", "it bakes", "the pie is in the oven"])
+def test_while_something_goes_on_is_after_what_sets_it_going(clause: str) -> None:
+    made = told(["put the pie in the oven at noon", f"make the salad while {clause}"])
+    assert starts(made) == {"s1": "12:00", "s2": "12:01"}
+    assert any(note.startswith(f"nothing tells 'while {clause}': taken as once") for note in notes(made))
+
+
+def test_while_something_goes_on_is_not_after_what_has_nothing_to_do_with_it() -> None:
+    made = told(["make the salad", "stir the soup while it simmers"])
+    assert list(starts(made)) == ["s1"]
+
+
+@pytest.mark.parametrize("meal", ["dinner is at seven pm", "serve the dinner at seven pm"])
+def test_who_eats_is_at_the_meal_that_something_is_about(meal: str) -> None:
+    made = told(["open the wine half an hour before we eat", meal, "wash up after we have eaten"])
+    assert starts(made)["s1"] == "18:30"
+    assert starts(made)["s3"] > "19:00"
+
+
+def test_what_is_done_is_named_by_its_noun() -> None:
+    made = told(["bathe the kids at seven pm", "put the kids to bed after their bath"])
+    assert starts(made)["s2"] > starts(made)["s1"] == "19:00"
+
+
 @pytest.mark.parametrize("word", ["then", "after that,", "afterwards"])
 def test_what_goes_on_telling_goes_on_from_what_was_last_planned(word: str) -> None:
     made = told(["simmer the soup for 20 minutes, stirring occasionally", f"{word} serve the soup"])

@@ -201,6 +201,7 @@ class Doing:
     settling: Words
     inquiring: Words
     sure: Words
+    eating: Words
     keeping: Words
     getting: Words
     becoming: Words

@@ -127,9 +127,10 @@ class Mentions:
 
 
 def _nouns(verb: str) -> tuple[str, ...]:
-    """Give the words that name what a verb says: the walk, the baking, the incubation, the treatment."""
+    """Give the words that name what a verb says: the walk, the baking, the incubation, the bath."""
     bare = verb.removesuffix("e")
-    return verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+    nouns = verb, f"{bare}ing", f"{verb}{verb[-1:]}ing", f"{bare}ion", f"{bare}ation", f"{verb}ment"
+    return (*nouns, bare) if verb.endswith("the") else nouns
 
 
 def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:

@@ -7,6 +7,7 @@ from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.meals import meal_of
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.at_events import untold
 from fuzzytime.language.sentence.sketches.pronouns import resolved_object
@@ -40,6 +41,7 @@ def of_clause(
         # "Boil the pasta. Drain it when it is done": when it is boiled.
         named = _named(said, _meant_by_pronoun(clause, anchors, sketch), lexicon)
         target = anchors.target_of(replace(clause, condition=named))
+    target = meal_of(clause, anchors) if target is None else target
     if target is None and said is not None and clause.kind in STATING:
         condition = replace(said, text=text, comparisons=numbers)
         return _of_condition(clause, condition, anchors, sketch), []
@@ -92,6 +94,8 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
             if about is None and condition.subject in anchors.lexicon.closed.anaphors:
                 about = anchors.done_with_it(condition.subject)
             condition = replace(condition, about=about, takes=takes)
+    elif clause.kind == "while" and not condition.negated:
+        condition = replace(condition, about=_under_way(said, condition, anchors), goes_on=True)
     return TimeRequirement(
         text=said.text,
         span=clause.span,
@@ -100,6 +104,16 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
         condition=condition,
         reference=Reference.FINISH if clause.kind == "until" else Reference.START,
     )
+
+
+def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int | None:
+    """Give the instruction that sets going what a clause says: "put it in the oven, … while it bakes"."""
+    about = anchors.done_with(condition.subject)
+    before = anchors.operation_at(anchors.position - 1) if anchors.position else None
+    if about is not None or said.subject not in anchors.lexicon.closed.singular_anaphors or before is None:
+        return about
+    left = before.lemma in anchors.lexicon.doing.putting and not before.negated and not before.stated
+    return anchors.position - 1 if left else None
 
 
 def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
