@@ -112,7 +112,8 @@ class Precedence:
     """Skill ``first`` is done before skill ``second`` starts, by positions in the task, from 0.
 
     The start of ``second`` minus the moment ``first`` is done lies between the two lags, in seconds; a
-    negative one lets them overlap.
+    negative one lets them overlap. Of lags that satisfy equally, one nearer to the ``wished_lag`` is better;
+    None where no distance was named.
 
     Raises
     ------
@@ -124,12 +125,18 @@ class Precedence:
     second: int
     minimum_lag: float = 0.0
     maximum_lag: float = math.inf
+    wished_lag: float | None = None
 
     def __post_init__(self) -> None:
         if not self.minimum_lag <= self.maximum_lag or self.minimum_lag == math.inf:
             raise FuzzytimeError(
                 "a precedence's minimum lag must not exceed its maximum, "
                 f"got {self.minimum_lag} and {self.maximum_lag}"
+            )
+        if self.wished_lag is not None and not self.minimum_lag <= self.wished_lag <= self.maximum_lag:
+            raise FuzzytimeError(
+                "a precedence's wished lag must lie between its minimum and its maximum, "
+                f"got {self.wished_lag}"
             )
 
 

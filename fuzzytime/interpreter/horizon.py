@@ -39,11 +39,11 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
 
 
 def _waits(interpreted: Interpreted) -> float:
-    """Give how long a skill waits at least behind others, where its window does not show it."""
+    """Give how long a skill waits for others, or they for it, where its window does not show it."""
     anchors = (part.anchor for part in interpreted.requirements)
     # "An hour later" is no window of its own, where nothing says when that comes which it counts from.
     shown = math.isfinite(interpreted.skill.satisfaction.acceptable(THRESHOLD).high)
-    lags = (anchor.lag for anchor in anchors if anchor is not None and not (anchor.exact and shown))
+    lags = (abs(anchor.lag) for anchor in anchors if anchor is not None and not (anchor.exact and shown))
     return max(lags, default=0.0)
 
 

@@ -229,14 +229,23 @@ class _Tie:
 
     def precedence(self, target: int, this: int) -> Precedence:
         """Give the interval of x as lags from the one that comes first being done to the other's start."""
-        x = self.allowed()
+        x, wished = self.allowed(), self._wished()
         ahead = self.anchor.lag < 0 and self.anchor.edge is Edge.START
         comes_first = self.requirement.constraint is Constraint.BEFORE or ahead
         if comes_first:
             offset = self.moment + self.this.skill.time_until_done
-            return Precedence(this, target, -x.high - offset, -x.low - offset)
+            wished = None if wished is None else -wished - offset
+            return Precedence(this, target, -x.high - offset, -x.low - offset, wished)
         offset = self.moment - self.target.skill.time_until_done
-        return Precedence(target, this, x.low + offset, x.high + offset)
+        wished = None if wished is None else wished + offset
+        return Precedence(target, this, x.low + offset, x.high + offset, wished)
+
+    def _wished(self) -> float | None:
+        """Give the x that is wished for, None where only its sign is."""
+        if not self.anchor.exact:
+            return None
+        beside, x = self.beside, self.allowed()
+        return min(max(x.low, self.lag + (0.0 if beside is None else min(0.0, beside.best.high))), x.high)
 
     def follower(self) -> Interpreted:
         """Give this skill with what an exact distance says of its own time: its ψ, and the start named."""
@@ -246,17 +255,11 @@ class _Tie:
         return replace(self.this, skill=skill)
 
     def _preferred(self) -> float | None:
-        """Give the start at the very distance from where the target is named, or could be at the earliest."""
-        target, named = self.target.skill, self.this.skill.preferred
-        expected = (
-            target.preferred if target.preferred is not None else max(0.0, target.satisfaction.best.low)
+        """Give the start that was named, or that at the very distance from where the target's was."""
+        target, named, wished = self.target.skill.preferred, self.this.skill.preferred, self._wished()
+        return (
+            named if named is not None or target is None or wished is None else target + self.moment + wished
         )
-        if named is not None or not math.isfinite(expected):
-            return named
-        beside = self.beside
-        start = expected + self.moment + self.lag + (0.0 if beside is None else min(0.0, beside.best.high))
-        # Where the target may wait, so may what comes before it.
-        return named if start < 0 and target.preferred is None else start
 
     def _satisfaction(self) -> SatisfactionFunction:
         """Let ψ follow the target's, where that is timed."""

@@ -96,4 +96,8 @@ def _released(interpreted: Interpreted, first: Started, precedence: Precedence) 
     reason = interpreted.reason
     if function.support.empty and not reason:
         reason = f"must come after {first.identifier}, and that leaves no time that satisfies"
-    return replace(interpreted, skill=replace(interpreted.skill, satisfaction=function), reason=reason)
+    preferred = interpreted.skill.preferred
+    if preferred is None and precedence.wished_lag is not None:
+        preferred = first.done + precedence.wished_lag
+    skill = replace(interpreted.skill, satisfaction=function, preferred=preferred)
+    return replace(interpreted, skill=skill, reason=reason)

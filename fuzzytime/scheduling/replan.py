@@ -182,6 +182,8 @@ def _released(skill: FuzzySkill, first: SpecificSkill, entry: Precedence) -> Fuz
 
     A wish whose last moment has passed is late, not lost: it may start as soon as it can.
     """
+    if skill.preferred is None and entry.wished_lag is not None:
+        skill = replace(skill, preferred=first.done + entry.wished_lag)
     earliest = first.done + entry.minimum_lag
     latest = max(first.done + entry.maximum_lag, earliest, 0.0)
     window = Interval(earliest if earliest > 0 else -math.inf, latest)

@@ -109,7 +109,7 @@ def _scheduled(
         lower += found.lower_cost
         methods[found.method or solver.name] = None
         draft.starts[members], draft.agents[members] = found.starts, found.agents
-    draft = rearranged(problem, task.skills, draft, objectives, watch)
+    draft = rearranged(problem, task, draft, objectives, watch)
     starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
         starts[job.position], agents[job.position] = start, agent

@@ -88,7 +88,7 @@ def horizon_of(task: FuzzyTask, floor: float) -> float:
         )
         kinks.extend(time for time in rises if math.isfinite(time))
     kinks.extend(entry.end for entry in task.busy if math.isfinite(entry.end))
-    lags = [abs(precedence.minimum_lag) for precedence in task.precedences]
+    lags = [max(abs(entry.minimum_lag), abs(entry.wished_lag or 0.0)) for entry in task.precedences]
     work = [max(skill.duration, skill.time_until_done) for skill in task.skills]
     return max(kinks) + math.fsum(work) + math.fsum(lags)
 

@@ -18,9 +18,8 @@ def expected_starts(task: FuzzyTask) -> list[float]:
         before = list(starts)
         for entry in task.precedences:
             lasting = task.skills[entry.first].time_until_done
-            starts[entry.second] = max(
-                starts[entry.second], starts[entry.first] + lasting + entry.minimum_lag
-            )
+            lag = entry.minimum_lag if entry.wished_lag is None else entry.wished_lag
+            starts[entry.second] = max(starts[entry.second], starts[entry.first] + lasting + lag)
             starts[entry.first] = max(starts[entry.first], starts[entry.second] - lasting - entry.maximum_lag)
         if starts == before:
             break

@@ -1,4 +1,5 @@
 """The best among schedules that satisfy equally.
 
-The ``objectives``, some of them about quantities ``over_time``, are followed in turn: ``lexicographic``.
+The ``objectives``, some of them about quantities ``over_time``, are followed in turn: ``lexicographic``. What
+is wished for at ``distances`` from others follows these.
 """

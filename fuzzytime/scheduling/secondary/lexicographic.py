@@ -17,11 +17,12 @@ from fuzzytime.scheduling.problem.grid import Ints
 from fuzzytime.scheduling.problem.jobs import Job, Problem
 from fuzzytime.scheduling.problem.windows import above, in_common
 from fuzzytime.scheduling.search.local_search import LocalSearch
+from fuzzytime.scheduling.secondary.distances import at_distances, wished_distances
 from fuzzytime.scheduling.secondary.objectives import Arrangement, Objective
 from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing.chains import Block, round_blocks
 from fuzzytime.scheduling.timing.settle import lanes_of_agents, nearest, sequences, settled
-from fuzzytime.skills import FuzzySkill
+from fuzzytime.skills import FuzzySkill, FuzzyTask
 
 AT_AN_END = 1e-6
 """Seconds: a start so near to the end of the starts that are as good is that end, but for rounding."""
@@ -35,6 +36,9 @@ SEARCHED = 12
 UNWANTED = 1e3
 """The cost of leaving a skill out, far above that of any start."""
 
+TURNS = 4
+"""How often an objective is followed at most where what is at a distance from others follows them."""
+
 EQUAL = 1e-9
 """Costs of wishes that differ by less are equal."""
 
@@ -44,7 +48,7 @@ NAMED = 1e-6
 
 def rearranged(
     problem: Problem,
-    skills: Sequence[FuzzySkill],
+    task: FuzzyTask,
     draft: Draft,
     objectives: Sequence[Objective],
     watch: Stopwatch,
@@ -55,8 +59,8 @@ def rearranged(
     ----------
     problem
         What the draft solves.
-    skills
-        Those of the task, found by the jobs' positions.
+    task
+        The problem's: its skills are found by the jobs' positions.
     draft
         Jobs that it rejects stay so.
     objectives
@@ -69,21 +73,28 @@ def rearranged(
     starts, agents = draft.starts[placed], draft.agents[placed]
     lanes = lanes_of_agents(problem)
     equal = _as_good(first, starts, agents, lanes)
-    mine = tuple(skills[job.position] for job in equal.jobs)
+    mine = tuple(task.skills[job.position] for job in equal.jobs)
+    distances = wished_distances(task, [job.position for job in equal.jobs])
     for objective in objectives:
         reach = max((job.latest for job in equal.jobs), default=0.0) + 1.0
-        wishes = objective.wishes(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
-        wishing = replace(equal, jobs=tuple(map(_wishing, equal.jobs, wishes)))
-        for members in wishing.groups():
-            named = any(mine[member].preferred is not None for member in members)
-            search = objective.reorders and (named or len(members) <= SEARCHED)
-            group = wishing.select(members)
-            found = _best(group, starts[members], agents[members], watch if search else None)
-            starts[members], agents[members] = found.starts, found.agents
+        wishing, following = equal, mine
+        for _ in range(TURNS if distances else 1):
+            # What is at a distance from another follows it when that has its place.
+            arrangement = Arrangement(following, tuple(starts.tolist()), tuple(agents.tolist()), reach)
+            wishing = replace(equal, jobs=tuple(map(_wishing, equal.jobs, objective.wishes(arrangement))))
+            for members in wishing.groups():
+                named = any(following[member].preferred is not None for member in members)
+                search = objective.reorders and (named or len(members) <= SEARCHED)
+                group = wishing.select(members)
+                found = _best(group, starts[members], agents[members], watch if search else None)
+                starts[members], agents[members] = found.starts, found.agents
+            before, following = following, at_distances(mine, distances, starts)
+            if following == before:
+                break
         bounds = objective.bounds(Arrangement(mine, tuple(starts.tolist()), tuple(agents.tolist()), reach))
         equal = _bounded(_as_good(wishing, starts, agents, lanes), starts, bounds)
     everything, everyone = draft.starts.copy(), draft.agents.copy()
-    everything[placed], everyone[placed] = _rounded(first, skills, starts, agents), agents
+    everything[placed], everyone[placed] = _rounded(first, task.skills, starts, agents), agents
     return draft_of(problem, everything, everyone, draft.lower_cost)
 
 
