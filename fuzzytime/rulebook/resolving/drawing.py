@@ -20,7 +20,8 @@ def drawn(
     formula: Formula, world: World, traced: Traced, until: float, satisfaction: SatisfactionFunction
 ) -> Trace:
     """Give the traces of a formula over the times of its grid, to ``until`` seconds from now."""
-    shown = np.flatnonzero(traced.grid.times <= until)
+    regular = traced.grid.regular
+    shown = regular[traced.grid.times[regular] <= until]
     positions = shown[np.unique(np.linspace(0, shown.size - 1, POINTS).astype(int))]
     times = traced.grid.times[positions]
     names = [name for name in signals_of(formula, world.tables) if name in world.series]

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
 from fuzzytime.rulebook.logic.formula import Formula, Is, events, variables
-from fuzzytime.rulebook.over_time.truth import trace
+from fuzzytime.rulebook.over_time.truth import followed
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.tables.contents import Tables
@@ -112,9 +112,8 @@ def hear(rules: Sequence[Rule], world: World) -> tuple[Heard, ...]:
 
 def holds_now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]]:
     """Give how true a formula is at time 0, and each of its parts."""
-    grid = world.grid(formula, 0.0)
-    traced = trace(formula, world, grid)
-    zero = grid.zero
+    traced = followed(formula, world, 0.0)
+    zero = traced.grid.zero
     atoms = tuple(
         AtomDegree(
             str(part),
