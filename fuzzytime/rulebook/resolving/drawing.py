@@ -5,7 +5,7 @@ import numpy as np
 from fuzzytime.rulebook.logic.formula import Formula
 from fuzzytime.rulebook.over_time.truth import Traced
 from fuzzytime.rulebook.over_time.world import World
-from fuzzytime.rulebook.resolving.inference import signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of
 from fuzzytime.rulebook.resolving.reasons import outlook
 from fuzzytime.rulebook.resolving.resolution import SignalTrace, Trace
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
