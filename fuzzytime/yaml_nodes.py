@@ -122,9 +122,10 @@ class Reader(Document):
             self.mistake(node, key, "must not be empty")
         return text
 
-    def choice(self, node: Node, key: str, known: Collection[str]) -> str:
-        """Give a scalar's text that must be one of the known ones."""
+    def choice(self, node: Node, key: str, known: Collection[str], *, lower: bool = False) -> str:
+        """Give a scalar's text that must be one of the known ones, in lower case if asked for."""
         text = self.string(node, key)
+        text = text.lower() if lower else text
         if isinstance(node, Scalar) and text not in known:
             self.mistake(node, key, f"must be one of the known words, got {text!r}{suggestion(text, known)}")
             return ""
@@ -140,12 +141,18 @@ class Reader(Document):
             for i, item in enumerate(self.sequence(node, key))
         )
 
-    def choices(self, node: Node, key: str, known: Collection[str]) -> tuple[str, ...]:
+    def choices(
+        self, node: Node, key: str, known: Collection[str], *, lower: bool = False
+    ) -> tuple[str, ...]:
         """Give one text, or a list of texts, that must all be known ones."""
+        items = self.one_or_more(node, key)
+        return tuple(self.choice(item, path, known, lower=lower) for item, path in items)
+
+    def one_or_more(self, node: Node, key: str) -> list[tuple[Node, str]]:
+        """Give one value, or those of a list, each with its path."""
         if isinstance(node, Scalar):
-            return (self.choice(node, key, known),)
-        items = enumerate(self.sequence(node, key))
-        return tuple(self.choice(item, f"{key}[{i}]", known) for i, item in items)
+            return [(node, key)]
+        return [(item, f"{key}[{i}]") for i, item in enumerate(self.sequence(node, key))]
 
     def boolean(self, node: Node, key: str) -> bool:
         """Give ``true`` or ``false``."""

@@ -4,7 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from fuzzytime.context import Context
 from fuzzytime.errors import DocumentError
+from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.resources import rules_directory
 from fuzzytime.rulebook import Profile, Rulebook, check
 from fuzzytime.rulebook.tables.documents import shipped_tables
@@ -123,3 +125,26 @@ def test_every_word_that_begins_a_clause_has_a_row() -> None:
     tables = shipped_tables(Profile.EVERYDAY)
     # "Right after" is no clause's word but a hedge of one.
     assert said - tables.clauses.keys() - tables.prepositions.keys() <= tables.time_hedges.keys()
+
+
+def test_words_have_no_case_and_names_may_have_any_letters(tmp_path: Path) -> None:
+    path = tmp_path / "mine.yaml"
+    path.write_text(
+        """fuzzytime: 1
+hedges: {term: {Really: {power: 2}}, time: {Kinda: {widen: 2}}}
+words: {Soonish: {model: in, t: 0 s, hedge: Kinda}}
+signals: {öl_temp: {unit: degC, range: [0, 300]}}
+variables: {öl: {of: öl_temp, terms: {heiß: {rising: [100, 200]}}}}
+rules:
+  - {name: hot, on: {cue: Soonish, number: [3, 4]}, if: öl is Really heiß, then: {t: 1 min}}
+  - {name: in-use, on: {cue: soonish}, if: öl is really heiß, then: {t: 2 min}}
+""",
+        encoding="utf-8",
+    )
+    rulebook = Rulebook.shipped(files=[path])
+    said = TimeRequirement(text="soonish", span=(0, 7), constraint=Constraint.VAGUE, word="soonish")
+    resolved = rulebook.resolve(said, Context.of({"öl_temp": 150.0}))
+    assert [share.name for share in resolved.shares] == ["Soonish", "in-use"]
+    assert resolved.shares[1].degree.low == pytest.approx(0.25)
+    assert [effect.factor for effect in resolved.hedges] == [2.0]
+    assert rulebook.tables.rules["hot"].match.accepted[1] == ("number", frozenset({"3", "4"}))

@@ -43,6 +43,13 @@ def formula(text: str) -> Formula | None:
             Window(Operator.MOSTLY, Direction.LAST, 600.0, 0.25, BUSY),
         ),
         ("pan is hot throughout next 30s", Window(Operator.THROUGHOUT, Direction.NEXT, 30.0, 0.0, HOT)),
+        ("pan is hot throughout next 1h30", Window(Operator.THROUGHOUT, Direction.NEXT, 5400.0, 0.0, HOT)),
+        ("pan is hot sometime in last 1e2 s", Window(Operator.SOMETIME, Direction.LAST, 100.0, 0.0, HOT)),
+        (
+            "pan is hot sometime in the last about 2min30s",
+            Window(Operator.SOMETIME, Direction.LAST, 150.0, 0.25, HOT),
+        ),
+        ("pan is Very hot", Is("pan", "hot", ("very",))),
         (
             "not (pan is hot) sometime in the last roughly .5 h",
             Not(Window(Operator.SOMETIME, Direction.LAST, 1800.0, 0.5, HOT)),
@@ -78,6 +85,8 @@ def test_conditions_are_read(text: str, expected: Formula) -> None:
         ("pan is vry hot", [(7, "unknown hedge 'vry' (did you mean 'very'?)")]),
         ("pan is hot mosty in the last 5 min", [(11, "got 'mosty' (did you mean 'mostly'?)")]),
         ("pan is hot mostly in the last abuot 5 min", [(30, "no hedge 'abuot' (did you mean 'about'?)")]),
+        ("pan is hot mostly in the last 1x30", [(30, "a duration's unit must be one of ms, s")]),
+        ("pan is hot mostly in the last abuot 1h30", [(30, "no hedge 'abuot' (did you mean 'about'?)")]),
         ("pan is hot mostly in the last -5 min", [(30, "a window must be longer than 0")]),
         ("pan is hot mostly in the last 1e400 min", [(30, "a window must be longer than 0")]),
         # What follows a broken form is searched as well.

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from fuzzytime.context import Context
-from fuzzytime.rulebook.logic.windows import Extent, Past, sometime, throughout
+from fuzzytime.rulebook.logic.traces import Past
+from fuzzytime.rulebook.logic.windows import Extent, sometime, throughout
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.inference import hear, takagi_sugeno
 from rulebook.books import book

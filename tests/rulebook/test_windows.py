@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from fuzzytime.rulebook.logic.windows import Extent, Past, mean, mostly, slope, sometime, throughout
+from fuzzytime.rulebook.logic.traces import Past
+from fuzzytime.rulebook.logic.windows import Extent, mean, mostly, slope, sometime, throughout
 from fuzzytime.satisfaction import Floats
 
 TRACES = hnp.arrays(float, st.tuples(st.integers(1, 3), st.integers(2, 40)), elements=st.floats(0, 1))

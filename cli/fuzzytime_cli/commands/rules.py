@@ -52,6 +52,7 @@ def show(
     """Show which rows and rules apply to words about time, and the satisfaction they give."""
     import os
 
+    from fuzzytime.interpreter import ProblemKind
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.commands.plan import is_fault, report_problem
     from fuzzytime_cli.explaining import rules_lines
@@ -64,7 +65,8 @@ def show(
     assembly = Assembly.of(moment, understanding, Solving())
     made = shown_plan(text, assembly, understanding)
     for problem in made.problems:
-        if is_fault(problem):
+        # Of what is rejected the lines below give the reason.
+        if is_fault(problem) and problem.kind is not ProblemKind.REJECTED:
             report_problem(problem, "fuzzytime")
     screen = Screen.of(sys.stdout, dict(os.environ))
     screen.write(*rules_lines(made, screen.width, unicode=screen.unicode))

@@ -42,12 +42,8 @@ def _share_lines(share: Share) -> list[str]:
         line += f"  holds {_between(share.degree.low, share.degree.high)}"
     lines = [line]
     for atom in share.atoms:
-        reading = (
-            "no reading"
-            if atom.reading is None
-            else f"reading {atom.reading:g} {plain(atom.unit or '')}".rstrip()
-        )
-        lines.append(f"  {plain(atom.text)}: {_between(atom.degree.low, atom.degree.high)} ({reading})")
+        evidence = f" ({plain(atom.evidence)})" if atom.evidence else ""
+        lines.append(f"  {plain(atom.text)}: {_between(atom.degree.low, atom.degree.high)}{evidence}")
         if atom.meaning:
             lines.append(f"    {plain(atom.meaning)}")
     return lines

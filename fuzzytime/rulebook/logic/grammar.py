@@ -7,7 +7,7 @@
     unary := "not" unary | "(" cond ")" [temp] | atom
     atom  := VARIABLE "is" ["not"] {HEDGE} TERM [temp]
     temp  := ("throughout" | "sometime" | "mostly") ["in"] ["the"] ("last" | "next")
-             ["about" | "roughly" | "exactly"] NUMBER UNIT {NUMBER UNIT}
+             ["about" | "roughly" | "exactly"] DURATION
 """
 
 import re
@@ -15,9 +15,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window
 from fuzzytime.spelling import nearest, suggestion
-from fuzzytime.times import DAY, UNITS
+from fuzzytime.times import DAY, UNITS, parse_duration
 
 SOFTNESS = {"exactly": 0.0, "about": 0.25, "roughly": 0.5}
 """How far a hedged window fades beyond its length, as a share of it."""
@@ -35,7 +36,12 @@ _COMMON_UNITS = ("s", "min", "h", "d", "seconds", "minutes", "hours", "days")
 
 _DIGITS = r"[-+]?(?:\d+(?:\.\d+)?|\.\d+)(?:[eE][-+]?\d+)?"
 _NUMBER = re.compile(_DIGITS)
-_TOKEN = re.compile(rf"[A-Za-z_]\w*|{_DIGITS}|[()]|&&|\|\||[<>=!]=|\S")
+_CLOSE = r"\d+(?:\.\d+)?(?![eE]\d)[A-Za-z]+\d[\w.]*"
+"""A duration in one word: ``1h30``."""
+
+_NAME = r"[^\W\d](?:\w|[^\x00-\x7f\s])*"
+_LENGTH = re.compile(rf"{_CLOSE}|{_DIGITS}")
+_TOKEN = re.compile(rf"{_NAME}|{_CLOSE}|{_DIGITS}|[()]|&&|\|\||[<>=!]=|\S")
 
 
 @dataclass(frozen=True, slots=True)
@@ -210,7 +216,7 @@ class _Parser:
         negated = self._take("not") is not None
         hedges: list[str] = []
         while self._hedge_stands(terms):
-            hedge = self._name("a hedge")
+            hedge = self._name("a hedge").lower()
             if hedge not in self._hedges:
                 self._unknown(f"unknown hedge {hedge!r}", hedge, self._hedges)
             hedges.append(hedge)
@@ -227,7 +233,7 @@ class _Parser:
         word, following = self._next or "", self._ahead(1)
         if word in terms or not _is_name(word):
             return False
-        if word in self._hedges or following in terms or following in self._hedges:
+        if word.lower() in self._hedges or following in terms or (following or "").lower() in self._hedges:
             return True
         return _is_name(following) and nearest(word, self._hedges) is not None and not nearest(word, terms)
 
@@ -247,13 +253,13 @@ class _Parser:
         direction = self._take(*Direction)
         if direction is None:
             raise self._expected("'last' or 'next'", tuple(Direction))
-        if _is_name(self._next) and _NUMBER.fullmatch(self._ahead(1) or ""):
+        if _is_name(self._next) and _LENGTH.fullmatch(self._ahead(1) or ""):
             self._unknown(f"a window has no hedge {self._next!r}", self._next or "", SOFTNESS)
             self._at += 1
         softness = SOFTNESS[self._take(*SOFTNESS) or "exactly"]
         at = self._offset
         length = self._stretch()
-        while self._next is not None and _NUMBER.fullmatch(self._next):
+        while self._next is not None and _LENGTH.fullmatch(self._next):
             length += self._stretch()
         if not 0 < length <= LONGEST_WINDOW:
             limit = f"longer than 0 and at most {LONGEST_WINDOW / DAY:g} d"
@@ -261,10 +267,12 @@ class _Parser:
         return Window(Operator(operator), Direction(direction), length, softness, part)
 
     def _stretch(self) -> float:
-        """Read a number and its unit, in seconds."""
+        """Read a number and its unit, or what is written as one word, in seconds."""
         number = self._next
-        if number is None or not _NUMBER.fullmatch(number):
+        if number is None or not _LENGTH.fullmatch(number):
             raise self._expected("a number")
+        if not _NUMBER.fullmatch(number):
+            return self._in_one_word(number)
         self._at += 1
         unit = self._next
         if unit not in UNITS:
@@ -273,6 +281,16 @@ class _Parser:
             self._unknown(f"unknown unit of time {unit!r}", unit, _COMMON_UNITS)
         self._at += 1
         return float(number) * UNITS.get(unit, 1.0)
+
+    def _in_one_word(self, text: str) -> float:
+        """Read ``1h30``."""
+        try:
+            return parse_duration(text)
+        except FuzzytimeError as error:
+            self.problems.append(Problem(str(error), self._offset))
+            return 1.0
+        finally:
+            self._at += 1
 
 
 def _is_name(word: str | None) -> bool:

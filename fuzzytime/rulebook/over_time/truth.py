@@ -17,8 +17,10 @@ from fuzzytime.rulebook.logic.formula import (
     nodes,
     variables,
 )
-from fuzzytime.rulebook.logic.windows import Extent, Past, mostly, sometime, throughout
-from fuzzytime.rulebook.over_time.world import Combination, Grid, World, on_all_times
+from fuzzytime.rulebook.logic.traces import Past
+from fuzzytime.rulebook.logic.windows import Extent, mostly, sometime, throughout
+from fuzzytime.rulebook.over_time.grid import Grid, jump
+from fuzzytime.rulebook.over_time.world import Combination, World
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.satisfaction import Floats
 
@@ -64,6 +66,12 @@ class Traced:
 def trace(formula: Formula, world: World, grid: Grid) -> Traced:
     """Follow a formula over time: E[⟦φ⟧(t; θ)] over the whole formula, by a fixed set of curves θ."""
     return trace_all([formula], world, grid)[0]
+
+
+def followed(formula: Formula, world: World, ahead: float, past: float = 0.0) -> Traced:
+    """Follow a formula from ``past`` to ``ahead`` seconds from now, also where its terms begin and end."""
+    grid = world.grid(formula, ahead, past)
+    return trace(formula, world, grid.refined(crossings(formula, world, grid)))
 
 
 def trace_all(formulas: Sequence[Formula], world: World, grid: Grid) -> list[Traced]:
@@ -157,12 +165,12 @@ class _Evaluation:
         found = _OPERATORS[window.operator](past, Extent.of(window.length, window.reach, self.grid.step))
         if window.direction is Direction.NEXT:
             found = found[:, ::-1]
-        found = on_all_times(found, self.grid)
+        found = self.grid.at_all_times(found)
         curves = len(found) // 2
         return Truth(found[:curves], found[curves:])
 
     def _past(self, part: Formula, combination: Combination, direction: Direction) -> Past:
-        """Give both bounds of a part at the regular times, in the order in which a window passes over them.
+        """Give both bounds of a part, in the order in which a window passes over them.
 
         What lies before the first point is 0 to the lower one, 1 to the upper one.
         """
@@ -170,37 +178,34 @@ class _Evaluation:
         found = self._pasts.get(key)
         if found is None:
             truth = self.truth(part, combination)
-            bounds = np.concatenate([truth.low, truth.high])[:, self.grid.regular]
+            bounds, points = np.concatenate([truth.low, truth.high]), self.grid.points
             if direction is Direction.NEXT:
-                bounds = np.ascontiguousarray(bounds[:, ::-1])
-            found = Past(bounds, np.repeat([[0.0], [1.0]], len(truth.low), axis=0))
+                bounds, points = np.ascontiguousarray(bounds[:, ::-1]), points.reversed
+            found = Past(bounds, np.repeat([[0.0], [1.0]], len(truth.low), axis=0), points)
             self._pasts[key] = found
         return found
 
 
 def crossings(formula: Formula, world: World, grid: Grid) -> list[float]:
-    """Give the times at which a certain signal crosses a breakpoint of a term that the formula speaks of.
+    """Give the times at which a signal crosses a breakpoint of a term that the formula speaks of.
 
     Where forecasts are uncertain there are none: the mean over their curves has no kinks there.
     """
-    names = [world.tables.variables[name].signal for name in variables(formula)]
-    combinations = world.combinations(names)
+    combinations = world.combinations(world.tables.variables[name].signal for name in variables(formula))
     found: list[float] = []
     for node in nodes(formula):
         if isinstance(node, Happened):
-            found += [moment for time in world.happened[node.event] for moment in _jump(float(time))]
-        if not isinstance(node, Is) or len(combinations) > 1:
+            found += [moment for time in world.happened[node.event].tolist() for moment in jump(time)]
+        if not isinstance(node, Is):
             continue
         variable = world.tables.variables[node.variable]
         values = world.values(variable, grid, combinations[0])
-        if len(values) == 1:
-            for corner in variable.terms[node.term].breakpoints:
-                found += _passes(grid.times, values[0] - corner)
+        certain = grid.times.size
+        if len(values) > 1 or len(combinations) > 1:
+            certain = int(np.searchsorted(grid.times, world.last_read(variable.signal), "right"))
+        for corner in variable.terms[node.term].breakpoints:
+            found += _passes(grid.times[:certain], values[0, :certain] - corner)
     return found
-
-
-def _jump(time: float) -> tuple[float, float]:
-    return float(np.nextafter(time, -np.inf)), time
 
 
 def _passes(times: Floats, distances: Floats) -> list[float]:
@@ -208,4 +213,4 @@ def _passes(times: Floats, distances: Floats) -> list[float]:
         cells = np.flatnonzero(distances[:-1] * distances[1:] < 0)
     share = distances[cells] / (distances[cells] - distances[cells + 1])
     moments = times[cells] + share * np.diff(times)[cells]
-    return [moment for time in moments.tolist() for moment in _jump(time)]
+    return [moment for time in moments.tolist() for moment in jump(time)]

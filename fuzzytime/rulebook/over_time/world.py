@@ -18,6 +18,7 @@ from fuzzytime.rulebook.logic.formula import (
     window_reach,
 )
 from fuzzytime.rulebook.logic.windows import Extent, slope
+from fuzzytime.rulebook.over_time.grid import Grid, jump
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.variables import Source, Variable
 from fuzzytime.satisfaction import Floats
@@ -25,50 +26,9 @@ from fuzzytime.satisfaction import Floats
 MOST_COMBINATIONS = 8
 """Combinations of forecasts' components that are followed at most, the likeliest."""
 
-MOST_POINTS = 1800
-MOST_FINE_POINTS = 20_000
-_STEPS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0)
-_STEPS_A_WINDOW = 8
 _AFTER = 1e-6
 _STRIDES = (1, 37, 11, 53, 23, 5, 43, 29)
 """Orders in which the curves of several signals are paired: coprime to their number, and unlike."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Grid:
-    """Regular times that hold 0, and finer times where more than the grid is wanted.
-
-    ``times`` has shape (k,); ``regular`` are the positions of the regular ones, ``zero`` that of time 0.
-    """
-
-    step: float
-    times: Floats
-    regular: np.ndarray[tuple[int], np.dtype[np.intp]]
-
-    @classmethod
-    def of(cls, past: float, future: float, finest: float) -> "Grid":
-        """Make a grid from ``past`` seconds before 0 to ``future`` after it.
-
-        Its step is a round number that keeps it within `MOST_POINTS`, unless windows want it finer.
-        """
-        total = past + future
-        step = next((step for step in _STEPS if total / step <= MOST_POINTS), total / MOST_POINTS)
-        if finest / _STEPS_A_WINDOW < step:
-            step = max(finest / _STEPS_A_WINDOW, total / MOST_FINE_POINTS)
-        before, after = math.ceil(past / step - 1e-9), math.ceil(future / step - 1e-9)
-        times = np.arange(-before, after + 1, dtype=float) * step
-        return cls(step, times, np.arange(times.size))
-
-    @property
-    def zero(self) -> int:
-        """The position of time 0."""
-        return int(np.searchsorted(self.times, 0.0))
-
-    def refined(self, more: Iterable[float]) -> "Grid":
-        """Give the grid with further times inside it."""
-        inside = [time for time in more if self.times[0] < time < self.times[-1]]
-        times = np.union1d(self.times, inside)
-        return Grid(self.step, times, np.searchsorted(times, self.times[self.regular]))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -121,6 +81,10 @@ class World:
             return bool(self.happened[name].size)
         return self.series[name].forecast is not None
 
+    def last_read(self, name: str) -> float:
+        """Give the time of a signal's last reading; −∞ where there is none, or where it is an event."""
+        return float(self.series[name].times.max(initial=-math.inf)) if name in self.series else -math.inf
+
     def values(self, variable: Variable, grid: Grid, combination: Combination) -> Floats:
         """Give a variable's values, of shape (curves, k), NaN where they are unknown."""
         if variable.source is Source.SINCE:
@@ -129,8 +93,7 @@ class World:
         if variable.source is Source.OF:
             return values
         extent = Extent.of(variable.over, variable.over, grid.step)
-        slopes = slope(values[:, grid.regular], extent) / grid.step * variable.per
-        return on_all_times(slopes, grid)
+        return grid.at_all_times(slope(values, extent, grid.points) / grid.step * variable.per)
 
     def since(self, event: str, times: Floats) -> Floats:
         """Give the seconds since an event last happened, NaN before it did."""
@@ -180,21 +143,28 @@ class World:
         return min((float(part.min(initial=0.0)) for part in times), default=0.0)
 
     def grid(self, formula: Formula, ahead: float, past: float = 0.0) -> Grid:
-        """Make a grid on which a formula can be followed from ``past`` to ``ahead`` seconds from now."""
+        """Make a grid on which a formula can be followed from ``past`` to ``ahead`` seconds from now.
+
+        Where it looks through windows, nothing that was read in them falls between its times.
+        """
         future = ahead + window_reach(formula, Direction.NEXT)
         lengths = [node.length for node in nodes(formula) if isinstance(node, Window)]
-        finest = min((*lengths, *self._stretches(formula)), default=math.inf)
-        return Grid.of(max(past, self.memory(formula)), future, finest)
+        lengths += self._stretches(formula)
+        grid = Grid.of(max(past, self.memory(formula)), future, min(lengths, default=math.inf))
+        return grid.refined(self._turns(formula, grid)) if lengths else grid
+
+    def _turns(self, formula: Formula, grid: Grid) -> list[float]:
+        """Give the times within a grid at which what a formula speaks of was read, or an event happens."""
+        names = {self.tables.variables[name].signal for name in variables(formula)} | set(events(formula))
+        found: list[float] = []
+        for name in names & set(self.series):
+            series = self.series[name]
+            found += grid.telling(series.times, series.values).tolist()
+        for name in names & set(self.happened):
+            found += [moment for time in self.happened[name].tolist() for moment in jump(time)]
+        return found
 
     def _stretches(self, formula: Formula) -> list[float]:
         """Give the stretches of time over which rates are taken."""
         stretches = [self.tables.variables[name].over for name in variables(formula)]
         return [stretch for stretch in stretches if stretch > 0]
-
-
-def on_all_times(trace: Floats, grid: Grid) -> Floats:
-    """Carry a trace on the regular times of a grid to all of them, linearly."""
-    if grid.regular.size == grid.times.size:
-        return trace
-    regular = grid.times[grid.regular]
-    return np.stack([np.interp(grid.times, regular, row) for row in trace])

@@ -9,7 +9,8 @@ from fuzzytime.rulebook.logic.formula import Formula, variables, with_hedges_of
 from fuzzytime.rulebook.resolving.adapt import Wanted, adapt
 from fuzzytime.rulebook.resolving.beside import at_a_distance, not_happened, on_one_side
 from fuzzytime.rulebook.resolving.clauses import wait_for
-from fuzzytime.rulebook.resolving.inference import Base, Chosen, Heard, choose, matching, signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of
+from fuzzytime.rulebook.resolving.inference import Base, Chosen, Heard, choose, matching
 from fuzzytime.rulebook.resolving.question import Question, Said, notes_on
 from fuzzytime.rulebook.tables.contents import Row
 from fuzzytime.rulebook.tables.rules import Rule

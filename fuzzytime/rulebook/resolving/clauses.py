@@ -12,7 +12,7 @@ import numpy as np
 
 from fuzzytime.rulebook.logic.formula import Formula
 from fuzzytime.rulebook.over_time.thinning import thinned
-from fuzzytime.rulebook.over_time.truth import Traced, crossings, trace
+from fuzzytime.rulebook.over_time.truth import Traced, followed
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.drawing import drawn
 from fuzzytime.rulebook.resolving.reasons import why_never
@@ -48,8 +48,7 @@ def wait_for(formula: Formula, model: str, core: float, fade: float, world: Worl
     changes = world.settled(formula) + world.memory(formula)
     ahead = min(horizon, max(changes, 1.0))
     past = min(-world.first_reading(formula), max(ahead, _SHOWN_PAST))
-    grid = world.grid(formula, ahead, past)
-    traced = trace(formula, world, grid.refined(crossings(formula, world, grid)))
+    traced = followed(formula, world, ahead, past)
     times, degrees = _from_now(traced, ahead)
     if changes < horizon:
         # Nothing changes any more: what holds at the end holds on, as far as anyone asks.

@@ -5,7 +5,8 @@ from dataclasses import replace
 
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook.resolving.beside import measured_from_event
-from fuzzytime.rulebook.resolving.inference import matching, signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of
+from fuzzytime.rulebook.resolving.inference import matching
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.wording.sentences import condition_of, may_be_about, understand
 

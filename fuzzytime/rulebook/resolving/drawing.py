@@ -5,7 +5,7 @@ import numpy as np
 from fuzzytime.rulebook.logic.formula import Formula
 from fuzzytime.rulebook.over_time.truth import Traced
 from fuzzytime.rulebook.over_time.world import World
-from fuzzytime.rulebook.resolving.inference import signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of
 from fuzzytime.rulebook.resolving.reasons import outlook
 from fuzzytime.rulebook.resolving.resolution import SignalTrace, Trace
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
@@ -20,7 +20,8 @@ def drawn(
     formula: Formula, world: World, traced: Traced, until: float, satisfaction: SatisfactionFunction
 ) -> Trace:
     """Give the traces of a formula over the times of its grid, to ``until`` seconds from now."""
-    shown = np.flatnonzero(traced.grid.times <= until)
+    regular = traced.grid.regular
+    shown = regular[traced.grid.times[regular] <= until]
     positions = shown[np.unique(np.linspace(0, shown.size - 1, POINTS).astype(int))]
     times = traced.grid.times[positions]
     names = [name for name in signals_of(formula, world.tables) if name in world.series]

@@ -15,14 +15,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.rulebook.logic.formula import Formula, Is, events, variables
-from fuzzytime.rulebook.over_time.truth import trace
+from fuzzytime.rulebook.logic.formula import Formula, Is
+from fuzzytime.rulebook.over_time.truth import Truth, followed
 from fuzzytime.rulebook.over_time.world import World
+from fuzzytime.rulebook.resolving.evidence import evidence_of, signals_of, too_old
 from fuzzytime.rulebook.resolving.resolution import AtomDegree, Degree, Share
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.matching import described
 from fuzzytime.rulebook.tables.rules import Rule
-from fuzzytime.rulebook.tables.variables import Source
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
 from fuzzytime.satisfaction import Floats
 
@@ -42,7 +42,8 @@ def takagi_sugeno(weights: ArrayLike, outputs: ArrayLike) -> Floats:
 class Heard:
     """A rule that matches, how far it holds now, and by which atoms.
 
-    ``weight`` is its α. ``missing`` names signals whose readings would say more.
+    ``weight`` is its α. ``missing`` names signals whose readings would say more, ``outdated`` says of which
+    the last reading is too old.
     """
 
     rule: Rule
@@ -50,6 +51,7 @@ class Heard:
     degree: Degree
     atoms: tuple[AtomDegree, ...] = ()
     missing: tuple[str, ...] = ()
+    outdated: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,12 +89,6 @@ def matching(requirement: TimeRequirement, verb: str | None, tables: Tables) -> 
     return tuple(rule for rule in tables.rules.values() if rule.match(texts))
 
 
-def signals_of(formula: Formula, tables: Tables) -> tuple[str, ...]:
-    """Give the signals and events that a formula depends on."""
-    of_variables = [tables.variables[name].signal for name in variables(formula)]
-    return tuple(dict.fromkeys((*of_variables, *events(formula))))
-
-
 def hear(rules: Sequence[Rule], world: World) -> tuple[Heard, ...]:
     """Give what rules say now; those of whose signals nothing is known stay silent and are left out."""
     heard: list[Heard] = []
@@ -106,44 +102,32 @@ def hear(rules: Sequence[Rule], world: World) -> tuple[Heard, ...]:
             degree, atoms = holds_now(rule.condition, world)
             waits = rule.effect.model in CLAUSE_MODELS
             weight = rule.weight * (1.0 if waits else degree.low)
-            heard.append(Heard(rule, weight, degree, atoms, missing))
+            outdated = tuple(
+                f"{name} (the last is {too_old(world.series[name])})"
+                for name in names
+                if name in world.series and world.known(name) and too_old(world.series[name])
+            )
+            heard.append(Heard(rule, weight, degree, atoms, missing, outdated))
     return tuple(heard)
 
 
 def holds_now(formula: Formula, world: World) -> tuple[Degree, tuple[AtomDegree, ...]]:
     """Give how true a formula is at time 0, and each of its parts."""
-    grid = world.grid(formula, 0.0)
-    traced = trace(formula, world, grid)
-    zero = grid.zero
-    atoms = tuple(
-        AtomDegree(
-            str(part),
-            Degree(float(truth.low[zero]), float(truth.high[zero])),
-            *_reading(part, world),
-            meaning=_meaning(part, world),
-        )
-        for part, truth in traced.parts.items()
-    )
-    return Degree(float(traced.truth.low[zero]), float(traced.truth.high[zero])), atoms
+    traced = followed(formula, world, 0.0)
+    zero = traced.grid.zero
+    degrees = {part: _at(truth, zero) for part, truth in traced.parts.items()}
+    return _at(traced.truth, zero), tuple(_atom(part, degree, world) for part, degree in degrees.items())
 
 
-def _reading(part: Formula, world: World) -> tuple[float | None, str | None]:
-    """Give the value now of the variable that a part speaks of, as expected, and its unit."""
-    spoken = variables(part)
-    if len(spoken) != 1:
-        return None, None
-    variable = world.tables.variables[spoken[0]]
-    grid = world.grid(part, 0.0)
-    combinations = world.combinations((variable.signal,))
-    value = math.fsum(
-        part.weight * float(world.values(variable, grid, part)[:, grid.zero].mean()) for part in combinations
+def _at(truth: Truth, position: int) -> Degree:
+    return Degree(float(truth.low[position]), float(truth.high[position]))
+
+
+def _atom(part: Formula, degree: Degree, world: World) -> AtomDegree:
+    evidence = evidence_of(part, world, certain=degree.low == degree.high)
+    return AtomDegree(
+        str(part), degree, evidence.value, evidence.unit, evidence.words, meaning=_meaning(part, world)
     )
-    unit = world.tables.signals[variable.signal].unit
-    if variable.source is Source.SINCE:
-        unit = "s"
-    elif variable.source is Source.RATE_OF:
-        unit = f"{unit or ''}/{variable.per:g} s"
-    return (None, unit) if math.isnan(value) else (value, unit)
 
 
 def _meaning(part: Formula, world: World) -> str:

@@ -9,7 +9,8 @@ from fuzzytime.requirement import Reference, TimeRequirement
 from fuzzytime.rulebook.logic.formula import Formula
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.adapt import said_width
-from fuzzytime.rulebook.resolving.inference import Heard, hear, holds_now, signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of
+from fuzzytime.rulebook.resolving.inference import Heard, hear, holds_now
 from fuzzytime.rulebook.resolving.resolution import HedgeEffect, Share, Trace
 from fuzzytime.rulebook.tables.contents import Row, Tables
 from fuzzytime.rulebook.tables.profile import Actor
@@ -86,14 +87,14 @@ _OPEN = 0.5
 def notes_on(row: str, heard: Sequence[Heard]) -> tuple[str, ...]:
     """Say which rules miss readings, and that the table's row stands where no rule speaks."""
     notes = [
-        f"the rule {part.rule.name!r} misses readings of {' and '.join(part.missing)}"
+        f"the rule {part.rule.name!r} misses readings of {' and '.join((*part.missing, *part.outdated))}"
         for part in heard
-        if part.missing
+        if part.missing or part.outdated
     ]
     notes += [
         f"the rule {part.rule.name!r} cannot tell: the readings do not cover the time that it looks at"
         for part in heard
-        if not part.missing and part.degree.high - part.degree.low > _OPEN
+        if not part.missing and not part.outdated and part.degree.high - part.degree.low > _OPEN
     ]
     if heard and all(part.weight == 0 for part in heard):
         notes.append(f"no rule over context speaks: the table's row {row!r} stands")

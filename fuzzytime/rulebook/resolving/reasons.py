@@ -5,13 +5,12 @@ import math
 import numpy as np
 
 from fuzzytime.context.forecast import Forecast
-from fuzzytime.context.series import Series
 from fuzzytime.context.signals import Approach, Hold, Signal
 from fuzzytime.context.units import symbol
-from fuzzytime.rulebook.logic.formula import Formula, Is, Not, nodes
+from fuzzytime.rulebook.logic.formula import And, Formula, Is, Not, nodes
 from fuzzytime.rulebook.over_time.truth import Traced
 from fuzzytime.rulebook.over_time.world import World
-from fuzzytime.rulebook.resolving.inference import signals_of
+from fuzzytime.rulebook.resolving.evidence import signals_of, span_of, too_old
 from fuzzytime.rulebook.tables.variables import Source, Variable
 from fuzzytime.times import format_duration
 
@@ -26,15 +25,19 @@ def why_never(formula: Formula, world: World, traced: Traced, horizon: float, ne
     """
     missing = [name for name in signals_of(formula, world.tables) if _unknown_now(name, world)]
     ahead = traced.grid.times >= 0
-    if missing and float(traced.truth.high[ahead].max()) >= never_below:
-        return _missing(missing, world)
+    if float(traced.truth.high[ahead].max()) >= never_below:
+        if missing:
+            return _missing(missing, world)
+        return f"cannot be told whether {formula}: {span_of(signals_of(formula, world.tables), world)}"
     described = [
         _end_of(world.tables.variables[node.variable], world, horizon)
         for node in nodes(formula)
         if isinstance(node, Is) and _stays_apart(node, formula, traced, never_below)
     ]
-    if not described:
+    if not described and isinstance(formula, And):
         return "never: its parts do not hold at the same time"
+    if not described:
+        return f"never: it does not come true that {formula}"
     return "never: " + ", ".join(dict.fromkeys(described))
 
 
@@ -58,15 +61,11 @@ def _missing(names: list[str], world: World) -> str:
     signals = [name for name in names if name not in world.happened]
     parts: list[str] = []
     if signals:
-        ages = [_age(world.series[name]) for name in signals if world.known(name)]
-        parts.append(f"not enough readings of {' and '.join(signals)}{''.join(ages)}")
+        ages = [too_old(world.series[name]) for name in signals if world.known(name)]
+        last = "".join(f" (the last is {age})" for age in ages if age)
+        parts.append(f"not enough readings of {' and '.join(signals)}{last}")
     parts += [f"not yet: {event} has not happened" for event in events]
     return "; ".join(parts)
-
-
-def _age(series: Series) -> str:
-    age = format_duration(-float(series.times[-1]))
-    return f" (the last is {age} old, more than {format_duration(series.signal.max_age)})"
 
 
 def _end_of(variable: Variable, world: World, horizon: float) -> str:

@@ -20,14 +20,16 @@ class Degree:
 class AtomDegree:
     """How true one part of a condition is now, and the reading that says so.
 
-    ``reading`` is the value of the variable now, None where it is unknown; ``unit`` is its unit. ``meaning``
-    says where the part is full and where nothing, for a number that was said.
+    ``reading`` is the value of the variable now, None where it is unknown; ``unit`` is its unit. ``evidence``
+    says the same in words, or why nothing is known. ``meaning`` says where the part is full and where
+    nothing, for a number that was said.
     """
 
     text: str
     degree: Degree
     reading: float | None = None
     unit: str | None = None
+    evidence: str = ""
     meaning: str = ""
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 from fuzzytime.errors import DocumentError, Mistake
 from fuzzytime.resources import rules_directory
+from fuzzytime.rulebook.tables.agreement import Clash, clashes, in_units_of_signals
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.profile import Profile
 from fuzzytime.rulebook.tables.sections.durations import read_durations
@@ -32,7 +33,7 @@ from fuzzytime.rulebook.tables.sections.widths import (
     read_thresholds,
     read_width,
 )
-from fuzzytime.rulebook.tables.vocabulary import Vocabulary
+from fuzzytime.rulebook.tables.vocabulary import Vocabulary, child
 from fuzzytime.yaml_nodes import Node, Reader
 
 VERSION = "1"
@@ -120,9 +121,23 @@ def read_over(
             mistakes += error.mistakes
     names = vocabulary_of(tables).joined(Vocabulary.of(root for _, root in opened))
     for reader, root in opened:
-        tables = tables.overridden(_tables(reader, root, names, profile))
-        mistakes += reader.mistakes
-    return tables, tuple(mistakes)
+        # What a document says itself holds for its own rows, whatever later ones make of it.
+        own = names.joined(Vocabulary.of([root]))
+        tables = tables.overridden(_tables(reader, root, own, profile))
+    for clash in clashes(tables, names):
+        _note(clash, opened)
+    mistakes += [mistake for reader, _ in opened for mistake in reader.mistakes]
+    return (tables, tuple(mistakes)) if mistakes else (in_units_of_signals(tables), ())
+
+
+def _note(clash: Clash, opened: Sequence[tuple[Reader, Node]]) -> None:
+    """Note a mistake at a row of the last document that has it."""
+    for reader, root in reversed(opened):
+        section = child(root, clash.section)
+        name = reader.keys(section).get(clash.name) if section is not None else None
+        if name is not None:
+            reader.mistake(name, f"{clash.section}.{clash.name}", clash.message)
+            return
 
 
 def vocabulary_of(tables: Tables) -> Vocabulary:

@@ -22,7 +22,7 @@ VARIABLES: Mapping[str, str] = {
 LARGEST = 1e6
 """The largest factor or number of a duration in a sum."""
 
-_UNITS = {"ms": 0.001, "s": 1.0, "sec": 1.0, "min": 60.0, "h": 3600.0}
+_UNITS = {"ms": 0.001, "s": 1.0, "sec": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 _SUMMAND = re.compile(r"\s*([-+]?)\s*(\d+(?:\.\d*)?|\.\d+)?\s*\*?\s*([A-Za-z]+)?\s*")
 
 
@@ -80,9 +80,9 @@ def parse_sum(text: str) -> Sum:
         elif name is None and size == 0:
             pass
         elif name is None:
-            raise SumError(f"a duration must have a unit (s, min, h), got {part[2]!r}", part.start(2))
+            raise SumError(f"a duration must have a unit (s, min, h, d), got {part[2]!r}", part.start(2))
         else:
-            known = ", ".join((*VARIABLES, "s, min, h"))
+            known = ", ".join((*VARIABLES, "s, min, h, d"))
             raise SumError(f"a sum may speak of {known}, got {name!r}", part.start(3))
         at = part.end()
     return Sum(constant, tuple(sorted(factors.items())))

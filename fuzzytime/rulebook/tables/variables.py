@@ -71,6 +71,8 @@ class Variable:
     ----------
     source, signal
         What it looks at.
+    unit
+        The unit of its signal in which its terms are given.
     over, per
         For a rate: the stretch of time in seconds, and the seconds per which it is given.
     words
@@ -81,6 +83,7 @@ class Variable:
     source: Source
     signal: str
     terms: Mapping[str, Term] = field(default_factory=lambda: MappingProxyType({}))
+    unit: str | None = None
     over: float = 0.0
     per: float = 1.0
     words: tuple[str, ...] = ()

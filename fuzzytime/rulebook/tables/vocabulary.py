@@ -55,33 +55,33 @@ class Vocabulary:
         terms: dict[str, frozenset[str]] = {}
         sources: dict[str, str] = {}
         for root in roots:
-            for part in (root, *_children(_child(root, "profiles"))):
-                words.update(_names(_child(part, "words")))
-                prepositions.update(_names(_child(part, "prepositions")), _names(_child(part, "clauses")))
-                models.update(_names(_child(part, "models")))
-                hedges = _child(part, "hedges")
-                time_hedges.update(_names(_child(hedges, "time")))
-                term_hedges.update(_names(_child(hedges, "term")))
-            signals = _child(root, "signals")
+            for part in (root, *_children(child(root, "profiles"))):
+                words.update(_names(child(part, "words")))
+                prepositions.update(_names(child(part, "prepositions")), _names(child(part, "clauses")))
+                models.update(_names(child(part, "models")))
+                hedges = child(part, "hedges")
+                time_hedges.update(_names(child(hedges, "time")))
+                term_hedges.update(_names(child(hedges, "term")))
+            signals = child(root, "signals")
             for name in _names(signals):
-                unit = _child(_child(signals, name), "unit")
-                event = _child(_child(signals, name), "event")
+                unit = child(child(signals, name), "unit")
+                event = child(child(signals, name), "event")
                 units[name] = unit.text if isinstance(unit, Scalar) else None
                 if isinstance(event, Scalar) and event.text == "true":
                     events.add(name)
-            variables = _child(root, "variables")
+            variables = child(root, "variables")
             for name in _names(variables):
-                terms[name] = frozenset(_names(_child(_child(variables, name), "terms")))
+                terms[name] = frozenset(_names(child(child(variables, name), "terms")))
                 for kind in Source:
-                    source = _child(_child(variables, name), kind.value)
+                    source = child(child(variables, name), kind.value)
                     if isinstance(source, Scalar):
                         sources[name] = source.text
         return cls(
             prepositions=frozenset(text.lower() for text in prepositions),
             words=frozenset(text.lower() for text in words),
             models=frozenset(models),
-            time_hedges=frozenset(time_hedges),
-            term_hedges=frozenset(term_hedges),
+            time_hedges=frozenset(text.lower() for text in time_hedges),
+            term_hedges=frozenset(text.lower() for text in term_hedges),
             units=units,
             events=frozenset(events),
             terms=terms,
@@ -103,7 +103,8 @@ class Vocabulary:
         )
 
 
-def _child(node: Node | None, name: str) -> Node | None:
+def child(node: Node | None, name: str) -> Node | None:
+    """Give the value of a key; None where there is no such key, or no mapping."""
     if not isinstance(node, MappingNode):
         return None
     return next((value for key, value in node.entries if key.text == name), None)

@@ -82,7 +82,7 @@ def _row(
     }
     hedges: tuple[str, ...] = ()
     if "hedge" in found:
-        hedges = scope.reader.choices(found["hedge"], f"{key}.hedge", scope.names.time_hedges)
+        hedges = scope.reader.choices(found["hedge"], f"{key}.hedge", scope.names.time_hedges, lower=True)
     moment = ""
     if "reference" in found:
         moment = scope.reader.choice(found["reference"], f"{key}.reference", tuple(Reference))
@@ -134,9 +134,10 @@ def read_match(scope: Scope, node: Node, key: str) -> Match:
     for name, value in scope.reader.mapping(node, key, KEYS).items():
         path = f"{key}.{name}"
         if name == "number":
-            texts: tuple[str, ...] = (f"{scope.reader.number(value, path):g}",)
+            numbers = scope.reader.one_or_more(value, path)
+            texts = tuple(f"{scope.reader.number(item, place):g}" for item, place in numbers)
         elif name in known:
-            texts = scope.reader.choices(value, path, known[name])
+            texts = scope.reader.choices(value, path, known[name], lower=True)
         else:
             texts = scope.reader.strings(value, path)
         accepted.append((name, frozenset(text.lower() for text in texts)))

@@ -37,16 +37,19 @@ def read_variables(scope: Scope, node: Node, key: str) -> Mapping[str, Variable]
         over, per = _rate_parts(scope, found, value, path, source)
         unit = _unit(scope, signal, source)
         words = scope.reader.strings(found["words"], f"{path}.words") if "words" in found else ()
-        read[name] = Variable(
-            name=name,
-            source=source,
-            signal=signal,
-            terms=_terms(scope, found["terms"], f"{path}.terms", unit) if "terms" in found else {},
-            over=over,
-            per=per,
-            words=tuple(text.lower() for text in words),
-            place=scope.reader.place(keys[name]),
-        )
+        terms = _terms(scope, found["terms"], f"{path}.terms", unit) if "terms" in found else {}
+        if signal is not None:
+            read[name] = Variable(
+                name=name,
+                source=source,
+                signal=signal,
+                unit=scope.names.units[signal],
+                terms=terms,
+                over=over,
+                per=per,
+                words=tuple(text.lower() for text in words),
+                place=scope.reader.place(keys[name]),
+            )
     return MappingProxyType(read)
 
 
@@ -58,14 +61,14 @@ def _check_name(scope: Scope, node: Node, key: str, what: str) -> None:
         scope.reader.mistake(node, key, f"{what}'s name must not be a word of the grammar, got {name!r}")
 
 
-def _signal(scope: Scope, node: Node, key: str, source: Source) -> str:
+def _signal(scope: Scope, node: Node, key: str, source: Source) -> str | None:
+    """Read the name of the signal or event that a variable looks at; None where there is no such one."""
     names = scope.names
     name = scope.reader.string(node, key)
     if not name:
         if isinstance(node, Scalar) and not node.refused:
             scope.reader.mistake(node, key, "must name a signal or an event")
-        return name
-    if name not in names.units:
+    elif name not in names.units:
         scope.reader.mistake(node, key, f"unknown signal {name!r}{suggestion(name, names.units)}")
     elif source is Source.SINCE and name not in names.events:
         scope.reader.mistake(node, key, f"'since' needs an event, got the signal {name!r}")
@@ -73,13 +76,15 @@ def _signal(scope: Scope, node: Node, key: str, source: Source) -> str:
         scope.reader.mistake(
             node, key, f"{source.value!r} needs a signal with values, got the event {name!r}"
         )
-    return name
+    else:
+        return name
+    return None
 
 
-def _unit(scope: Scope, signal: str, source: Source) -> str | None:
+def _unit(scope: Scope, signal: str | None, source: Source) -> str | None:
     if source is Source.SINCE:
         return "s"
-    return scope.names.units.get(signal) if source is Source.OF else None
+    return scope.names.units.get(signal or "") if source is Source.OF else None
 
 
 def _rate_parts(
@@ -148,8 +153,7 @@ def read_term_hedges(scope: Scope, node: Node, key: str) -> Mapping[str, Power]:
     read: dict[str, Power] = {}
     for name, value in scope.reader.mapping(node, key).items():
         path = f"{key}.{name}"
-        if name in KEYWORDS:
-            scope.reader.mistake(keys[name], path, f"a hedge must not be a word of the grammar, got {name!r}")
+        _check_name(scope, keys[name], path, "a hedge")
         found = scope.row(value, path, ("power",), ("power",))
         power = scope.reader.number(found["power"], f"{path}.power", 0.01, 100.0) if "power" in found else 1.0
         read[name.lower()] = Power(name, power or 1.0, scope.reader.place(keys[name]))
