@@ -77,8 +77,10 @@ def plots() -> None:
     truth = read_truth(design, None, Profile.STUDY, by_actor=False)
     found = analyse(simulate(design, truth, 32, seed=1, population=population))
     for name, draw_figure in figures(found):
-        if name in ("fits", "groups", "start-times", "in-30"):
-            (IMAGES / f"study-{name}.png").write_bytes(rendered(draw_figure, "png")[0])
+        if name in ("fits", "groups", "start-times", "instruction-in-30"):
+            (IMAGES / f"study-{name.removeprefix('instruction-')}.png").write_bytes(
+                rendered(draw_figure, "png")[0]
+            )
 
 
 if __name__ == "__main__":
