@@ -28,7 +28,7 @@ def draw(page: Page, time: float, width: float) -> None:
     box = canvas.bounding_box()
     if box is None:
         raise RuntimeError("the page shows no canvas")
-    across, high = box["width"] - 80, box["height"] - 52
+    across, high = box["width"] - 80, box["height"] - 70
     for step in range(81):
         minute = 15 * step / 80
         value = 1 / (1 + abs((minute - time) / width) ** 5) + 0.01 * math.sin(step)
@@ -56,7 +56,6 @@ def pages() -> None:
             page.get_by_role("button", name="Next").click()
             page.get_by_role("heading", name="Try it out").wait_for()
             draw(page, 5.0, 2.0)
-            page.screenshot(path=IMAGES / f"study-tutorial-{name}.png", full_page=True)
             page.get_by_role("button", name="Next").click()
             while "in 10 minutes" not in page.locator("p.instruction").inner_text():
                 position = page.get_by_role("heading", level=2).inner_text()
@@ -78,8 +77,10 @@ def plots() -> None:
     truth = read_truth(design, None, Profile.STUDY, by_actor=False)
     found = analyse(simulate(design, truth, 32, seed=1, population=population))
     for name, draw_figure in figures(found):
-        if name in ("fits", "groups", "start-times", "in-30"):
-            (IMAGES / f"study-{name}.png").write_bytes(rendered(draw_figure, "png")[0])
+        if name in ("fits", "groups", "start-times", "instruction-in-30"):
+            (IMAGES / f"study-{name.removeprefix('instruction-')}.png").write_bytes(
+                rendered(draw_figure, "png")[0]
+            )
 
 
 if __name__ == "__main__":

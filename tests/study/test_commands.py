@@ -1,6 +1,7 @@
 """The study's commands, as a shell runs them."""
 
 import json
+import re
 import signal
 import socket
 import subprocess
@@ -14,6 +15,7 @@ from console import ROOT, environment
 from fuzzytime.rulebook import check
 from fuzzytime.study import Design
 from fuzzytime_cli.exits import Exit
+from fuzzytime_cli.study.collecting import new_name
 from terminal.running import Ran, ran
 
 Run = Callable[..., Ran]
@@ -91,7 +93,8 @@ def test_the_report_is_a_folder_of_page_plots_and_numbers(fine: Run, simulated: 
     pytest.importorskip("matplotlib", reason="matplotlib is not installed: no figure is drawn")
     fine("analyse", simulated, "--out", tmp_path / "report", "--permutations", 9)
     names = {path.name for path in (tmp_path / "report").iterdir()}
-    assert {"report.html", "numbers.json", "fits.svg", "fits.png", "in-30.svg", "in-30.png"} <= names
+    own = {"instruction-in-30.svg", "instruction-in-30.png"}
+    assert {"report.html", "numbers.json", "fits.svg", "fits.png", *own} <= names
     without = tmp_path / "without"
     fine("analyse", simulated, "--out", without, "--no-plots", "--permutations", 9)
     assert {path.name for path in without.iterdir()} == {"report.html", "numbers.json"}
@@ -127,7 +130,7 @@ def test_answers_go_out_and_come_back(
     assert run("export", simulated, "--csv", "--json").code == Exit.USAGE
     twice = run("import", tmp_path / "answers.csv", "--db", tmp_path / "csv.sqlite")
     assert twice.code == Exit.BAD_DATA
-    assert "must differ, and 's1-001' is there already" in twice.err
+    assert "must differ, and 's1-001' is already in " in twice.err
 
 
 def test_a_study_that_is_there_goes_on_with_its_own_design(
@@ -212,7 +215,11 @@ def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(
         ("import {folder} --db {new}", Exit.NO_INPUT, "must be a file"),
         ("import tests/data/empty.txt --db {new}", Exit.NO_INPUT, "it is empty"),
         ("import tests/data/latin1.txt --db {new}", Exit.BAD_DATA, "text must be UTF-8"),
-        ("import README.md --db {new}", Exit.BAD_DATA, "README.md:1: "),
+        (
+            "import README.md --db {new}",
+            Exit.BAD_DATA,
+            "README.md:1:1: a file of answers must have the column",
+        ),
         ("simulate --db {new} --truth none", Exit.NO_INPUT, "none: there is no such truth"),
         ("simulate --db {new} --truth tests/data/mistakes.yaml", Exit.BAD_CONFIG, "mistakes.yaml:"),
         ("simulate --db {new} --design none", Exit.NO_INPUT, "none: there is no such design"),
@@ -242,6 +249,12 @@ def test_an_address_that_is_taken_is_said(run: Run, tmp_path: Path) -> None:
         done = run("serve", "--db", tmp_path / "a.sqlite", "--port", port)
     assert done.code == Exit.IO_ERROR
     assert f"127.0.0.1:{port}: " in done.err
+
+
+def test_a_participants_name_is_a_word_to_shells_and_no_number_to_spreadsheets() -> None:
+    names = {new_name() for _ in range(200)}
+    assert len(names) == 200
+    assert all(re.fullmatch(r"p-[0-9a-f]{16}", name) for name in names)
 
 
 def test_the_page_is_served_until_it_is_stopped_and_keeps_its_token(tmp_path: Path) -> None:

@@ -69,6 +69,16 @@ def test_a_small_design_takes_the_shipped_texts(design: Design) -> None:
         (", t: 0 s", ", t: 11 min", "7:48", "between 0 s and 10 min"),
         ("preposition: in, ", "", "7:9", "missing key 'preposition'"),
         ("word: soon", "wrod: soon", "7:53", "did you mean 'word'"),
+        (
+            "  soon:",
+            "  ../a:",
+            "7:3",
+            "a key must be at most 60 letters, digits, hyphens, full stops, got '../a'",
+        ),
+        ("  soon:", "  '':", "7:3", "a key must be"),
+        ("name: small", "name: ''", "3:7", "must not be empty"),
+        ("{robot: robot}", "{robot: ''}", "5:17", "must not be empty"),
+        ("{robot: robot}", "{'': robot}", "5:10", "a group must have a name"),
     ],
 )
 def test_a_mistake_in_a_design_is_said_with_its_place(old: str, new: str, place: str, rule: str) -> None:
@@ -83,7 +93,18 @@ def test_a_mistake_in_a_design_is_said_with_its_place(old: str, new: str, place:
     [
         ("demographics: {age: {ask: How old?}}", "one of choices, whole and text"),
         ("demographics: {age: {ask: How old?, whole: [1]}}", "must hold 2 items"),
+        ("demographics: {age: {ask: How old?, whole: [20, 10]}}", "must not decrease"),
+        ("demographics: {age: {ask: '', whole: [10, 20]}}", "must not be empty"),
+        ("demographics: {'a/b': {ask: x, text: 9}}", "a key must be"),
+        ("demographics: {sex: {ask: Which?, choices: []}}", "two choices or more"),
+        ("demographics: {sex: {ask: Which?, choices: [a, a]}}", "two choices or more"),
         ("control: {say: Late?, t: 1 min}", "missing key 'points'"),
+        (
+            "control: {say: 'The {acotr}?', t: 1 min, late: 0 s, points: 5, lowest: a, highest: b}",
+            "nothing is filled in for {acotr} .did you mean 'actor'",
+        ),
+        ("texts: {task_title: '{doen} of {all}'}", "nothing is filled in for {doen} .did you mean 'done'"),
+        ("texts: {tutorial_steps: [a, 'b {c}']}", "nothing is filled in for {c}"),
         ("texts: {nxt: Weiter}", "did you mean 'next'"),
         ("attention: {}", "missing key 'around'"),
         ("default: 2", "between 0 and 1"),

@@ -1,14 +1,17 @@
 import csv
 import io
 import json
+import re
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from fuzzytime.errors import FuzzytimeError
+from fuzzytime.errors import DocumentError
 from fuzzytime.study import Answers, Design, Participant
-from fuzzytime.study.answers.exchange import read_csv, read_json, write_csv, write_json
+from fuzzytime.study.answers.as_csv import read_csv, write_csv
+from fuzzytime.study.answers.as_json import read_json, write_json
 
 
 def as_csv(answers: Answers) -> str:
@@ -116,53 +119,113 @@ HEAD = "participant,actor,instruction,time_s,satisfaction,control,about_age\n"
 @pytest.mark.parametrize(
     ("text", "rule"),
     [
-        ("", "x.csv:1: .*header"),
-        ("participant,time_s\n", "x.csv:1: .*column 'instruction'"),
-        (HEAD + "a,robot,soon,0,1.5,,\n", "x.csv:2: satisfaction must lie in"),
-        (HEAD + "a,robot,soon,0,nan,,\n", "x.csv:2: satisfaction must be finite"),
-        (HEAD + "a,robot,soon,soon,1,,\n", "x.csv:2: time_s must be a number"),
-        (HEAD + "a,robot,later,0,1,,\n", "x.csv:2: an instruction must be one of"),
-        (HEAD + "a,dog,soon,0,1,,\n", "x.csv:2: actor must be one of robot, person"),
-        (HEAD + ",robot,soon,0,1,,\n", "x.csv:2: a participant must have a name"),
-        (HEAD + "a,robot,soon,0,1,,\na,person,soon,1,1,,\n", "x.csv:3: .*one actor"),
-        (HEAD + "a,robot,soon,0,1\n", "x.csv:2: a row must have 7 cells, got 5"),
-        (HEAD + "a,robot,soon,0,1,,\na,robot,soon,0,1,,\n", "x.csv:2: participant 'a': .*0 s twice"),
-        (HEAD + "a,robot,soon,0,1,often,\n", "x.csv:2: participant 'a': control must be a number"),
-        (HEAD + "a,robot,soon,0,1,,3\n", "x.csv:2: participant 'a': age must be"),
-        (HEAD + 'a,robot,soon,"0,1,,\n', "not valid CSV"),
+        ("", "1:1: .*header"),
+        ("participant,time_s\n", "1:1: .*column 'instruction'"),
+        (HEAD.replace("control", "actor"), "1:13: columns must differ"),
+        (HEAD.replace("about_age", "about_ages"), "1:59: the study asks nothing for 'about_ages'.*about_age"),
+        (HEAD + "a,robot,soon,0,1.5,,\n", "2:16: satisfaction must lie in"),
+        (HEAD + "a,robot,soon,0,nan,,\n", "2:16: satisfaction must be finite"),
+        (HEAD + "a,robot,soon,soon,1,,\n", "2:14: time_s must be a number"),
+        (HEAD + "a,robot,later,0,1,,\n", "2:9: an instruction must be one of"),
+        (HEAD + "a,dog,soon,0,1,,\n", "2:3: actor must be one of robot, person"),
+        (HEAD + "a,,soon,0,1,,\n", "2:3: actor must be one of robot, person"),
+        (HEAD + ",robot,soon,0,1,,\n", "2:1: a participant must have a name"),
+        (HEAD + "a,robot,soon,0,1,,\na,person,soon,1,1,,\n", "3:3: .*one actor"),
+        (HEAD + "a,robot,soon,0,1,2,\na,robot,soon,1,1,3,\n", "3:18: .*one control, got '3' and '2'"),
+        (HEAD + "a,robot,soon,0,1\n", "2:1: a row must have 7 cells, got 5"),
+        (HEAD + "a,robot,soon,0,1,,\na,robot,soon,0,1,,\n", "3:14: .*0 s twice"),
+        (HEAD + "a,robot,soon,0,1,often,\n", "2:18: control must be a number"),
+        (HEAD + "a,robot,soon,0,1,2.5,\n", "2:18: control must be a whole number"),
+        (HEAD + "a,robot,soon,0,1,6,\n", "2:18: the answer must be one of 1 to 5"),
+        (HEAD + "a,robot,soon,0,1,,\na,robot,soon,1,1,,3\n", "3:19: age must be"),
+        (HEAD + 'a,robot,soon,"0,1,,\n', "2:1: not valid CSV"),
+        (
+            HEAD.replace("control", "finished") + "a,robot,soon,0,1,perhaps,\n",
+            "2:18: finished must be 1 or 0",
+        ),
+        (HEAD.replace("control", "origin") + "a,robot,soon,0,1,drawn,\n", "2:18: origin must be one of page"),
+        (HEAD.replace("control", "shown") + "a,robot,soon,0,1,first,\n", "2:18: shown must be a number"),
     ],
 )
 def test_a_mistake_in_csv_is_said_with_its_line(design: Design, text: str, rule: str) -> None:
-    with pytest.raises(FuzzytimeError, match=rule):
+    with pytest.raises(DocumentError, match=f"^x.csv:{rule}"):
         read_csv(io.StringIO(text), design, "x.csv")
 
 
+def test_what_is_true_of_a_participant_may_stand_in_one_row_only(design: Design) -> None:
+    head = "participant,actor,instruction,time_s,satisfaction,finished,control,about_age,notes\n"
+    text = head + "a,robot,soon,0,1,,,,x\na,,soon,60,0,FALSE,3,30,y\n"
+    (person,) = read_csv(io.StringIO(text), design).participants
+    assert (person.group, person.control, person.finished) == ("robot", 3, False)
+    assert person.demographics == {"age": "30"}
+
+
 @pytest.mark.parametrize(
-    "change",
+    ("change", "rule"),
     [
-        lambda d: d.pop("participants"),
-        lambda d: d.update(schema="fuzzytime-study/9"),
-        lambda d: d.update(design="name: x"),
-        lambda d: d.update(design=3),
-        lambda d: d.update(times_s=[0, 1]),
-        lambda d: d.update(times_s=None),
-        lambda d: d["participants"][0].pop("actor"),
-        lambda d: d["participants"][0].update(control="3"),
-        lambda d: d["participants"][0].update(curves=[]),
-        lambda d: d["participants"][0]["curves"].update(soon=["x"] * 800),
-        lambda d: d["participants"][0]["curves"].update(later=[0] * 800),
+        (lambda d, _p: d.pop("participants"), "missing key 'participants'"),
+        (lambda d, _p: d.update(schema="fuzzytime-study/9"), "schema: .*must have the schema"),
+        (lambda d, _p: d.update(design=3), "design: must be a text"),
+        (
+            lambda d, _p: d.update(times_s=[0, 1]),
+            r"curves\.[a-z0-9-]+: .*as many samples as times, 2, got 800",
+        ),
+        (lambda d, _p: d.update(times_s=None), "times_s: must be a list"),
+        (lambda d, _p: d.update(times_s=["x"]), r"times_s\[0\]: must be a finite number"),
+        (lambda d, _p: d["times_s"].__setitem__(1, 0.0), "0 s twice"),
+        (lambda d, _p: d["participants"].append(3), r"participants\[3\]: must be an object"),
+        (lambda d, _p: d["participants"].append(d["participants"][0]), r"\[3\].participant: .*must differ"),
+        (lambda _d, p: p.pop("actor"), r"participants\[0\]: missing key 'actor'"),
+        (lambda _d, p: p.update(actor="dog"), "actor: must be one of robot, person"),
+        (lambda _d, p: p.update(participant=" "), "participant: a participant must have a name"),
+        (lambda _d, p: p.update(participant="\ud800"), "participant: must be a text"),
+        (lambda _d, p: p.update(origin="drawn"), "origin: must be one of page"),
+        (lambda _d, p: p.update(finished="no"), "finished: must be true or false"),
+        (lambda _d, p: p.update(excluded=""), "excluded: .*needs a reason"),
+        (lambda _d, p: p.update(control="3"), "control: must be a whole number or null"),
+        (lambda _d, p: p.update(control=6), "control: the answer must be one of 1 to 5"),
+        (lambda _d, p: p.update(order=["soon", "soon"]), r"order\[1\]: instructions must differ"),
+        (lambda _d, p: p.update(order=["later"]), r"order\[0\]: an instruction must be one of"),
+        (lambda _d, p: p.update(about={"age": 3}), "about.age: must be a text"),
+        (lambda _d, p: p.update(about={"age": "3"}), "about.age: age must be a whole number"),
+        (lambda _d, p: p.update(about={"name": "x"}), "about.name: there is no question"),
+        (lambda _d, p: p.update(curves=[]), "curves: must be an object"),
+        (lambda _d, p: p["curves"].update(soon=[0, *["x"] * 799]), r"curves.soon\[1\]: must be a finite"),
+        (
+            lambda _d, p: p["curves"]["soon"].__setitem__(7, 2),
+            r"curves.soon\[7\]: must lie in \[0, 1\], got 2",
+        ),
+        (lambda _d, p: p["curves"].update(later=[0] * 800), "curves.later: an instruction must be one of"),
     ],
 )
-def test_json_that_is_no_study_is_refused(some: Answers, change: object) -> None:
+@pytest.mark.parametrize("indent", [None, 1])
+def test_json_that_is_no_study_is_refused_with_its_place(
+    some: Answers, change: Callable[..., object], rule: str, indent: int | None
+) -> None:
     document = json.loads(as_json(some))
-    change(document)  # type: ignore[operator]
-    with pytest.raises(FuzzytimeError):
-        read_json(json.dumps(document))
+    change(document, document["participants"][0])
+    text = json.dumps(document, indent=indent)
+    with pytest.raises(DocumentError, match=rule) as caught:
+        read_json(text, "x.json")
+    (mistake,) = caught.value.mistakes
+    assert text.split("\n")[mistake.line - 1] == mistake.source
+    path = re.findall(r"[^.\[\]]+", mistake.key)
+    value = document
+    for step in path:
+        value = value[int(step)] if step.isdigit() and isinstance(value, list) else value[step]
+    shown = json.dumps(value)
+    assert mistake.source[mistake.column - 1 :].startswith(shown if indent is None else shown[:1])
+
+
+def test_a_mistake_in_the_design_of_json_is_said_to_be_there(some: Answers) -> None:
+    document = json.loads(as_json(some)) | {"design": "name: x"}
+    with pytest.raises(DocumentError, match=r"^x\.json:design:1:1: missing key"):
+        read_json(json.dumps(document), "x.json")
 
 
 @pytest.mark.parametrize("text", ["", "[", "[]", "null", "[" * 100_000, '{"schema": "fuzzytime-study/1"}'])
 def test_text_that_is_no_document_is_refused(text: str) -> None:
-    with pytest.raises(FuzzytimeError, match=r"x\.json(:\d+:\d+)?: "):
+    with pytest.raises(DocumentError, match=r"^x\.json:\d+:\d+: "):
         read_json(text, "x.json")
 
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 pytestmark = pytest.mark.browser
 
-PADDING = {"left": 52, "right": 28, "top": 18, "bottom": 34}
+PADDING = {"left": 52, "right": 28, "top": 18, "bottom": 52}
 """Where the plot lies inside its canvas."""
 
 
@@ -49,8 +49,8 @@ def opened(browser: "Browser", server: StudyServer) -> Iterator[Opened]:
     yield open_page
     for context in contexts:
         context.close()
-    # A refused answer is said on the page, and the browser notes it as well.
-    assert [line for line in broken if "status of 422" not in line] == []
+    # An answer that was refused or did not arrive is said on the page, and the browser notes it as well.
+    assert [line for line in broken if "status of 422" not in line and "net::ERR_FAILED" not in line] == []
 
 
 def agree(page: "Page") -> None:
@@ -262,6 +262,8 @@ def test_a_whole_study_from_consent_to_thanks(opened: Opened, server: StudyServe
         page.get_by_role("button", name="Next").click()
     page.get_by_role("heading", name="One last question").wait_for()
     assert "three minutes late" in page.locator("legend").inner_text()
+    page.get_by_role("button", name="Next").click()
+    page.get_by_text("choose one of the answers").wait_for()
     page.get_by_label("2", exact=True).check()
     page.get_by_role("button", name="Next").click()
     page.get_by_role("heading", name="Thank you!").wait_for()
@@ -352,3 +354,124 @@ def test_no_page_is_wider_than_its_screen(opened: Opened, width: int) -> None:
     page.get_by_role("button", name="Next").click()
     page.get_by_text("Enter points instead of drawing").click()
     assert fits()
+
+
+def test_who_reloads_sees_the_same_page_again(opened: Opened) -> None:
+    page = opened()
+    agree(page)
+    for title in ("About you", "Try it out", "Instruction 1 of 14"):
+        page.get_by_role("heading", name=title).wait_for()
+        page.reload()
+        page.get_by_role("heading", name=title).wait_for()
+        page.get_by_role("button", name="Next").click()
+
+
+def test_somebody_else_may_begin_where_another_stopped(opened: Opened, server: StudyServer) -> None:
+    page = opened()
+    reach_the_first_task(page)
+    page.reload()
+    page.get_by_role("button", name="Start anew").click()
+    agree(page)
+    page.get_by_role("heading", name="About you").wait_for()
+    assert len(server.service.store.answers().participants) == 2
+
+
+def double_click_next(page: "Page") -> None:
+    button = page.get_by_role("button", name="Next")
+    button.scroll_into_view_if_needed()
+    box = button.bounding_box()
+    assert box is not None
+    page.mouse.dblclick(box["x"] + 5, box["y"] + 5)
+
+
+def test_a_double_click_is_one_click(opened: Opened, server: StudyServer) -> None:
+    page = opened()
+    reach_the_first_task(page)
+    double_click_next(page)
+    page.get_by_text("no start would satisfy you").wait_for()
+    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
+    assert page.locator("#status").inner_text() == ""
+    double_click_next(page)
+    page.get_by_role("heading", name="Instruction 2 of 14").wait_for()
+    page.wait_for_timeout(200)
+    assert page.locator("#status").inner_text() in ("", "Saved.")
+    assert len(stored(server)) == 1
+
+
+def test_the_browsers_back_goes_to_the_instruction_before(opened: Opened) -> None:
+    page = opened()
+    reach_the_first_task(page)
+    for position in (2, 3):
+        Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
+        save_and_go_on(page, position)
+    for position in (2, 1):
+        page.go_back()
+        page.get_by_role("heading", name=f"Instruction {position} of 14").wait_for()
+
+
+def test_nobody_draws_beyond_what_is_shown(opened: Opened, server: StudyServer) -> None:
+    page = opened(900, 700)
+    reach_the_first_task(page)
+    Canvas(page).draw(lambda _time: 1.0, 300, 1300, points=6)
+    save_and_go_on(page)
+    (curve,) = stored(server).values()
+    times = server.service.store.design.timeline.times
+    assert (curve[(times > 310) & (times < 890)] == 1).all()
+    assert not curve[times > 910].any()
+
+
+def test_enter_in_the_table_draws_its_points_and_next_takes_them(opened: Opened, server: StudyServer) -> None:
+    page = opened()
+    reach_the_first_task(page)
+    page.get_by_text("Enter points instead of drawing").click()
+    minutes, percent = page.get_by_label("Minutes"), page.get_by_label("Satisfaction in %")
+    minutes.nth(0).fill("5")
+    minutes.nth(0).press("Enter")
+    page.get_by_text("Minutes must lie between 0 and 60").wait_for()
+    page.get_by_role("heading", name="Instruction 1 of 14").wait_for()
+    percent.nth(0).fill("100")
+    minutes.nth(1).fill("10")
+    percent.nth(1).fill("100")
+    save_and_go_on(page)
+    (curve,) = stored(server).values()
+    times = server.service.store.design.timeline.times
+    assert (curve[(times > 305) & (times < 595)] == 1).all()
+    assert not curve[times > 605].any()
+
+
+def test_nothing_moves_while_an_answer_waits(opened: Opened, server: StudyServer) -> None:
+    page = opened()
+    reach_the_first_task(page)
+    Canvas(page).draw(lambda _time: 0.7, 10, 800, points=4)
+    save_and_go_on(page)
+    Canvas(page).draw(lambda _time: 0.4, 10, 800, points=4)
+    page.route("**/curve", lambda route: route.abort())
+    page.get_by_role("button", name="Next").click()
+    page.get_by_text("your drawing is kept").wait_for()
+    assert page.locator("main").evaluate("main => main.inert")
+    page.go_back()
+    page.get_by_role("heading", name="Instruction 2 of 14").wait_for()
+    page.unroute("**/curve")
+    page.get_by_role("heading", name="Instruction 3 of 14").wait_for()
+    assert len(stored(server)) == 2
+
+
+LONG = "Donaudampfschifffahrtsgesellschaftskapitänsmützenabzeichenverleihungsurkunde"
+
+
+def test_long_words_and_many_points_stay_on_a_small_screen(
+    browser: "Browser", tmp_path: Path, design: Design
+) -> None:
+    text = design.yaml.replace("The assignment", LONG).replace("points: 5", "points: 11")
+    wide = text.replace("[female, male, another]", f"[female, {LONG}]")
+    context = browser.new_context(viewport={"width": 320, "height": 640}, color_scheme="dark")
+    page = context.new_page()
+    with running(tmp_path / "answers.sqlite", Design.of_text(wide)) as server:
+        page.goto(server.url)
+        agree(page)
+        for title in ("About you", "Try it out", "Instruction 1 of 14"):
+            page.get_by_role("heading", name=title).wait_for()
+            assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+            page.get_by_role("button", name="Next").click()
+        assert page.evaluate("getComputedStyle(document.body).color") == "rgb(228, 231, 235)"
+    context.close()

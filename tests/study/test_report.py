@@ -9,7 +9,7 @@ import pytest
 
 from fuzzytime.study import Answers, Design, analyse
 from fuzzytime.study.analysis.analyse import Analysis
-from fuzzytime.study.reporting.plots import figures, rendered
+from fuzzytime.study.reporting.plots import figures, instruction_figure, rendered
 from fuzzytime.study.reporting.report import report
 
 pytest.importorskip("matplotlib", reason="matplotlib is not installed: no figure is drawn")
@@ -55,10 +55,27 @@ class Checker(HTMLParser):
 
 
 def test_every_figure_of_the_paper_is_drawn(analysis: Analysis, pictures: dict[str, bytes]) -> None:
-    assert list(pictures) == ["fits", "groups", "start-times", *analysis.overall]
+    assert list(pictures) == [
+        "fits",
+        "groups",
+        "start-times",
+        *map(instruction_figure, analysis.overall),
+    ]
     for picture in pictures.values():
         root = ET.fromstring(picture)  # noqa: S314 - our own picture
         assert root.tag.endswith("svg")
+
+
+def test_letters_that_no_font_has_and_control_characters_are_drawn_without_a_word(
+    analysis: Analysis, recwarn: pytest.WarningsRecorder
+) -> None:
+    entry = next(iter(analysis.overall.values()))
+    odd = replace(entry, instruction=replace(entry.instruction, text="すぐに\x1b[31m\a!"))
+    drawings = dict(figures(replace(analysis, overall={entry.instruction.key: odd})))
+    svg, _ = rendered(drawings["fits"], "svg", "png")
+    ET.fromstring(svg)  # noqa: S314 - our own picture
+    assert "すぐに [31m" in svg.decode()
+    assert not recwarn.list
 
 
 def test_a_figure_is_the_same_each_time_and_nothing_global_changes(analysis: Analysis) -> None:

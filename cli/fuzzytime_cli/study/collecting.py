@@ -40,7 +40,7 @@ def serve(
     from fuzzytime.study.serving.service import StudyService
 
     with AnswerStore.create(database, design_of(database, design)) as store:
-        service = StudyService(store, now, lambda: secrets.token_urlsafe(12))
+        service = StudyService(store, now, new_name)
         token = store.token(secrets.token_urlsafe(16))
         with _listening((host, port), service, token, tuple(name or ())) as server:
             if host not in ("127.0.0.1", "localhost", "::1"):
@@ -55,6 +55,13 @@ def serve(
                 server.serve_forever()
             except KeyboardInterrupt:
                 report(f"stopped, with {len(store.answers().participants)} participants in {database}")
+
+
+def new_name() -> str:
+    """Give a participant's name that nobody can guess: one word in a shell, and a text to a spreadsheet."""
+    import secrets
+
+    return f"p-{secrets.token_hex(8)}"
 
 
 def _listening(

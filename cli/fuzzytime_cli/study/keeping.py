@@ -69,7 +69,8 @@ def import_(
     import io
 
     from fuzzytime.study import AnswerStore
-    from fuzzytime.study.answers.exchange import read_csv, read_json
+    from fuzzytime.study.answers.as_csv import read_csv
+    from fuzzytime.study.answers.as_json import read_json
     from fuzzytime_cli.inputs.source import read_exactly
 
     source = read_exactly(str(file), MAX_BYTES)
@@ -129,7 +130,8 @@ def export(
     """Write a study's answers as CSV or JSON."""
     import io
 
-    from fuzzytime.study.answers.exchange import write_csv, write_json
+    from fuzzytime.study.answers.as_csv import write_csv
+    from fuzzytime.study.answers.as_json import write_json
     from fuzzytime_cli.files import write_out
 
     if csv and json:

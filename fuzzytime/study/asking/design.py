@@ -132,6 +132,20 @@ class Design:
                 return question
         raise FuzzytimeError(f"there is no question {key[:80]!r}")
 
+    def control_answer(self, answer: int) -> int:
+        """Give an answer to the control question.
+
+        Raises
+        ------
+        FuzzytimeError
+            If the scale has no such point, or there is no control question.
+        """
+        if self.control is None:
+            raise FuzzytimeError("there is no control question")
+        if not 1 <= answer <= self.control.points:
+            raise FuzzytimeError(f"the answer must be one of 1 to {self.control.points}, got {answer}")
+        return answer
+
 
 def _read(reader: Reader) -> Design:
     root = reader.mapping(reader.root(), "", _KEYS, _REQUIRED)
@@ -149,7 +163,7 @@ def _read(reader: Reader) -> Design:
             attention = reader.duration(around["around"], "attention.around", 0.0, DAY)
     control = read_control(reader, root["control"], timeline) if "control" in root else None
     design = Design(
-        name=text("name"),
+        name=reader.phrase(root["name"], "name") if "name" in root else "",
         title=text("title", text("name")),
         source=text("source"),
         timeline=timeline,

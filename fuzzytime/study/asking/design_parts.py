@@ -1,14 +1,37 @@
 """Reading the parts of a design's YAML."""
 
+import re
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from fuzzytime.study.asking.placeholders import check_places
 from fuzzytime.study.asking.questions import ControlQuestion, Question, StudyInstruction, Timeline
 from fuzzytime.times import DAY
 from fuzzytime.yaml_nodes import Node, Reader
 
 MOST_SAMPLES = 10_000
 LONGEST_TEXT = 500
+LONGEST_KEY = 60
+
+_KEY = re.compile(r"\w[\w.-]*")
+
+
+def named(reader: Reader, node: Node, key: str) -> dict[str, Node]:
+    """Read a mapping whose keys become names of files, columns and fields: words, hyphens and full stops."""
+    names = reader.keys(node)
+    entries = reader.mapping(node, key)
+    rule = f"a key must be at most {LONGEST_KEY} letters, digits, hyphens, full stops"
+    for name in entries:
+        if len(name) > LONGEST_KEY or not _KEY.fullmatch(name):
+            reader.mistake(names[name], key, f"{rule}, got {name[:LONGEST_KEY]!r}")
+    return entries
+
+
+def wording(reader: Reader, node: Node, key: str) -> str:
+    """Read a text for participants, in which ``{actor}`` may stand for the word of their group."""
+    text = reader.phrase(node, key)
+    check_places(reader, node, key, text, ("actor",))
+    return text
 
 
 def read_timeline(reader: Reader, node: Node) -> Timeline:
@@ -34,12 +57,15 @@ def read_groups(reader: Reader, node: Node) -> Mapping[str, str]:
     entries = reader.mapping(node, "groups")
     if not entries:
         reader.mistake(node, "groups", "there must be at least one group")
-    return MappingProxyType({name: reader.string(word, f"groups.{name}") for name, word in entries.items()})
+    for key, name in reader.keys(node).items():
+        if not key.strip():
+            reader.mistake(name, "groups", "a group must have a name")
+    return MappingProxyType({name: reader.phrase(word, f"groups.{name}") for name, word in entries.items()})
 
 
 def read_instructions(reader: Reader, node: Node, timeline: Timeline) -> tuple[StudyInstruction, ...]:
     """Read the instructions, in their order."""
-    entries = reader.mapping(node, "instructions")
+    entries = named(reader, node, "instructions")
     if not entries:
         reader.mistake(node, "instructions", "there must be at least one instruction")
     found = []
@@ -52,13 +78,13 @@ def read_instructions(reader: Reader, node: Node, timeline: Timeline) -> tuple[S
             continue
 
         def optional(name: str, parts: dict[str, Node] = parts, path: str = path) -> str | None:
-            return reader.string(parts[name], f"{path}.{name}") if name in parts else None
+            return reader.phrase(parts[name], f"{path}.{name}") if name in parts else None
 
         found.append(
             StudyInstruction(
                 key=key,
-                text=reader.string(parts["say"], f"{path}.say"),
-                preposition=reader.string(parts["preposition"], f"{path}.preposition"),
+                text=wording(reader, parts["say"], f"{path}.say"),
+                preposition=reader.phrase(parts["preposition"], f"{path}.preposition"),
                 t_spec=reader.duration(parts["t"], f"{path}.t", timeline.start, timeline.end),
                 fuzziness=optional("fuzziness"),
                 word=optional("word"),
@@ -70,7 +96,7 @@ def read_instructions(reader: Reader, node: Node, timeline: Timeline) -> tuple[S
 def read_demographics(reader: Reader, node: Node) -> tuple[Question, ...]:
     """Read the questions about the participant."""
     found = []
-    for key, entry in reader.mapping(node, "demographics").items():
+    for key, entry in named(reader, node, "demographics").items():
         path = f"demographics.{key}"
         parts = reader.mapping(entry, path, ("ask", "choices", "whole", "text"), ("ask",))
         if len(parts.keys() & {"choices", "whole", "text"}) != 1:
@@ -81,11 +107,16 @@ def read_demographics(reader: Reader, node: Node) -> tuple[Question, ...]:
             bounds = reader.sequence(parts["whole"], f"{path}.whole", 2)
             numbers = [reader.whole(bound, f"{path}.whole", 0, 10**6) for bound in bounds] or [0, 0]
             whole = (numbers[0], numbers[1])
+            if whole[1] < whole[0]:
+                reader.mistake(parts["whole"], f"{path}.whole", f"must not decrease, got {whole}")
+        choices = reader.strings(parts["choices"], f"{path}.choices") if "choices" in parts else ()
+        if "choices" in parts and len({*choices}) < max(len(choices), 2):
+            reader.mistake(parts["choices"], f"{path}.choices", "must be two choices or more, which differ")
         found.append(
             Question(
                 key=key,
-                ask=reader.string(parts["ask"], f"{path}.ask") if "ask" in parts else "",
-                choices=reader.strings(parts["choices"], f"{path}.choices") if "choices" in parts else (),
+                ask=reader.phrase(parts["ask"], f"{path}.ask") if "ask" in parts else "",
+                choices=choices,
                 whole=whole,
                 length=reader.whole(parts["text"], f"{path}.text", 1, LONGEST_TEXT) if "text" in parts else 0,
             )
@@ -100,7 +131,7 @@ def read_control(reader: Reader, node: Node, timeline: Timeline) -> ControlQuest
     if any(key not in parts for key in keys):
         return None
     return ControlQuestion(
-        text=reader.string(parts["say"], "control.say"),
+        text=wording(reader, parts["say"], "control.say"),
         t_spec=reader.duration(parts["t"], "control.t", timeline.start, timeline.end),
         late=reader.duration(parts["late"], "control.late", -DAY, DAY),
         points=reader.whole(parts["points"], "control.points", 2, 11),

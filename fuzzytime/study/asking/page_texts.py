@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from fuzzytime.resources import rules_directory
+from fuzzytime.study.asking.placeholders import check_places, places_in
 from fuzzytime.yaml_nodes import Node, Reader
 
 PageTexts = Mapping[str, str | tuple[str, ...]]
@@ -22,7 +23,13 @@ def _texts(reader: Reader, node: Node, known: PageTexts | None) -> dict[str, str
     found: dict[str, str | tuple[str, ...]] = {}
     for key, entry in reader.mapping(node, "texts", known).items():
         is_list = key == "tutorial_steps"
-        found[key] = (
-            reader.strings(entry, f"texts.{key}") if is_list else reader.string(entry, f"texts.{key}")
-        )
+        said = reader.strings(entry, f"texts.{key}") if is_list else reader.string(entry, f"texts.{key}")
+        if known is not None:
+            places = places_in(_whole(known[key])) | {"actor"}
+            check_places(reader, entry, f"texts.{key}", _whole(said), places)
+        found[key] = said
     return found
+
+
+def _whole(text: str | tuple[str, ...]) -> str:
+    return text if isinstance(text, str) else "\n".join(text)

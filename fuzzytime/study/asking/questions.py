@@ -63,6 +63,8 @@ class Question:
         bare = answer.strip()
         if not bare:
             return bare
+        if not is_writable(bare):
+            raise FuzzytimeError(f"{self.key} must be a text, got {bare[:40]!r}")
         if self.choices and bare not in self.choices:
             raise FuzzytimeError(f"{self.key} must be one of {', '.join(self.choices)}, got {bare!r}")
         if self.whole is not None:
@@ -86,3 +88,16 @@ class ControlQuestion:
     points: int
     lowest: str
     highest: str
+
+
+def is_writable(text: str) -> bool:
+    r"""Tell whether a text can be written to a file: JSON may hold half of a character.
+
+    >>> is_writable("köttbullar"), is_writable("\ud800")
+    (True, False)
+    """
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        return False
+    return True

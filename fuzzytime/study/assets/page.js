@@ -4,87 +4,69 @@ class Study {
     this.main = document.getElementById("main");
     this.status = document.getElementById("status");
     this.progress = document.getElementById("progress");
-    this.token = new URLSearchParams(location.search).get("token") ?? "";
-    this.memory = `fuzzytime-study-${this.token}`;
+    const token = new URLSearchParams(location.search).get("token") ?? "";
+    this.server = new Server(token);
+    this.memory = new Memory(`fuzzytime-study-${token}`);
     this.person = null;
     this.curves = {};
+    this.shown = null;
+    this.goBack = null;
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { if (this.shown) this.shown.paint(); });
+    window.addEventListener("popstate", (event) => this.wentBack(event));
+    // The second click of a double click was not meant for what the first one brought.
+    this.moved = this.clicked = 0;
+    this.main.addEventListener("click", (event) => {
+      if (event.detail < 2) this.clicked = event.timeStamp;
+      else if (this.clicked < this.moved) {
+        event.preventDefault();
+        event.stopPropagation();
+      }
+    }, true);
   }
 
   async begin() {
-    this.design = await this.ask("GET", "design");
+    this.design = await this.server.ask("GET", "design");
     this.texts = this.design.texts;
-    const known = this.recall("participant");
+    const known = this.memory.recall("participant");
     if (known) {
       try {
-        this.arrive(await this.ask("POST", "resume", { participant: known }));
-        this.tell(this.texts.resumed);
+        this.arrive(await this.server.ask("POST", "resume", { participant: known }));
+        if (!this.person.finished) this.tell(this.texts.resumed, { offer: this.anewButton() });
         return;
       } catch (error) {
         if (!(error instanceof Refused)) throw error;
-        this.forget();
+        this.memory.forget();
       }
     }
     this.consent();
   }
 
-  // -- memory of this browser, which may be switched off ------------------------------------------------------
-
-  recall(key) {
-    try { return JSON.parse(localStorage.getItem(this.memory) ?? "{}")[key] ?? null; } catch { return null; }
-  }
-
-  keep(key, value) {
-    try {
-      const all = JSON.parse(localStorage.getItem(this.memory) ?? "{}");
-      all[key] = value;
-      localStorage.setItem(this.memory, JSON.stringify(all));
-    } catch { /* Without it, a reload begins anew. */ }
-  }
-
-  forget() {
-    try { localStorage.removeItem(this.memory); } catch { /* nothing was kept */ }
-  }
-
-  // -- talking to the server ----------------------------------------------------------------------------------
-
-  async ask(method, path, body) {
-    const answer = await fetch(`/${path}`, {
-      method,
-      headers: { "X-Study-Token": this.token, ...(body ? { "Content-Type": "application/json" } : {}) },
-      body: body ? JSON.stringify(body) : undefined,
-      cache: "no-store",
-    });
-    const content = await answer.json();
-    if (answer.ok) return content;
-    if (answer.status >= 500 || answer.status === 429) throw new Error(content.error);
-    throw new Refused(content.error);
-  }
-
-  /** Saves, and tries again for as long as the server cannot be reached. */
+  /** Saves; until that is done nothing on the page moves. */
   async save(path, body) {
-    const button = this.main.querySelector("button.primary");
-    if (button) button.disabled = true;
-    for (let wait = 1; ; wait = Math.min(wait * 2, 15)) {
-      try {
-        this.tell(this.texts.saving);
-        const answer = await this.ask("POST", path, body);
-        this.tell(this.texts.saved);
-        return answer;
-      } catch (error) {
-        if (error instanceof Refused) {
-          if (button) button.disabled = false;
-          this.tell(filled(this.texts.refused, { reason: error.message }), true);
-          throw error;
-        }
-        this.tell(this.texts.not_saved, true);
-        await new Promise((resolve) => { setTimeout(resolve, wait * 1000); });
+    this.main.inert = true;
+    this.tell(this.texts.saving);
+    try {
+      const answer = await this.server.save(path, body, () => this.tell(this.texts.not_saved, { warn: true }));
+      this.tell(this.texts.saved);
+      return answer;
+    } catch (error) {
+      if (error instanceof Refused) {
+        this.tell(filled(this.texts.refused, { reason: error.message }), { warn: true });
       }
+      throw error;
+    } finally {
+      this.main.inert = false;
+      const button = this.main.querySelector("button.primary");
+      if (button) button.focus({ preventScroll: true });
     }
   }
 
-  tell(text, warn = false) {
-    this.status.textContent = text;
+  tell(text, { warn = false, offer = null } = {}) {
+    this.status.replaceChildren(...(text ? [text] : []), ...(offer ? [" ", offer] : []));
     this.status.className = warn ? "warn" : "";
+    if (!warn) return;
+    this.moved = performance.now();
+    window.scrollTo(0, document.body.scrollHeight);
   }
 
   say(key, more = {}) {
@@ -93,19 +75,22 @@ class Study {
 
   // -- screens ------------------------------------------------------------------------------------------------
 
-  /** Shows a screen; its form's submission goes to `next`. */
+  /** Shows a screen; its form's submission goes to `next`, Back on it and of the browser to `back`. */
   screen(title, children, label, next, back = null) {
     this.tell("");
+    this.moved = performance.now();
+    this.goBack = back;
+    if (back) this.holdBack();
     const actions = [
       back ? element("button", { type: "button", onclick: back }, this.texts.back) : element("span"),
-      label ? element("button", { class: "primary", type: "submit" }, label) : null,
+      element("button", { class: "primary", type: "submit" }, label),
     ];
     const form = element("form", {
       novalidate: true,
       onsubmit: (event) => {
         event.preventDefault();
         Promise.resolve(next(form)).catch((error) => {
-          if (!(error instanceof Refused)) this.tell(String(error.message ?? error), true);
+          if (!(error instanceof Refused)) this.tell(String(error.message ?? error), { warn: true });
         });
       },
     }, element("h2", {}, title), ...children, element("div", { class: "actions" }, ...actions));
@@ -115,13 +100,30 @@ class Study {
     return form;
   }
 
+  /** Puts an entry of the page's own into the browser's history, which its Back takes away first. */
+  holdBack() {
+    if (!history.state) history.pushState({ inside: true }, "");
+  }
+
+  wentBack(event) {
+    if (event.state || !this.goBack) return;
+    if (this.main.inert) this.holdBack();
+    else this.goBack();
+  }
+
   arrive(person) {
     this.person = person;
     this.curves = person.curves;
-    this.keep("participant", person.participant);
+    this.memory.keep("participant", person.participant);
+    const seen = this.memory.recall("seen") ?? [];
     if (person.finished) this.thanks();
-    else if (!person.begun && !Object.keys(person.curves).length) this.demographics();
-    else this.proceed();
+    else if (Object.keys(person.curves).length || seen.includes("tutorial")) this.proceed();
+    else if (person.begun || seen.includes("demographics")) this.tutorial();
+    else this.demographics();
+  }
+
+  hasSeen(screen) {
+    this.memory.keep("seen", [...(this.memory.recall("seen") ?? []), screen]);
   }
 
   proceed() {
@@ -155,6 +157,7 @@ class Study {
           answers[question.key] = field ? field.value : "";
         }
         await this.save("demographics", { participant: this.person.participant, answers });
+        this.hasSeen("demographics");
         this.tutorial();
       });
   }
@@ -174,7 +177,8 @@ class Study {
   }
 
   drawing(changed) {
-    return new Drawing(this.design.timeline, this.design.default, this.texts, changed);
+    this.shown = new Drawing(this.design.timeline, this.design.default, this.texts, changed);
+    return this.shown;
   }
 
   tutorial() {
@@ -187,15 +191,21 @@ class Study {
       element("ol", {}, ...steps),
       element("p", { class: "instruction" }, this.say("tutorial_example")),
       drawing.root,
-    ], this.texts.next, () => this.proceed());
+    ], this.texts.next, () => {
+      this.hasSeen("tutorial");
+      this.proceed();
+    });
   }
 
   task(position) {
     const key = this.person.order[position];
     const words = { done: position + 1, all: this.person.order.length };
-    const drafts = this.recall("drafts") ?? {};
-    const drawing = this.drawing(() => this.keep("drafts", { [key]: drawing.rounded() }));
-    const before = this.curves[key] ?? drafts[key];
+    const drafts = () => this.memory.recall("drafts") ?? {};
+    const drawing = this.drawing(() => {
+      this.tell("");
+      this.memory.keep("drafts", { ...drafts(), [key]: drawing.rounded() });
+    });
+    const before = drafts()[key] ?? this.curves[key];
     if (before && before.length === this.design.timeline.samples) drawing.load(before);
     this.progress.hidden = false;
     this.progress.max = this.person.order.length + 1;
@@ -206,15 +216,16 @@ class Study {
       element("p", {}, this.say("task")),
       drawing.root,
     ], this.texts.next, async () => {
+      if (drawing.points.waiting && !drawing.points.apply()) return;
       if (!drawing.values.some((value) => value > 0) && !warned) {
         warned = true;
-        this.tell(this.texts.nothing_drawn, true);
+        this.tell(this.texts.nothing_drawn, { warn: true });
         return;
       }
       const values = drawing.rounded();
       await this.save("curve", { participant: this.person.participant, instruction: key, values });
       this.curves[key] = values;
-      this.keep("drafts", {});
+      this.memory.keep("drafts", { ...drafts(), [key]: undefined });
       if (position + 1 < this.person.order.length) this.task(position + 1);
       else this.proceed();
     }, position > 0 ? () => this.task(position - 1) : null);
@@ -231,11 +242,15 @@ class Study {
       element("input", { type: "radio", name: "control", value: point, required: true }), point));
     const form = this.screen(this.texts.control_title, [
       element("fieldset", {}, element("legend", { class: "instruction" }, filled(control.text, this.person)),
-        element("div", { class: "scale" }, element("span", { class: "hint" }, control.lowest), ...scale,
-          element("span", { class: "hint" }, control.highest))),
+        element("div", { class: "scale" }, ...scale),
+        element("div", { class: "ends hint" }, element("span", {}, control.lowest),
+          element("span", {}, control.highest))),
     ], this.texts.next, async () => {
       const chosen = form.elements.namedItem("control").value;
-      if (!chosen) return;
+      if (!chosen) {
+        this.tell(this.texts.choose, { warn: true });
+        return;
+      }
       await this.save("control", { participant: this.person.participant, answer: Number(chosen) });
       await this.finish();
     }, this.person.order.length ? () => this.task(this.person.order.length - 1) : null);
@@ -248,18 +263,23 @@ class Study {
 
   thanks() {
     this.progress.hidden = true;
-    this.screen(this.texts.thanks_title, [element("p", {}, this.texts.thanks)], this.texts.another, () => {
-      this.forget();
-      this.person = null;
-      this.curves = {};
-      this.consent();
-    });
+    this.screen(this.texts.thanks_title, [element("p", {}, this.texts.thanks)], this.texts.another, () => this.anew());
+  }
+
+  anew() {
+    this.memory.forget();
+    this.person = null;
+    this.curves = {};
+    this.progress.hidden = true;
+    this.consent();
+  }
+
+  anewButton() {
+    return element("button", { type: "button", onclick: () => this.anew() }, this.texts.another);
   }
 }
 
-class Refused extends Error {}
-
 {
   const study = new Study();
-  study.begin().catch((error) => study.tell(String(error.message ?? error), true));
+  study.begin().catch((error) => study.tell(String(error.message ?? error), { warn: true }));
 }

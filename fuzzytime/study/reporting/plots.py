@@ -4,6 +4,7 @@ Only matplotlib's objects are used, never pyplot, so that nothing global changes
 """
 
 import io
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
@@ -59,8 +60,8 @@ _SETTINGS: Mapping[Any, Any] = MappingProxyType(
 def figures(analysis: Analysis) -> Iterator[tuple[str, Callable[[], "Figure"]]]:
     """Give the figures of an analysis: a name for each, and what draws it.
 
-    ``fits`` (F1), ``groups`` (F2, where there are two), ``start-times`` (F3), then one by each instruction's
-    key: ten participants' curves, their histogram, and the distribution with quantiles.
+    ``fits`` (F1), ``groups`` (F2, where there are two), ``start-times`` (F3), then one for each instruction,
+    by `instruction_figure`: ten participants' curves, their histogram, and the distribution with quantiles.
 
     Raises
     ------
@@ -77,14 +78,21 @@ def figures(analysis: Analysis) -> Iterator[tuple[str, Callable[[], "Figure"]]]:
     if analysis.start_times:
         yield "start-times", lambda: _start_times(analysis)
     for key, described in analysis.overall.items():
-        yield key, lambda described=described: _three_views(described)  # type: ignore[misc]
+        yield instruction_figure(key), lambda described=described: _three_views(described)  # type: ignore[misc]
+
+
+def instruction_figure(key: str) -> str:
+    """Name the figure of an instruction, so that no key is another figure's name."""
+    return f"instruction-{key}"
 
 
 def rendered(draw: Callable[[], "Figure"], *forms: str) -> tuple[bytes, ...]:
     """Draw a figure in forms such as ``svg`` and ``png``; the same figure gives the same bytes."""
     import matplotlib as mpl
 
-    with mpl.rc_context(dict(_SETTINGS)):
+    with mpl.rc_context(dict(_SETTINGS)), warnings.catch_warnings():
+        # An SVG keeps text as text; a PNG has boxes for what no font here can write.
+        warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         figure = draw()
         streams = [io.BytesIO() for _ in forms]
         for form, stream in zip(forms, streams, strict=True):
@@ -266,5 +274,6 @@ def _frame(axes: "Axes", entry: Described, title: str) -> None:
 
 
 def _short(text: str) -> str:
-    """Leave out what all instructions of the paper begin with."""
-    return text.removeprefix("The assignment should start ").removesuffix("!")
+    """Leave out what all instructions of the paper begin with, and what cannot be printed."""
+    short = text.removeprefix("The assignment should start ").removesuffix("!")
+    return "".join(sign if sign.isprintable() else " " for sign in short)

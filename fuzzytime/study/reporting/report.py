@@ -12,6 +12,7 @@ from fuzzytime.study.analysis.density import SQUARE_MINUTE
 from fuzzytime.study.analysis.described import Described
 from fuzzytime.study.analysis.fitting import Model
 from fuzzytime.study.assets import asset
+from fuzzytime.study.reporting.plots import instruction_figure
 from fuzzytime.study.reporting.report_page import Page
 from fuzzytime.study.wording import between, number
 from fuzzytime.times import MINUTE, format_duration
@@ -263,7 +264,7 @@ def _each(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None
     )
     for key, entry in analysis.overall.items():
         page.figure(
-            key,
+            instruction_figure(key),
             f"{entry.instruction.text} Curves of single participants; histogram over time and satisfaction; "
             "median with quartiles (shaded), minimum and maximum (dotted).",
             pictures,

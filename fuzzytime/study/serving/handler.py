@@ -22,6 +22,10 @@ MOST_DRAINED = 1 << 24
 """Bytes of a refused request that are taken in and thrown away, so that its sender reads the refusal."""
 
 
+SCRIPTS = ("elements.js", "talking.js", "painting.js", "points.js", "drawing.js", "page.js")
+"""The page's script, in the order in which its parts need each other."""
+
+
 class Serving(Protocol):
     """What a handler needs to know of its server."""
 
@@ -163,9 +167,9 @@ class Handler(BaseHTTPRequestHandler):
         words = {
             "{{title}}": html.escape(design.title),
             "{{language}}": html.escape(str(design.texts["language"])),
+            "{{no_script}}": html.escape(str(design.texts["no_script"])),
             "{{style}}": asset("page.css"),
-            "{{drawing}}": asset("drawing.js"),
-            "{{script}}": asset("page.js"),
+            "{{script}}": "\n".join(map(asset, SCRIPTS)),
             "{{nonce}}": nonce,
         }
         page = re.sub(r"\{\{\w+\}\}", lambda place: words[place[0]], asset("page.html"))

@@ -183,9 +183,7 @@ class AnswerStore:
         FuzzytimeError
             If there is no such participant, or no such point on the scale.
         """
-        points = self.design.control.points if self.design.control is not None else 0
-        if not 1 <= answer <= points:
-            raise FuzzytimeError(f"the answer must be one of 1 to {points}, got {answer}")
+        self.design.control_answer(answer)
         with self._database.writing() as connection:
             must_exist(connection, name)
             connection.execute("UPDATE participants SET control = ? WHERE name = ?", (answer, name))
@@ -236,7 +234,9 @@ class AnswerStore:
             known = ", ".join(self.design.groups)
             raise FuzzytimeError(f"a group must be one of {known}, got {person.group!r}")
         if connection.execute("SELECT 1 FROM participants WHERE name = ?", (person.name,)).fetchone():
-            raise FuzzytimeError(f"participants must differ, and {person.name!r} is there already")
+            raise FuzzytimeError(
+                f"participants must differ, and {person.name!r} is already in {self._database.path}"
+            )
         connection.execute(
             "INSERT INTO participants "
             "(name, actor, instructions, origin, control, finished, excluded, joined) "
