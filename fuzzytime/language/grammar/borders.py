@@ -87,6 +87,9 @@ class Borders:
 
     def _hedges_what_follows(self, piece: Piece) -> bool:
         """Whether its last words wish for the time behind them: "after six, preferably | around seven"."""
+        if self.texts[piece.end - 1] in self.beside.hedging_verbs and self.around.follower(piece).isalpha():
+            # "At six, say hello"
+            return True
         led = any(said.category.startswith("preposition") for said in self.around.pieces(piece.end))
         # "Tonight, ideally before it gets dark" wishes something else than a time.
         place = piece.end + led

@@ -28,6 +28,7 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.relations import CountedDay
 
 OF_HOURS = frozenset(
     {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
@@ -145,6 +146,7 @@ class Judge:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+        days = days.anchor if isinstance(days, CountedDay) else days
         if not isinstance(days, Fields) or days != Fields(day=days.day):
             return False
         ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals

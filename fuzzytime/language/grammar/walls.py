@@ -20,6 +20,9 @@ NAMING = frozenset({"on", "to", "for", "of"})
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
+ORDINAL_ENDINGS = (["st"], ["nd"], ["rd"], ["th"])
+"""What stands behind the digits of ordinals."""
+
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
 
@@ -109,9 +112,8 @@ class Walls(Standing):
         led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
         if led and self._is_of_thing(piece):
             return True
-        return self.around.follower(piece) in self.closed.coordinators_of_days and self._counts_things(
-            piece, wall
-        )
+        joints = self.closed.coordinators_of_days | self.closed.range_joints
+        return self.around.follower(piece) in joints and self._counts_things(piece, wall)
 
     def _is_of_thing(self, piece: Piece) -> bool:
         """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
@@ -125,14 +127,16 @@ class Walls(Standing):
         return any(self.around.is_day(end) for end in bounds)
 
     def _counts_things(self, piece: Piece, wall: Wall) -> bool:
-        """Whether ordinals count things and no days: "on the first and second floor"."""
+        """Whether ordinals count things and no days: "on the first and second floor", "on the 2nd to 3rd"."""
         numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month and wall.clock is None
-        if not numbered or not self._is_ordinal(piece.end - 1):
+        last = piece.end - 1
+        if not numbered or not (self._is_ordinal(last) or self._is_ordinal(last - 1)):
             return False
         behind = piece.end + 1 + (self.texts[piece.end + 1 : piece.end + 2] == ["the"])
-        if behind >= len(self.texts) or not self._is_ordinal(behind):
+        if not self._is_ordinal(behind):
             return False
-        return not self.around.may_end(replace(piece, end=behind + 1))
+        typed = self.words[behind].is_digits
+        return not self.around.may_end(replace(piece, end=behind + 1 + typed))
 
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
@@ -295,7 +299,11 @@ class Walls(Standing):
     def _is_counted_part(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts parts of the day, and is no date: "cancel the second night"."""
         dated = isinstance(wall.days, Fields) and wall.days == Fields(day=wall.days.day)
-        return dated and wall.part is not None and self._is_ordinal(piece.end - 2)
+        return dated and wall.part is not None and self.texts[piece.end - 2] in self.lexicon.ordinals
 
     def _is_ordinal(self, place: int) -> bool:
-        return self.texts[place] in self.lexicon.ordinals
+        """Whether an ordinal is at a place: a word, or a number and its ending."""
+        if not 0 <= place < len(self.texts):
+            return False
+        typed = self.words[place].is_digits and self.texts[place + 1 : place + 2] in ORDINAL_ENDINGS
+        return typed or self.texts[place] in self.lexicon.ordinals
