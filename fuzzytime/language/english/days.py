@@ -34,9 +34,9 @@ def day(relative: Relative) -> Calendar:
     return relative
 
 
-@grammar.rule("days", "the? <weekday>", "this? <weekday> coming")
+@grammar.rule("days", "the? <weekday>", "this? <weekday> coming", "<weekday> next")
 def weekday(number: int) -> Calendar:
-    """Monday, this monday coming."""
+    """Monday, this monday coming, monday next."""
     return Fields(weekday=number)
 
 

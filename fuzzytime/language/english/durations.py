@@ -15,6 +15,9 @@ METRES = 100
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
 
+FIVE = 5
+"""What larger numbers of minutes are counted in."""
+
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
@@ -193,6 +196,14 @@ def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     ):
         return None
     return replace(first, until=longer, ordinal_end=longer.ordinal_end)
+
+
+@grammar.rule("duration", "<integer> <duration>", weight=0.3)
+def one_or_the_next(shorter: Integer, longer: Duration) -> Duration | None:
+    """Two three minutes, five-ten minutes: one or five more; but "two thirty minute walks" are two."""
+    steps = {1, FIVE, 2 * FIVE} if shorter.value % FIVE == 0 else {1}
+    spoken = not shorter.digits and longer.terms[0][0] - shorter.value in steps
+    return between(Quantity(shorter.value), longer) if spoken and not longer.hedges else None
 
 
 @grammar.rule("duration", "<quantity> <unit> ,|or|to <unit> and <fraction>", weight=0.3)

@@ -13,5 +13,5 @@ From a text to readings
 Whether a reading is a time where it stands (``judging``)
     For any kind of time: ``borders``, ``particles``, ``doses``, ``dining``, ``standing``,
     ``surroundings``.
-    For each kind: ``walls``, ``ranges``, ``lengths``, ``measuring``.
+    For each kind: ``walls`` with ``bare_hours`` and ``naming``, ``ranges``, ``lengths``, ``measuring``.
 """

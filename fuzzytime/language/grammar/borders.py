@@ -18,6 +18,9 @@ LAST_DAY = ["last", "day"]
 """Words for yesterday, which may be those for the end of something."""
 
 TENS = 10
+LONG_DIGITS = 3
+"""Digits of the parts of a telephone number, at least."""
+
 FEAST_WORDS = 3
 """Words of a feast's name before another that may be a time, at most."""
 
@@ -123,6 +126,12 @@ class Borders:
         if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
             # "Buy <wine> at six"
             return True
+        if piece.start and all(self._is_long(place) for place in (piece.start - 1, piece.start)):
+            # "Call 0800 555 1234 this afternoon"
+            return True
+        if first == "one" and before.isalpha() and self.measures.is_number(piece.start + 1):
+            # "And another one two hours later"; but "in one two hours"
+            return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
         named = (
             self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
@@ -137,19 +146,30 @@ class Borders:
         paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
         return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
 
+    def _is_long(self, place: int) -> bool:
+        """Whether a number has as many digits as the parts of telephone numbers."""
+        return self.words[place].is_digits and len(self.texts[place]) >= LONG_DIGITS
+
     def _is_played(self, piece: Piece) -> bool:
         """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
         time = piece.value.time
-        if piece.value.preposition is not None or (isinstance(time, Wall) and time.clock is not None):
+        numbered = any(map(self.measures.is_number, range(piece.start, piece.end)))
+        clocked = isinstance(time, Wall) and time.clock is not None and (numbered or time.days is not None)
+        if piece.value.preposition not in {None, "of"} or clocked:
             return False
         verb = piece.start - 1
-        while verb > 0 and (
-            self.around.timely(verb)
-            or self.measures.is_number(verb)
-            or self.texts[verb] in self.closed.sure_noun_openers
-        ):
+        # "Play blue monday by new order"
+        named = self.around.follower(piece) == "by" and not self.around.timely(piece.end + 1)
+        named = named and not self.around.is_day_from_now(piece.start)
+        while verb > 0 and (named or self._is_titular(verb)) and self.texts[verb] not in self.lexicon.playing:
             verb -= 1
         return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
+
+    def _is_titular(self, place: int) -> bool:
+        """Whether a word may stand before a time in what is called after it: "last christmas"."""
+        deictic = any(one.category == "deictic" for one in self.around.pieces(place))
+        timely = self.around.timely(place) or self.measures.is_number(place)
+        return timely or deictic or self.texts[place] in self.closed.sure_noun_openers
 
     def _is_of_other_calendar(self, piece: Piece) -> bool:
         """Whether it is a feast on a day that is not known here: "chinese new year"."""
@@ -220,7 +240,8 @@ class Borders:
             before = self.words[piece.start - 1]
             if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
                 return True
-            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
+            decade = before.text == "'" and self.texts[piece.end - 1] == "s"
+            return decade or before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
         return (
             bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
         )

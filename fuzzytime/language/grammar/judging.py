@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
+from fuzzytime.language.grammar.bare_hours import CLOCK_DIGITS
 from fuzzytime.language.grammar.borders import Borders
 from fuzzytime.language.grammar.chart import Cell, Piece
 from fuzzytime.language.grammar.lengths import Lengths
@@ -11,7 +12,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.ranges import Ranges
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
+from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (

@@ -177,6 +177,9 @@ class Surroundings:
     def ends_in_order(self, piece: Piece) -> bool:
         """Whether its last word says what comes first, and no day: "call me today, first the office"."""
         last = piece.end - 1
+        if self.texts[last] in self.closed.conjuncts and last > piece.start and self.is_weekday(last - 1):
+            # "Call Bob on friday next call Tim"
+            return not self.may_end(piece)
         ordinal = self.texts[last] in self.lexicon.ordinals
         apart = last > piece.start + 1 and self.texts[last - 1] == ","
         if ordinal and last > piece.start and self.is_part(last - 1):
