@@ -9,9 +9,6 @@ from fuzzytime.requirement import Unit
 DEGREES_DIGITS = 3
 """Digits of an oven's temperature, and of few clock times."""
 
-CLOCK_DIGITS = 4
-"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
-
 
 class BareHours(Standing):
     """What stands around numbers that may be clock times, and whether it makes one doubtful."""
@@ -39,8 +36,9 @@ class BareHours(Standing):
         if said.preposition == "through" and counted:
             # "Pages 3 through 7"
             return False
-        digits = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == CLOCK_DIGITS
-        hour = digits or (wall.clock is not None and wall.clock.grain is Unit.HOUR)
+        hour = self.measures.is_sure(piece.end - 1) or (
+            wall.clock is not None and wall.clock.grain is Unit.HOUR
+        )
         sure = said.preposition == "at" and hour and not self.measures.named(piece)
         if not sure and said.preposition != "for" and self.measures.measured(piece):
             return False

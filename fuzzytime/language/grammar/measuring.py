@@ -11,6 +11,9 @@ from fuzzytime.requirement import Constraint, Unit
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
+CLOCK_DIGITS = 4
+"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
+
 NEARLY = frozenset({"around", "about"})
 
 
@@ -112,6 +115,10 @@ class Measures:
         return 0 <= place < len(self.words) and (
             self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
         )
+
+    def is_sure(self, place: int) -> bool:
+        """Whether four digits are a clock time: "0815"."""
+        return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
 
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""

@@ -123,7 +123,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     judge = Judge(scanned.words, lexicon)
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
     chosen = _best(kept, len(scanned.words))
-    chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
+    chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
         one
