@@ -126,7 +126,7 @@ def the_present(series: Calendar) -> Calendar | None:
 def after_next(series: Calendar) -> Calendar:
     """The week after next, wednesday after next."""
     if isinstance(series, Fields) and series.weekly:
-        return Deictic(Which.NEXT, series)
+        return Following(2, series, Relative(0))
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
@@ -134,6 +134,12 @@ def after_next(series: Calendar) -> Calendar:
 def before_last(series: Calendar) -> Calendar:
     """The week before last."""
     return Following(-1, series, Deictic(Which.LAST, series))
+
+
+@grammar.rule("days", "<deictic> <series> 's <weekday>", weight=0.3)
+def weekday_of(which: Which, series: Calendar, number: int) -> Calendar | None:
+    """Next week's friday."""
+    return Within(Fields(weekday=number), Deictic(which, series)) if series == Cycle(Unit.WEEK) else None
 
 
 @grammar.rule("days", "<duration> from now", weight=-0.3)

@@ -8,6 +8,7 @@ from fuzzytime.language.english.counted import ago as ago_duration
 from fuzzytime.language.english.counted import within as within_duration
 from fuzzytime.language.english.goals import after_goal, before_goal, hedged_days_after, hedged_days_before
 from fuzzytime.language.english.prepositions import beside
+from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.calendar import Calendar
@@ -62,6 +63,18 @@ def by_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
 def from_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
     """From, say, nine."""
     return release(preposition, replace(goal, hedges=(hedge, *goal.hedges)))
+
+
+@grammar.rule("said", "between <hedge aside> the? <goal> and|to|- the? <goal>", weight=1.2)
+def between_about(hedge: str, first: Goal, last: Goal) -> Said | None:
+    """Between, say, three and four."""
+    return between(replace(first, hedges=(hedge, *first.hedges)), last)
+
+
+@grammar.rule("said", "between the? <goal> and <hedge aside> the? <goal>", weight=1.2)
+def between_and_about(first: Goal, hedge: str, last: Goal) -> Said | None:
+    """Between three and, say, four."""
+    return between(first, replace(last, hedges=(hedge, *last.hedges)))
 
 
 @grammar.rule("said", "<duration> <hedge aside> <forward>", weight=0.4)

@@ -225,13 +225,13 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     return None if said is None else refined(said, wall)
 
 
-@grammar.rule("said", "from the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+@grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
     return _range(first, last, "between")
 
 
-@grammar.rule("said", "the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+@grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11; but who is "at work until five" is somewhere."""
     part = first.time.part if isinstance(first.time, Wall) else None

@@ -19,6 +19,9 @@ from fuzzytime.requirement import Constraint
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
 
+BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after", "hedge"})
+"""Categories of words that bind a time behind them, and are other words before anything else."""
+
 EXTREMES = frozenset({"latest", "earliest"})
 """The ends of "at the latest" and "at the earliest"."""
 
@@ -104,7 +107,10 @@ class Borders:
     def _offers_more(self, piece: Piece) -> bool:
         """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
         led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
-        return piece.rule == "ranges.either_day" and (led or self.around.timely(piece.end))
+        # "On friday or saturday to the fair", "on friday or saturday about the report"
+        place = piece.end + any(p.category in BINDING for p in self.around.pieces(piece.end))
+        timed = self.around.timely(place) or self.measures.is_number(place)
+        return piece.rule == "ranges.either_day" and (led or timed)
 
     def _likens(self, piece: Piece) -> bool:
         """Whether its "like" is what something looks like: "what is the weather like on friday"."""

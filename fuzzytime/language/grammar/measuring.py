@@ -14,6 +14,9 @@ AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
+SWITCHED = frozenset({"on", "off"})
+"""Particles of what is turned so, and not by how much."""
+
 NEARLY = frozenset({"around", "about"})
 
 
@@ -33,6 +36,8 @@ class Measures:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         if self._says_how_much(piece):
             return True
+        if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
+            return False
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
             if self._is_other_order(place) or self.is_amount(place):
                 return False
@@ -47,6 +52,12 @@ class Measures:
         *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
         clause = any((text,) in self.lexicon.clauses for text in before)
         return clause and verb in self.closed.stative_verbs and subject not in self.beside.clock_subjects
+
+    def _switches(self, piece: Piece) -> bool:
+        """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        verbs = (self.lexicon.particles.get(word, frozenset()) for word in before if word in SWITCHED)
+        return any(not found.isdisjoint(before) for found in verbs)
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
@@ -148,4 +159,7 @@ def _is_bound_to_hour(said: Said) -> bool:
     ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
     clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
     hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
+    if said.beside:
+        # "Turn off the lights shortly after six"
+        return hours
     return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}

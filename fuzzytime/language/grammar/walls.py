@@ -70,6 +70,10 @@ class Walls(Standing):
 
     def _begins_other(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether its last word belongs to a noun, or its first is a thing that has a number."""
+        number = said.preposition is None and bool(said.hedges) and self.measures.is_number(piece.start)
+        if number and wall.days is None and not self.around.may_end(piece):
+            # "Bring six or so boxes"
+            return True
         if wall.zone is not None and self.is_ambiguous(piece.end - 1) and not self.around.may_end(piece):
             # "At six central station"
             return True
