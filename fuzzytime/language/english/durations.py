@@ -239,10 +239,18 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     "duration",
     "<duration> ,? give or take <quantity>|<duration>",
     "<duration> ,? plus|+ or|/? minus|- <quantity>|<duration>",
+    "<duration> ± <quantity>|<duration>",
+    "<quantity> give or take <duration>",
+    "<quantity> plus|+ or|/? minus|- <duration>",
+    "<quantity> ± <duration>",
     weight=0.4,
 )
-def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | None:
-    """Ten minutes give or take two: between eight and twelve."""
+def give_or_take(middle: Duration | Quantity, width: Quantity | Duration) -> Duration | None:
+    """Ten minutes give or take two, ten plus or minus two minutes: between eight and twelve."""
+    if isinstance(middle, Quantity):
+        if not isinstance(width, Duration) or len(width.terms) != 1:
+            return None
+        middle = Duration(((middle.value, width.terms[0][1]),), middle.hedges)
     if len(middle.terms) != 1 or middle.until is not None or middle.bare_end:
         return None
     amount, unit = middle.terms[0]

@@ -119,9 +119,7 @@ def hedged_after(goal: Goal, hedge: str) -> Goal | None:
     distance = _distance(goal.time) if hedge in LOWER | UPPER else None
     if distance is not None:
         return _far_off(distance, hedge)
-    if isinstance(goal.time, Wall) and goal.time.clock is not None:
-        clock = replace(goal.time.clock, bare=False, pair=False)
-        goal = replace(goal, time=replace(goal.time, clock=clock))
+    goal = _as_hour(goal)
     return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
 
 
@@ -168,6 +166,18 @@ def before_goal(duration: Duration, goal: Goal) -> Goal | None:
 def after_goal(duration: Duration, goal: Goal) -> Goal | None:
     """Two hours after lunch, 15 minutes from 1pm."""
     return replace(goal, time=Offset(duration, 1, goal.time)) if _counts_from(goal) else None
+
+
+@grammar.rule("goal", "<duration> before|til|to|prior <goal>", "<duration> prior to <goal>", weight=2.0)
+def stretch_before(duration: Duration, goal: Goal) -> Goal | None:
+    """Five to ten minutes before noon: no stretch from five to ten before noon."""
+    return None if duration.until is None else before_goal(duration, goal)
+
+
+@grammar.rule("goal", "<duration> after|past|following|from <goal>", weight=2.0)
+def stretch_after(duration: Duration, goal: Goal) -> Goal | None:
+    """Five or ten minutes past four."""
+    return None if duration.until is None else after_goal(duration, goal)
 
 
 @grammar.rule(
@@ -222,6 +232,21 @@ def hedged_days_before(duration: Duration, days: Calendar) -> Goal | None:
 def _hedged_days(duration: Duration, anchor: Calendar, direction: int) -> Goal | None:
     days = days_away(duration, anchor, direction) if duration.hedges else None
     return None if days is None or (LOWER | UPPER) & {*duration.hedges} else Goal(Wall(days), duration.hedges)
+
+
+@grammar.rule("goal", "<goal> ,? give or take <duration>", weight=0.6)
+@grammar.rule("goal", "<goal> plus|+ or|/? minus|- <duration>", "<goal> ± <duration>", weight=0.6)
+def give_or_take(goal: Goal, width: Duration) -> Goal | None:
+    """Ten, give or take five minutes: on either side."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return near(width, _as_hour(goal)) if clocked else None
+
+
+def _as_hour(goal: Goal) -> Goal:
+    """Give a number that is a clock time, as what stands beside it tells."""
+    if not isinstance(goal.time, Wall) or goal.time.clock is None:
+        return goal
+    return replace(goal, time=replace(goal.time, clock=replace(goal.time.clock, bare=False, pair=False)))
 
 
 def _is_day(goal: Goal) -> bool:
