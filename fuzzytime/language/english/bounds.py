@@ -101,7 +101,7 @@ def past_goal(goal: Goal) -> Said | None:
     "said",
     "<goal> or|and later|after|greater|onwards|onward",
     "<goal> onwards|onward",
-    "<goal> at the earliest",
+    "<goal> at the earliest|soonest",
     weight=0.3,
 )
 def or_later(goal: Goal) -> Said | None:
@@ -115,7 +115,7 @@ def or_later(goal: Goal) -> Said | None:
     "said",
     "at|on|from|by <goal> or|and later|after|onwards|onward",
     "from <goal> on|onwards|onward",
-    "at|on <goal> at the very? earliest",
+    "at|on <goal> at the very? earliest|soonest",
     weight=0.4,
 )
 def at_or_later(goal: Goal) -> Said:
@@ -154,7 +154,7 @@ def latest(said: Said) -> Said | None:
 
 @grammar.rule(
     "said",
-    "<said> ,? at? the? very? earliest",
+    "<said> ,? at? the? very? earliest|soonest",
     "at the? very? earliest ,? <said>",
     "earliest <said>",
     "<said> ,? or|and later|after|onwards|onward",

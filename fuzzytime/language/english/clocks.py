@@ -63,6 +63,14 @@ def military(hour: Integer) -> Clock | None:
     return replace(found, bare=False, full_day=True) if found is not None and hour.value >= 100 else None
 
 
+@grammar.rule("clock", "<integer> <integer> hours|hrs", weight=0.4)
+def spaced_military(hour: Integer, minute: Integer) -> Clock | None:
+    """17 30 hours; but "in 2 10 hours" is none."""
+    if not len(hour.digits) == len(minute.digits) == 2 or hour.value > 24 or minute.value >= 60:
+        return None
+    return Clock(hour.value % 24, minute.value, 0, Unit.MINUTE, full_day=True)
+
+
 @grammar.rule("clock", "<hh:mm>", "<hh:mm> o'clock|oclock|hours|h|hrs")
 def typed(numbers: Typed) -> Clock | None:
     """8:30, 08:30."""
@@ -132,8 +140,8 @@ def dotted(numbers: Typed) -> Clock | None:
 
 @grammar.rule("clock", "<integer> <integer>", weight=-0.15)
 def pair(hour: Integer, minute: Integer) -> Clock | None:
-    """Ten thirty, 3 15."""
-    if hour.value > 24 or len(hour.digits) > 2 or bool(hour.digits) != bool(minute.digits):
+    """Ten thirty, 3 15, 5 thirty; but "one 30", as in "one 30 minute walk", may count."""
+    if hour.value > 24 or len(hour.digits) > 2 or (not hour.digits and minute.digits and hour.value < 2):
         return None
     if hour.value == 20 and minute.value < 10:
         # "Twenty-five"

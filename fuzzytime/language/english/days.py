@@ -34,9 +34,9 @@ def day(relative: Relative) -> Calendar:
     return relative
 
 
-@grammar.rule("days", "the? <weekday>")
+@grammar.rule("days", "the? <weekday>", "this? <weekday> coming", "<weekday> next")
 def weekday(number: int) -> Calendar:
-    """Monday."""
+    """Monday, this monday coming, monday next."""
     return Fields(weekday=number)
 
 
@@ -126,7 +126,7 @@ def the_present(series: Calendar) -> Calendar | None:
 def after_next(series: Calendar) -> Calendar:
     """The week after next, wednesday after next."""
     if isinstance(series, Fields) and series.weekly:
-        return Deictic(Which.NEXT, series)
+        return Following(2, series, Relative(0))
     return Following(1, series, Deictic(Which.NEXT, series))
 
 
@@ -134,6 +134,12 @@ def after_next(series: Calendar) -> Calendar:
 def before_last(series: Calendar) -> Calendar:
     """The week before last."""
     return Following(-1, series, Deictic(Which.LAST, series))
+
+
+@grammar.rule("days", "<deictic> <series> 's <weekday>", weight=0.3)
+def weekday_of(which: Which, series: Calendar, number: int) -> Calendar | None:
+    """Next week's friday."""
+    return Within(Fields(weekday=number), Deictic(which, series)) if series == Cycle(Unit.WEEK) else None
 
 
 @grammar.rule("days", "<duration> from now", weight=-0.3)
@@ -155,10 +161,14 @@ def weekdays_ago(number: Integer, weekday: int) -> Calendar | None:
 
 
 @grammar.rule(
-    "days", "<weekday> <duration> from now|today", "<duration> from now|today on <weekday>", weight=0.2
+    "days",
+    "<weekday> <duration> from now|today",
+    "<duration> from now|today on <weekday>",
+    "the? <weekday> in <duration>",
+    weight=0.2,
 )
 def weekday_near(first: int | Duration, second: int | Duration) -> Calendar | None:
-    """Monday two weeks from now."""
+    """Monday two weeks from now, the friday in two weeks."""
     duration, number = (first, second) if isinstance(first, Duration) else (second, first)
     if not isinstance(duration, Duration) or not isinstance(number, int):
         return None
@@ -199,13 +209,20 @@ def weekday_week(number: int) -> Calendar:
 # -- so long after a day --------------------------------------------------------------------------------
 
 
-@grammar.rule("days", "<duration> from|after|following|since <days>|<date>", weight=0.2)
+@grammar.rule("day of month", "<weak date>")
+def day_of_month(days: Calendar) -> Calendar | None:
+    """The 28th; but "in two years since 2011"."""
+    return days if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "<duration> from|after|following|since <days>|<date>|<day of month>", weight=0.2)
 def days_after(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Three days after Easter, a week from tuesday, two day after this day."""
     return days_away(duration, anchor, 1) if not duration.hedges else None
 
 
-@grammar.rule("days", "<duration> before <days>|<date>", "<duration> prior to <days>|<date>", weight=0.2)
+@grammar.rule("days", "<duration> before <days>|<date>|<day of month>", weight=0.2)
+@grammar.rule("days", "<duration> prior to <days>|<date>|<day of month>", weight=0.2)
 def days_before(duration: Duration, anchor: Calendar) -> Calendar | None:
     """Two weeks before christmas."""
     return days_away(duration, anchor, -1) if not duration.hedges else None

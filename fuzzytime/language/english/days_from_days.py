@@ -2,7 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
-from fuzzytime.language.meaning.expressions import Duration, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Offset, Said, UnitWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.relations import Away, Relative, Stretch, Which, days_away
 from fuzzytime.requirement import Unit
@@ -35,6 +35,27 @@ def weeks_from(duration: Duration, day: Relative) -> Calendar | None:
 def ago_from(duration: Duration, day: Relative) -> Calendar | None:
     """A month ago today, a week ago yesterday."""
     return days_away(duration, day, -1) if not duration.hedges else None
+
+
+@grammar.rule("days", "<unit> from <days>|<date>", weight=-0.5)
+def a_unit_from(unit: UnitWord, anchor: Calendar) -> Calendar | None:
+    """Week from tuesday, month from tomorrow: one of it."""
+    return None if _is_several(unit) else days_away(_one(unit), anchor, 1)
+
+
+@grammar.rule("said", "<unit> from now|hence", weight=-0.5)
+def a_unit_from_now(unit: UnitWord) -> Said | None:
+    """Hour from now, fortnight from now."""
+    return None if _is_several(unit) else Said(Offset(_one(unit)), None, "from now")
+
+
+def _one(unit: UnitWord) -> Duration:
+    return Duration(((unit.count, unit.unit),))
+
+
+def _is_several(unit: UnitWord) -> bool:
+    """Whether the word means more than one of the unit, or is too short to be sure."""
+    return unit.form.endswith("s") or len(unit.form) < 3
 
 
 @grammar.rule("days", "<weekday> fortnight", weight=0.2)

@@ -15,6 +15,9 @@ METRES = 100
 YEARS = range(1800, 2100)
 """Numbers that an "s" makes a decade: "hits of the 1980s"."""
 
+FIVE = 5
+"""What larger numbers of minutes are counted in."""
+
 LARGEST = 1e11
 """Seconds that a length of time may have at most, about three thousand years."""
 
@@ -195,6 +198,14 @@ def between(shorter: Duration | Quantity, longer: Duration) -> Duration | None:
     return replace(first, until=longer, ordinal_end=longer.ordinal_end)
 
 
+@grammar.rule("duration", "<integer> <duration>", weight=0.3)
+def one_or_the_next(shorter: Integer, longer: Duration) -> Duration | None:
+    """Two three minutes, five-ten minutes: one or five more; but "two thirty minute walks" are two."""
+    steps = {1, FIVE, 2 * FIVE} if shorter.value % FIVE == 0 else {1}
+    spoken = not shorter.digits and longer.terms[0][0] - shorter.value in steps
+    return between(Quantity(shorter.value), longer) if spoken and not longer.hedges else None
+
+
 @grammar.rule("duration", "<quantity> <unit> ,|or|to <unit> and <fraction>", weight=0.3)
 def one_or_one_and_a_half(
     quantity: Quantity, unit: UnitWord, again: UnitWord, part: float
@@ -228,10 +239,18 @@ def at_least_and_at_most(shorter: Duration, hedge: str, longer: Quantity | Durat
     "duration",
     "<duration> ,? give or take <quantity>|<duration>",
     "<duration> ,? plus|+ or|/? minus|- <quantity>|<duration>",
+    "<duration> ± <quantity>|<duration>",
+    "<quantity> give or take <duration>",
+    "<quantity> plus|+ or|/? minus|- <duration>",
+    "<quantity> ± <duration>",
     weight=0.4,
 )
-def give_or_take(middle: Duration, width: Quantity | Duration) -> Duration | None:
-    """Ten minutes give or take two: between eight and twelve."""
+def give_or_take(middle: Duration | Quantity, width: Quantity | Duration) -> Duration | None:
+    """Ten minutes give or take two, ten plus or minus two minutes: between eight and twelve."""
+    if isinstance(middle, Quantity):
+        if not isinstance(width, Duration) or len(width.terms) != 1:
+            return None
+        middle = Duration(((middle.value, width.terms[0][1]),), middle.hedges)
     if len(middle.terms) != 1 or middle.until is not None or middle.bare_end:
         return None
     amount, unit = middle.terms[0]

@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.relations import days_away
 from fuzzytime.language.meaning.requirements import LOWER, UPPER
 from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.requirement import Constraint, Unit
@@ -30,7 +31,7 @@ ISH = "ish"
 """The hedge behind a clock time: "sevenish"."""
 
 
-@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<offset>|<word>")
+@grammar.rule("goal", "<wall>|<end>|<stretch>|<rest>|<word>")
 def goal(time: Time) -> Goal:
     """Any time."""
     return Goal(time)
@@ -118,9 +119,7 @@ def hedged_after(goal: Goal, hedge: str) -> Goal | None:
     distance = _distance(goal.time) if hedge in LOWER | UPPER else None
     if distance is not None:
         return _far_off(distance, hedge)
-    if isinstance(goal.time, Wall) and goal.time.clock is not None:
-        clock = replace(goal.time.clock, bare=False, pair=False)
-        goal = replace(goal, time=replace(goal.time, clock=clock))
+    goal = _as_hour(goal)
     return replace(goal, hedges=(*goal.hedges, hedge)) if len(goal.hedges) < 3 else None
 
 
@@ -148,67 +147,106 @@ def _far_off(offset: Offset, hedge: str) -> Goal | None:
     if hedge in LOWER:
         return Goal(replace(offset, duration=offset.duration.hedged(hedge)))
     side = at_most_before if offset.direction < 0 else at_most_after
-    time = None if offset.anchor is None else side(hedge, offset.duration, Goal(offset.anchor))
-    return None if time is None else Goal(time)
+    return None if offset.anchor is None else side(hedge, offset.duration, Goal(offset.anchor))
 
 
-@grammar.rule("offset", "<duration> <forward>|<back>")
-def counted(duration: Duration, preposition: Preposition) -> Offset:
+@grammar.rule("goal", "<duration> <forward>|<back>")
+def counted(duration: Duration, preposition: Preposition) -> Goal:
     """Ten minutes from now, as the end of a range or behind a preposition."""
-    return Offset(duration, -1 if preposition.name == "ago" else 1)
+    return Goal(Offset(duration, -1 if preposition.name == "ago" else 1))
 
 
-@grammar.rule("offset", "<duration> before|'til|to|prior <goal>", "<duration> prior to <goal>", weight=0.1)
-def before_goal(duration: Duration, goal: Goal) -> Offset | None:
-    """Twenty minutes before noon."""
-    return Offset(duration, -1, goal.time) if _counts_from(goal) else None
+@grammar.rule("goal", "<duration> before|til|to|prior <goal>", "<duration> prior to <goal>", weight=0.1)
+def before_goal(duration: Duration, goal: Goal) -> Goal | None:
+    """Twenty minutes before noon, an hour before about six."""
+    return replace(goal, time=Offset(duration, -1, goal.time)) if _counts_from(goal) else None
 
 
-@grammar.rule("offset", "<duration> after|past|following <goal>", weight=0.1)
-def after_goal(duration: Duration, goal: Goal) -> Offset | None:
-    """Two hours after lunch."""
-    return Offset(duration, 1, goal.time) if _counts_from(goal) else None
+@grammar.rule("goal", "<duration> after|past|following|from <goal>", weight=0.1)
+def after_goal(duration: Duration, goal: Goal) -> Goal | None:
+    """Two hours after lunch, 15 minutes from 1pm."""
+    return replace(goal, time=Offset(duration, 1, goal.time)) if _counts_from(goal) else None
 
 
-@grammar.rule("offset", "<duration> from <goal>", weight=0.1)
-def from_goal(duration: Duration, goal: Goal) -> Offset | None:
-    """An hour from noon, 15 minutes from 1pm."""
-    return Offset(duration, 1, goal.time) if _counts_from(goal) else None
+@grammar.rule("goal", "<duration> before|til|to|prior <goal>", "<duration> prior to <goal>", weight=2.0)
+def stretch_before(duration: Duration, goal: Goal) -> Goal | None:
+    """Five to ten minutes before noon: no stretch from five to ten before noon."""
+    return None if duration.until is None else before_goal(duration, goal)
+
+
+@grammar.rule("goal", "<duration> after|past|following|from <goal>", weight=2.0)
+def stretch_after(duration: Duration, goal: Goal) -> Goal | None:
+    """Five or ten minutes past four."""
+    return None if duration.until is None else after_goal(duration, goal)
 
 
 @grammar.rule(
-    "offset", "less than <duration> after|from <goal>", "within <duration> after|from <goal>", weight=0.4
+    "goal", "less than <duration> after|from <goal>", "within <duration> after|from <goal>", weight=0.4
 )
-def soon_after(duration: Duration, goal: Goal) -> Range | None:
+def soon_after(duration: Duration, goal: Goal) -> Goal | None:
     """Less than three days after tomorrow: from then to then."""
     whole = isinstance(goal.time, Wall) and goal.time.clock is None and goal.time.part is None
     if whole and all(unit in SUB_DAY for _, unit in duration.terms):
         # "Within an hour of the fall"
         return None
-    return Range(goal.time, Offset(duration, 1, goal.time)) if _counts_from(goal) else None
+    found = Range(goal.time, Offset(duration, 1, goal.time))
+    return replace(goal, time=found) if _counts_from(goal) else None
 
 
-@grammar.rule("offset", "within <duration> of <goal>", weight=0.4)
-def near(duration: Duration, goal: Goal) -> Range | None:
+@grammar.rule("goal", "within <duration> of <goal>", weight=0.4)
+def near(duration: Duration, goal: Goal) -> Goal | None:
     """Within ten minutes of noon: on either side; within an hour of lunch: from then on."""
     found = soon_after(duration, goal)
     if found is None or not isinstance(goal.time, Wall) or goal.time.clock is None:
         return found
-    return replace(found, first=Offset(duration, -1, goal.time))
+    before, after = (Offset(duration, side, goal.time) for side in (-1, 1))
+    return replace(found, time=Range(before, after))
 
 
-@grammar.rule("offset", "<hedge> <duration> after|past|following <goal>", weight=0.5)
-def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Range | None:
+@grammar.rule("goal", "<hedge> <duration> after|past|following <goal>", weight=0.5)
+def at_most_after(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
     """At most ten minutes after noon: from then to then."""
     return soon_after(duration, goal) if hedge in UPPER and not _is_day(goal) else None
 
 
-@grammar.rule("offset", "<hedge> <duration> before <goal>", "<hedge> <duration> prior to <goal>", weight=0.5)
-def at_most_before(hedge: str, duration: Duration, goal: Goal) -> Range | None:
+@grammar.rule("goal", "<hedge> <duration> before <goal>", "<hedge> <duration> prior to <goal>", weight=0.5)
+def at_most_before(hedge: str, duration: Duration, goal: Goal) -> Goal | None:
     """No more than ten minutes before noon: from then to noon."""
     if hedge not in UPPER or _is_day(goal) or not _counts_from(goal):
         return None
-    return Range(Offset(duration, -1, goal.time), goal.time)
+    return replace(goal, time=Range(Offset(duration, -1, goal.time), goal.time))
+
+
+@grammar.rule("goal", "<duration> from|after|following <days>|<date>", weight=0.25)
+def hedged_days_after(duration: Duration, days: Calendar) -> Goal | None:
+    """Ten days or so from tomorrow: a day, too."""
+    return _hedged_days(duration, days, 1)
+
+
+@grammar.rule("goal", "<duration> before <days>|<date>", "<duration> prior to <days>|<date>", weight=0.25)
+def hedged_days_before(duration: Duration, days: Calendar) -> Goal | None:
+    """A week or so before easter."""
+    return _hedged_days(duration, days, -1)
+
+
+def _hedged_days(duration: Duration, anchor: Calendar, direction: int) -> Goal | None:
+    days = days_away(duration, anchor, direction) if duration.hedges else None
+    return None if days is None or (LOWER | UPPER) & {*duration.hedges} else Goal(Wall(days), duration.hedges)
+
+
+@grammar.rule("goal", "<goal> ,? give or take <duration>", weight=0.6)
+@grammar.rule("goal", "<goal> plus|+ or|/? minus|- <duration>", "<goal> ± <duration>", weight=0.6)
+def give_or_take(goal: Goal, width: Duration) -> Goal | None:
+    """Ten, give or take five minutes: on either side."""
+    clocked = isinstance(goal.time, Wall) and goal.time.clock is not None
+    return near(width, _as_hour(goal)) if clocked else None
+
+
+def _as_hour(goal: Goal) -> Goal:
+    """Give a number that is a clock time, as what stands beside it tells."""
+    if not isinstance(goal.time, Wall) or goal.time.clock is None:
+        return goal
+    return replace(goal, time=replace(goal.time, clock=replace(goal.time.clock, bare=False, pair=False)))
 
 
 def _is_day(goal: Goal) -> bool:
@@ -218,4 +256,4 @@ def _is_day(goal: Goal) -> bool:
 
 def _counts_from(goal: Goal) -> bool:
     vague = isinstance(goal.time, TimeWord) and goal.time.constraint is not Constraint.AT
-    return not goal.hedges and not vague and isinstance(goal.time, (Wall, TimeWord, Ending, HourMark))
+    return not vague and isinstance(goal.time, (Wall, TimeWord, Ending, HourMark))

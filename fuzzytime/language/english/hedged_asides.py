@@ -1,13 +1,17 @@
-"""Hedges between commas behind a preposition: "in, say, ten minutes", "by, let's say, noon"."""
+"""Hedges between commas: "in, say, ten minutes", "by, let's say, noon", "an hour, roughly, ago"."""
 
 from dataclasses import replace
 
 from fuzzytime.language.english.bounds import deadline, release
-from fuzzytime.language.english.counted import after_duration, for_duration, in_duration
+from fuzzytime.language.english.counted import after_duration, for_duration, from_now, in_duration
+from fuzzytime.language.english.counted import ago as ago_duration
 from fuzzytime.language.english.counted import within as within_duration
+from fuzzytime.language.english.goals import after_goal, before_goal, hedged_days_after, hedged_days_before
 from fuzzytime.language.english.prepositions import beside
+from fuzzytime.language.english.ranges import between
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Goal, Said
 
 grammar = Grammar()
@@ -59,3 +63,51 @@ def by_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
 def from_about(preposition: Preposition, hedge: str, goal: Goal) -> Said | None:
     """From, say, nine."""
     return release(preposition, replace(goal, hedges=(hedge, *goal.hedges)))
+
+
+@grammar.rule("said", "between <hedge aside> the? <goal> and|to|- the? <goal>", weight=1.2)
+def between_about(hedge: str, first: Goal, last: Goal) -> Said | None:
+    """Between, say, three and four."""
+    return between(replace(first, hedges=(hedge, *first.hedges)), last)
+
+
+@grammar.rule("said", "between the? <goal> and <hedge aside> the? <goal>", weight=1.2)
+def between_and_about(first: Goal, hedge: str, last: Goal) -> Said | None:
+    """Between three and, say, four."""
+    return between(first, replace(last, hedges=(hedge, *last.hedges)))
+
+
+@grammar.rule("said", "<duration> <hedge aside> <forward>", weight=0.4)
+def about_from_now(duration: Duration, hedge: str, preposition: Preposition) -> Said:
+    """Ten minutes, roughly, from now."""
+    return from_now(duration.hedged(hedge), preposition)
+
+
+@grammar.rule("said", "<duration> <hedge aside> <back>", weight=0.4)
+def about_ago(duration: Duration, hedge: str, preposition: Preposition) -> Said:
+    """An hour, give or take, ago."""
+    return ago_duration(duration.hedged(hedge), preposition)
+
+
+@grammar.rule("goal", "<duration> <hedge aside> before <goal>", weight=0.4)
+def about_before(duration: Duration, hedge: str, goal: Goal) -> Goal | None:
+    """Ten minutes, more or less, before noon."""
+    return before_goal(duration.hedged(hedge), goal)
+
+
+@grammar.rule("goal", "<duration> <hedge aside> after|past|from <goal>", weight=0.4)
+def about_after(duration: Duration, hedge: str, goal: Goal) -> Goal | None:
+    """Two hours, roughly, after lunch."""
+    return after_goal(duration.hedged(hedge), goal)
+
+
+@grammar.rule("goal", "<duration> <hedge aside> before <days>|<date>", weight=0.6)
+def about_days_before(duration: Duration, hedge: str, days: Calendar) -> Goal | None:
+    """A week, give or take, before easter."""
+    return hedged_days_before(duration.hedged(hedge), days)
+
+
+@grammar.rule("goal", "<duration> <hedge aside> after|from <days>|<date>", weight=0.6)
+def about_days_after(duration: Duration, hedge: str, days: Calendar) -> Goal | None:
+    """Ten days, roughly, from tomorrow."""
+    return hedged_days_after(duration.hedged(hedge), days)

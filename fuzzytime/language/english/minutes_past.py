@@ -54,7 +54,7 @@ def after(minutes: float, clock: Clock) -> Clock | None:
     return None if found is None else replace(found, apart=True)
 
 
-@grammar.rule("clock", "<minutes of clock> to|till|of|'til|til <clock>", weight=0.15)
+@grammar.rule("clock", "<minutes of clock> to|till|of|til <clock>", weight=0.15)
 def to(minutes: float, clock: Clock) -> Clock | None:
     """Ten minutes to eleven, a quarter to noon."""
     return moved(clock, -minutes)
@@ -73,7 +73,7 @@ def bare_past(minutes: float, clock: Clock) -> Clock | None:
     return moved(clock, minutes)
 
 
-@grammar.rule("clock", "<bare minutes of clock> to|till|before|of|'til|til <clock>", weight=0.15)
+@grammar.rule("clock", "<bare minutes of clock> to|till|before|of|til <clock>", weight=0.15)
 def bare_to(minutes: float, clock: Clock) -> Clock | None:
     """Ten to eleven; it may be a count of something too."""
     found = moved(clock, -minutes)

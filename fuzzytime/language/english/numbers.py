@@ -19,6 +19,41 @@ def decimal(number: Typed) -> Quantity:
     return Quantity(float(number.parts[0]))
 
 
+@grammar.rule("decimals", "point <integer>", "point <integer> <integer>")
+def spoken_decimals(first: Integer, second: Integer | None = None) -> str | None:
+    """Point five, point twenty-five, point two five."""
+    if first.digits or (second is not None and (second.digits or max(first.value, second.value) > 9)):
+        return None
+    return f".{first.value}{'' if second is None else second.value}"
+
+
+@grammar.rule("quantity", "<integer>? <decimals>", weight=0.1)
+def spoken_decimal(number: Integer | None, decimals: str) -> Quantity:
+    """One point five, point seven five."""
+    return Quantity(float(f"{0 if number is None else number.value}{decimals}"))
+
+
+DOZEN = 12
+
+
+@grammar.rule("quantity", "a dozen", weight=0.1)
+def dozen() -> Quantity:
+    """A dozen (minutes)."""
+    return Quantity(DOZEN)
+
+
+@grammar.rule("quantity", "half a dozen", weight=0.2)
+def half_a_dozen() -> Quantity:
+    """Half a dozen (times)."""
+    return Quantity(DOZEN / 2)
+
+
+@grammar.rule("quantity", "<integer> dozen", weight=0.1)
+def dozens(number: Integer) -> Quantity:
+    """Two dozen (hours)."""
+    return Quantity(DOZEN * number.value)
+
+
 @grammar.rule("quantity", "a|an")
 def one() -> Quantity:
     """A minute, an hour."""

@@ -48,10 +48,29 @@ def last(series: Calendar, outer: Calendar) -> Calendar:
     return Nth(-1, series, outer)
 
 
+@grammar.rule("date", "the? <ordinal> to last <series> of|in <whole>", weight=2.0)
 @grammar.rule("date", "the? <ordinal> last <series> of|in <whole>", weight=0.45)
 def nth_last(number: int, series: Calendar, outer: Calendar) -> Calendar:
-    """Third last week of 2018."""
+    """Third last week of 2018, second to last friday of may."""
     return Nth(-number, series, outer)
+
+
+@grammar.rule(
+    "date",
+    "the? penultimate <series> of|in <whole>",
+    "the? next to last <series> of|in <whole>",
+    "the? last but one <series> of|in <whole>",
+    weight=0.45,
+)
+def last_but_one(series: Calendar, outer: Calendar) -> Calendar:
+    """The penultimate friday of may."""
+    return Nth(-2, series, outer)
+
+
+@grammar.rule("date", "the last of <whole>", weight=0.45)
+def last_of(outer: Calendar) -> Calendar | None:
+    """The last of the month: its last day."""
+    return Nth(-1, Cycle(Unit.DAY), outer) if outer.grain is Unit.MONTH else None
 
 
 @grammar.rule("date", "the? first <integer> <unit> of|in <whole>", weight=0.45)
@@ -197,7 +216,7 @@ def feast_of_year(feast: Yearly, number: int) -> Calendar:
     return Nth(1, feast, Fields(year=number))
 
 
-@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of <feast>", weight=0.3)
+@grammar.rule("date", "<feast> weekend", "<feast> <year> weekend", "the? weekend of the? <feast>", weight=0.3)
 def feast_weekend(feast: Yearly, number: int | None = None) -> Calendar:
     """Labor day weekend."""
     anchor: Calendar = feast if number is None else Nth(1, feast, Fields(year=number))
@@ -208,13 +227,19 @@ def _six_days_before(anchor: Calendar) -> Calendar:
     return Away(-5, Unit.DAY, anchor)
 
 
-@grammar.rule("days", "the? day before <days>|<date>", "the eve of <date>|<feast>", weight=0.9)
+@grammar.rule("date", "the? weekend of <date>|<weak date>", weight=0.3)
+def weekend_of(days: Calendar) -> Calendar | None:
+    """The weekend of the 14th."""
+    return Following(1, Weekend(), _six_days_before(days)) if days.grain is Unit.DAY else None
+
+
+@grammar.rule("days", "the? day before <days>|<date>|<weak date>", "the eve of <date>|<feast>", weight=0.9)
 def day_before(days: Calendar) -> Calendar | None:
     """The day before friday, the day before the first of april."""
     return Away(-1, Unit.DAY, days) if days.grain is Unit.DAY else None
 
 
-@grammar.rule("days", "the? day after|following <days>|<date>", weight=0.9)
+@grammar.rule("days", "the? day after|following <days>|<date>|<weak date>", weight=0.9)
 def day_after(days: Calendar) -> Calendar | None:
     """The day after friday."""
     return Away(1, Unit.DAY, days) if days.grain is Unit.DAY else None

@@ -34,6 +34,11 @@ def beside(preposition: Preposition, goal: Goal) -> Said | None:
     """At six, on friday, around noon, sometime tomorrow; but "for an hour beforehand" says how long."""
     if preposition.name == "for" and isinstance(goal.time, Offset) and goal.time.anchor is None:
         return None
+    wall = goal.time if isinstance(goal.time, Wall) else Wall()
+    clock = wall.clock if wall.days is None and wall.part is None else None
+    if preposition.name == "in" and clock is not None and clock.half is None and not clock.full_day:
+        # "In six forty minutes"
+        return None
     if isinstance(goal.time, TimeWord) and (
         preposition.name in {"in", "at", "on"} or goal.time.constraint is Constraint.EVERY
     ):

@@ -110,7 +110,7 @@ def _lent(first: Wall, last: Wall) -> tuple[Wall, Wall] | None:
 
 @grammar.rule(
     "said",
-    "between the? <goal> and|to|- the? <goal>",
+    "between the? <goal> and|&|to|- the? <goal>",
     "from the? <goal> to|-|through|thru the? <goal>",
     weight=1.1,
 )
@@ -133,17 +133,19 @@ def for_days(first: Calendar, last: Calendar) -> Said | None:
     weight=1.1,
 )
 def until_past(first: Clock, minutes: float) -> Said | None:
-    """Between three and half past."""
-    if first.shift or first.minute >= minutes:
+    """Between three and half past, from quarter to ten until quarter past."""
+    if first.minute or first.shift >= minutes * 60:
         return None
-    last = replace(first, minute=int(minutes), grain=Unit.MINUTE)
-    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=replace(last, bare=False))), "between")
+    last = replace(first, minute=int(minutes), shift=0, grain=Unit.MINUTE, bare=False)
+    return _range(Goal(Wall(clock=first)), Goal(Wall(clock=last)), "between")
 
 
 @grammar.rule(
     "said",
-    "between <month day> and|- <month day> of|in? <days>|<weak date>",
-    "from? <month day> to|-|until|till|through <month day> of|in? <days>",
+    "between <month day> and|-|& <month day> of|in? <days>|<weak date>|<date>",
+    "from? <month day> to|-|until|till|through|thru <month day> of|in? <days>|<weak date>|<date>",
+    "from? <weak date>|<date> <month day> to|-|until|till|through|thru <month day>",
+    "between <weak date>|<date> <month day> and|& <month day>",
     "in? <days>|<weak date> ,? between <month day> and|- <month day>",
     "in? <days>|<weak date> ,? from <month day> to|-|until|till|through <month day>",
     weight=1.3,
@@ -223,13 +225,13 @@ def hours_of_day(wall: Wall, first: Integer, last: Integer) -> Said | None:
     return None if said is None else refined(said, wall)
 
 
-@grammar.rule("said", "from the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+@grammar.rule("said", "from the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def from_until(first: Goal, last: Goal) -> Said | None:
     """From 9:30 until 11."""
     return _range(first, last, "between")
 
 
-@grammar.rule("said", "the? <goal> until|till|til|untill|up|'til to? the? <goal>", weight=1.1)
+@grammar.rule("said", "the? <goal> until|till|til|untill|up to? the? <goal>", weight=1.1)
 def then_until(first: Goal, last: Goal) -> Said | None:
     """9:30 until 11; but who is "at work until five" is somewhere."""
     part = first.time.part if isinstance(first.time, Wall) else None

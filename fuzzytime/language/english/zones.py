@@ -3,9 +3,12 @@
 from dataclasses import replace
 
 from fuzzytime.language.english.clocks import typed_with_h
+from fuzzytime.language.english.stacks import iso
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.numerals import Integer, Typed
+from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.times_of_day import Clock
 
 grammar = Grammar()
 
@@ -36,6 +39,24 @@ def with_zone(time: Wall, zone: str) -> Wall | None:
     if time.clock is None or time.zone is not None:
         return None
     return replace(time, zone=zone, clock=replace(time.clock, bare=False, pair=False))
+
+
+@grammar.rule("wall", "<wall> + <hh:mm>|<integer>", weight=0.3)
+def typed_ahead(time: Wall, ahead: Typed | Integer) -> Wall | None:
+    """18:00+02:00, 18:00 +0200."""
+    return with_zone(time, zone) if (zone := _typed("+", ahead)) is not None else None
+
+
+@grammar.rule("wall", "<date> t <clock> - <hh:mm>|<integer>", weight=3.0)
+def typed_behind(days: Calendar, clock: Clock, behind: Typed | Integer) -> Wall | None:
+    """2026-03-05T14:30-05:00; but 14:30-17:00 is from then to then."""
+    return with_zone(iso(days, clock), zone) if (zone := _typed("-", behind)) is not None else None
+
+
+def _typed(sign: str, offset: Typed | Integer) -> str | None:
+    """Give a zone by how far it is from Greenwich."""
+    parts = offset.parts if isinstance(offset, Typed) else (offset.digits[:2], offset.digits[2:])
+    return f"{sign}{parts[0]}:{parts[1]}" if [len(part) for part in parts] == [2, 2] else None
 
 
 @grammar.rule("wall", "<wall> local|my|our|your time", "<wall> ( local|my|our|your time )", weight=0.3)

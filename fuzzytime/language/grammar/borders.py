@@ -3,29 +3,24 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.words import Word, joins
+from fuzzytime.language.grammar.titles import Titles
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Said, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Offset, Said, Wall
 from fuzzytime.requirement import Constraint
-
-LAST_DAY = ["last", "day"]
-"""Words for yesterday, which may be those for the end of something."""
-
-TENS = 10
-FEAST_WORDS = 3
-"""Words of a feast's name before another that may be a time, at most."""
-
-BANK_HOLIDAY = ["bank", "holiday"]
-"""Words before a weekday on a date that is not known here."""
 
 LONGEST_WISH = 4
 """Words of a hedge such as "if at all possible"."""
+
+BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after", "hedge"})
+"""Categories of words that bind a time behind them, and are other words before anything else."""
 
 EXTREMES = frozenset({"latest", "earliest"})
 """The ends of "at the latest" and "at the earliest"."""
@@ -40,6 +35,8 @@ class Borders:
         self.texts = around.texts
         self.around = around
         self.measures = Measures(words, lexicon)
+        self.titles = Titles(words, lexicon, self.measures, around)
+        self.cuts = Cuts(words, lexicon, self.measures, around)
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
         self.dining = Dining(lexicon, around)
@@ -52,7 +49,6 @@ class Borders:
         # "Twenty minutes earlier than usual"
         return (
             compared
-            or self.runs_on(piece)
             or self._is_excepted(piece)
             or self.particles.hold(piece)
             or self._names_event(piece)
@@ -61,13 +57,9 @@ class Borders:
             or self._is_named(piece)
             or self._says_how(piece)
             or self._says_order(piece)
-            or self._opens_another(piece)
-            or self._is_of_feast(piece)
-            or self._is_of_other_calendar(piece)
             or self._likens(piece)
-            or self._is_played(piece)
-            or self.around.is_title(piece)
-            or self._divides(piece)
+            or self.titles.hold(piece)
+            or self.cuts.make(piece)
             or self._begins_other_bound(piece)
             or self._hedges_what_follows(piece)
             or self._counts_another(piece)
@@ -87,6 +79,9 @@ class Borders:
 
     def _hedges_what_follows(self, piece: Piece) -> bool:
         """Whether its last words wish for the time behind them: "after six, preferably | around seven"."""
+        if self.texts[piece.end - 1] in self.beside.hedging_verbs and self.around.follower(piece).isalpha():
+            # "At six, say hello"
+            return True
         led = any(said.category.startswith("preposition") for said in self.around.pieces(piece.end))
         # "Tonight, ideally before it gets dark" wishes something else than a time.
         place = piece.end + led
@@ -112,120 +107,15 @@ class Borders:
     def _offers_more(self, piece: Piece) -> bool:
         """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
         led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
-        return piece.rule == "ranges.either_day" and (led or self.around.timely(piece.end))
-
-    def _divides(self, piece: Piece) -> bool:
-        """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
-        first, before = self.texts[piece.start], self.around.before(piece)
-        if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
-            # "Buy <wine> at six"
-            return True
-        tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
-        named = (
-            self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
-        )
-        owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
-        if owned or (named and self.around.follower(piece) == "of"):
-            # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
-            return True
-        if self.around.ends_in_order(piece):
-            return True
-        ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
-        paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
-        return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
-
-    def _is_played(self, piece: Piece) -> bool:
-        """Whether it is of the title of what is played: "play yesterday"; but "what can we play tomorrow"."""
-        time = piece.value.time
-        if piece.value.preposition is not None or (isinstance(time, Wall) and time.clock is not None):
-            return False
-        verb = piece.start - 1
-        while verb > 0 and (
-            self.around.timely(verb)
-            or self.measures.is_number(verb)
-            or self.texts[verb] in self.closed.sure_noun_openers
-        ):
-            verb -= 1
-        return verb >= 0 and self.texts[verb] in self.lexicon.playing and self.around.opens(verb)
-
-    def _is_of_other_calendar(self, piece: Piece) -> bool:
-        """Whether it is a feast on a day that is not known here: "chinese new year"."""
-        for place in range(piece.start, piece.end):
-            other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
-            if other and any(one.category == "feast" for one in self.around.pieces(place)):
-                return True
-            if self.texts[max(0, place - 2) : place] == BANK_HOLIDAY and self.around.is_weekday(place):
-                # "On bank holiday monday"
-                return True
-        return False
-
-    def _is_of_feast(self, piece: Piece) -> bool:
-        """Whether it begins within the name of a feast: "black friday deals"."""
-        found = (
-            one
-            for begin in range(max(0, piece.start - FEAST_WORDS), piece.start)
-            for one in self.around.pieces(begin)
-        )
-        return any(one.category == "feast" and one.end > piece.start for one in found)
+        # "On friday or saturday to the fair", "on friday or saturday about the report"
+        place = piece.end + any(p.category in BINDING for p in self.around.pieces(piece.end))
+        timed = self.around.timely(place) or self.measures.is_number(place)
+        return piece.rule == "ranges.either_day" and (led or timed)
 
     def _likens(self, piece: Piece) -> bool:
         """Whether its "like" is what something looks like: "what is the weather like on friday"."""
         time = piece.value.time
         return self.texts[piece.start] == "like" and isinstance(time, Wall) and time.clock is None
-
-    def _opens_another(self, piece: Piece) -> bool:
-        """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
-        joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
-        if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
-            return True
-        if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
-            # "Past the weekend market"
-            return True
-        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
-            # "When you have ten minutes left"
-            return True
-        return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","
-
-    def runs_on(self, piece: Piece) -> bool:
-        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
-        if piece.end < len(self.words):
-            word = self.words[piece.end]
-            if word.text == "'s":
-                # "A day's work"
-                return True
-            last = self.words[piece.end - 1]
-            if word.text == "'" and word.glued and last.text.endswith("s") and self._owns(piece.end + 1):
-                # "With ninety seconds' rest"
-                return True
-            if last.text == "'" and word.glued and word.is_letters:
-                # "Bed 4's"
-                return True
-            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
-                return True
-            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
-                # "Twenty-year-old", "second-hand"
-                return True
-            if word.text == "." and self.texts[piece.end + 1 : piece.end + 2] == ["."]:
-                # "At eleven… no, at twelve"
-                return False
-            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
-                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
-                return word.text in {"%", "°"} or (after is not None and after.glued)
-        first = self.words[piece.start]
-        if piece.start and first.glued and first.is_digits:
-            # The "15 on monday" of "train 7:15 on monday"
-            before = self.words[piece.start - 1]
-            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
-                return True
-            return before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
-        return (
-            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
-        )
-
-    def _owns(self, place: int) -> bool:
-        """Whether what belongs to a time stands at a place: "two hours' work"; but "in two hours' time"."""
-        behind = self.words[place : place + 1]
-        return bool(behind) and behind[0].is_letters and not behind[0].glued and behind[0].text != "time"
 
     def _says_how(self, piece: Piece) -> bool:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""

@@ -1,17 +1,17 @@
 """Whether what stands around a reading makes it doubtful: numbers that count, words with another meaning."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 from fuzzytime.language.grammar.borders import Borders
-from fuzzytime.language.grammar.chart import Cell, Piece
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.further import Further
 from fuzzytime.language.grammar.lengths import Lengths
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.ranges import Ranges
 from fuzzytime.language.grammar.surroundings import Surroundings
-from fuzzytime.language.grammar.walls import CLOCK_DIGITS, Walls
+from fuzzytime.language.grammar.walls import Walls
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
@@ -28,6 +28,8 @@ from fuzzytime.language.meaning.expressions import (
     TimeWord,
     Wall,
 )
+from fuzzytime.language.meaning.relations import CountedDay
+from fuzzytime.language.meaning.times_of_day import Clock
 
 OF_HOURS = frozenset(
     {"at", "by", "before", "after", "until", "around", "from", "not before", "no later than"}
@@ -49,6 +51,7 @@ class Judge:
         self.lent = Lent(words, lexicon, self.around)
         self.ranges = Ranges(words, lexicon, self.measures, self.around)
         self.lengths = Lengths(words, lexicon, self.measures, self.around)
+        self.further = Further(words, lexicon, self.measures, self.around)
 
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
@@ -62,7 +65,7 @@ class Judge:
             return not lacks_unit(said) and self._accepts_alone(said)
         if lacks_unit(said):
             return self.lent.accept(piece, said)
-        number = isinstance(time, Wall) and (time.bare or (time.clock is not None and time.clock.pair))
+        number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))
         number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
         lent = any(self.around.is_unit(place) for place in range(piece.start))
         if self.lent.seats(piece, time):
@@ -70,7 +73,9 @@ class Judge:
         if (
             said.preposition == "for"
             and number
-            and not (lent or self.lent.times(piece) or self._appoints(piece))
+            and not (
+                lent or self.lent.times(piece) or (self._appoints(piece) and not self._is_behind_hour(piece))
+            )
         ):
             # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
             return False
@@ -145,6 +150,7 @@ class Judge:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
+        days = days.anchor if isinstance(days, CountedDay) else days
         if not isinstance(days, Fields) or days != Fields(day=days.day):
             return False
         ordinal = self.texts[piece.end - 1] in self.lexicon.ordinals
@@ -204,56 +210,12 @@ class Judge:
             return False
         return len(marker) > piece.end - piece.start or self.around.follower(piece)[:1].isalnum()
 
-    def continued(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the number behind a clock time and "and" or "or": "at seven and nine"."""
-        time = piece.value.time
-        place = piece.end + 1
-        if not isinstance(time, (Wall, Range)) or place >= len(self.words):
-            return []
-        if isinstance(time, Range) or time.clock is None:
-            return self._further_days(piece, cells, chosen)
-        joint = self.around.follower(piece)
-        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
-            return []
-        if self.borders.doses.count(place):
-            return []
-        numbers = [p for p in cells[place].get("said", {}).values() if isinstance(p.value.time, Wall)]
-        if self._is_sure(place) and self._is_sure(piece.end - 1):
-            # "At 1400 and 2200": no year
-            clocks = cells[place].get("clock", {}).values()
-            numbers = [replace(p, category="said", value=Said(Wall(clock=p.value))) for p in clocks]
-        found = [
-            p for p in numbers if _is_open(p) and self.around.may_end(p) and not self.borders.runs_on(p)
-        ][:1]
-        # "One tablet at eight and one at noon"
-        found = [p for p in found if not any(one.start == p.end and _is_clocked(one) for one in chosen)]
-        if joint == "," and found and self.around.follower(found[0]) not in {",", "and", "or"}:
-            return []
-        return found + [more for one in found for more in self.continued(one, cells, chosen)]
-
-    def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
-        """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
-        place = piece.end + 1
-        listed = self.around.follower(piece) in {"and", "&", ","} and _is_day_of_month(piece)
-        if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
-            return []
-        found = [
-            p
-            for p in cells[place].get("said", {}).values()
-            if _is_day_of_month(p) and isinstance(p.value.time, Wall) and self.around.may_end(p)
-        ][:1]
-        return found + [more for one in found for more in self._further_days(one, cells, chosen)]
-
     def _is_number_for(self, piece: Piece) -> bool:
         """Whether a number alone stands before a repetition: "cook for six on sundays" names people."""
         place = piece.start + 1
         behind = self.beside.of_clocks & {*self.texts[place + 1 : place + 2]}
         joined = self.measures.is_number(place + 1) or bool(behind) or self.around.is_unit(place + 1)
-        return self.measures.is_number(place) and not joined and not self._is_sure(place)
-
-    def _is_sure(self, place: int) -> bool:
-        """Whether four digits are a clock time: "0815"."""
-        return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
+        return self.measures.is_number(place) and not joined and not self.measures.is_sure(place)
 
     def _is_distance(self, piece: Piece) -> bool:
         """Whether it is so long before or after another time."""
@@ -266,6 +228,12 @@ class Judge:
         """Whether words before make "for" say when: "an alarm for two hours before noon"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return bool(self.lexicon.appointing & set(before))
+
+    def _is_behind_hour(self, piece: Piece) -> bool:
+        """Whether a time of day stands right before it: "book a table at eight for two"."""
+        *_, bound, hour = ("", "", *self.texts[: piece.start])
+        told = bound == "at" and self.measures.is_number(piece.start - 1)
+        return told or hour in self.beside.of_hours
 
     def _is_share(self, piece: Piece) -> bool:
         """Whether it is of how many: "one in five"."""
@@ -286,20 +254,6 @@ class Judge:
         return True
 
 
-def _is_open(piece: Piece) -> bool:
-    """Whether it is a number alone, or two that a full stop joins: "12.30"."""
-    clock = piece.value.time.clock
-    return piece.value.time.bare or (clock is not None and clock.pair and piece.value.preposition is None)
-
-
-def _is_day_of_month(piece: Piece) -> bool:
-    """Whether it is on a day of some month, and no other is said: "15th", "from two to ten on the 14th"."""
-    time = piece.value.time
-    wall = time.first if isinstance(time, Range) else time
-    days = wall.days if isinstance(wall, Wall) else None
-    return isinstance(days, Fields) and days.is_day_of_month
-
-
-def _is_clocked(piece: Piece) -> bool:
-    """Whether it is a time of day."""
-    return isinstance(piece.value.time, Wall) and piece.value.time.clock is not None
+def _is_pair(clock: Clock | None) -> bool:
+    """Whether two numbers are an hour and its minutes, so that they may be none: not "ten to nine"."""
+    return clock is not None and clock.pair and not clock.shift

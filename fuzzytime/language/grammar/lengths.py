@@ -18,16 +18,7 @@ class Lengths(Standing):
         ] == ["than"]:
             # "For a minute less than the packet says"
             return False
-        if said.preposition is None and self.around.before(piece) == "half" and duration.indefinite:
-            # "By half an hour" is no hour.
-            return False
-        lasts = self.texts[piece.start - 1 : piece.start] == ["last"] and self._is_helped(piece.start - 1)
-        if said.preposition is None and self.around.before(piece) in self.beside.not_how_long and not lasts:
-            # "Push the call back by thirty minutes", "through the eight minutes"
-            return False
-        aged = said.preposition is None and self.around.before(piece) == "at"
-        if aged and self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
-            # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
+        if said.preposition is None and self._is_of_word_before(piece, duration):
             return False
         if said.preposition != "for" and self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
@@ -55,6 +46,22 @@ class Lengths(Standing):
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_of_word_before(self, piece: Piece, duration: Duration) -> bool:
+        """Whether the word before a length without a preposition makes it none."""
+        before = self.around.before(piece)
+        if before == "half" and duration.indefinite:
+            # "By half an hour" is no hour.
+            return True
+        if before in self.beside.not_how_long and not (before == "last" and self._is_helped(piece.start - 1)):
+            # "Push the call back by thirty minutes", "through the eight minutes"
+            return True
+        if before == "at" and self.lexicon.appointing.isdisjoint(self.texts[: piece.start]):
+            # "Give them their jab at eight weeks": how old they are; but "set the timer at ten minutes"
+            return True
+        # "Two number 7s"
+        plural = self.texts[piece.end - 1] == "s" and self.words[piece.end - 1].glued
+        return plural and before in self.lexicon.measure_nouns
 
     def _is_counted(self, place: int) -> bool:
         """Whether a number, or some things of a number, stand before a place."""

@@ -90,5 +90,7 @@ class Lent:
         worded = not self.beside.of_clocks & set(self.texts[piece.start : piece.end])
         begin = piece.start + (self.texts[piece.start] == "for")
         laid = self.texts[max(0, begin - 4) : begin - 2] == ["on", "the"]
-        counted = worded and not laid and not piece.value.hedges
+        first = self.texts[begin]
+        counted = (first.isdigit() or first in self.lexicon.numbers) and not laid and not piece.value.hedges
+        counted = counted and worded
         return hour and counted and self.texts[max(0, begin - 2) : begin] == ["table", "for"]

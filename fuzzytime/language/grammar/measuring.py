@@ -11,6 +11,12 @@ from fuzzytime.requirement import Constraint, Unit
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
+CLOCK_DIGITS = 4
+"""Digits of a clock time without a colon, as in 1745: more than most amounts have."""
+
+SWITCHED = frozenset({"on", "off"})
+"""Particles of what is turned so, and not by how much."""
+
 NEARLY = frozenset({"around", "about"})
 
 
@@ -30,6 +36,8 @@ class Measures:
         """Whether words shortly before make a number an amount: "turn the volume up by 10"."""
         if self._says_how_much(piece):
             return True
+        if piece.value.preposition in {None, *NEARLY} and self._switches(piece):
+            return False
         for place in range(piece.start - 1, max(0, piece.start - NEAR) - 1, -1):
             if self._is_other_order(place) or self.is_amount(place):
                 return False
@@ -44,6 +52,12 @@ class Measures:
         *before, subject, verb = ("", "", *self.texts[max(0, piece.start - NEAR) : piece.start])
         clause = any((text,) in self.lexicon.clauses for text in before)
         return clause and verb in self.closed.stative_verbs and subject not in self.beside.clock_subjects
+
+    def _switches(self, piece: Piece) -> bool:
+        """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        verbs = (self.lexicon.particles.get(word, frozenset()) for word in before if word in SWITCHED)
+        return any(not found.isdisjoint(before) for found in verbs)
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""
@@ -113,6 +127,10 @@ class Measures:
             self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
         )
 
+    def is_sure(self, place: int) -> bool:
+        """Whether four digits are a clock time: "0815"."""
+        return self.words[place].is_digits and len(self.texts[place]) == CLOCK_DIGITS
+
     def divided(self, piece: Piece) -> bool:
         """Whether a number says into how many parts: "cut it in two"."""
         return bool(self.lexicon.dividing & set(self.texts[max(0, piece.start - NEAR) : piece.start]))
@@ -141,4 +159,7 @@ def _is_bound_to_hour(said: Said) -> bool:
     ends = (said.time.first, said.time.last) if isinstance(said.time, Range) else (said.time,)
     clocks = [end.clock for end in ends if isinstance(end, Wall) and end.clock is not None]
     hours = bool(clocks) and all(clock.grain is Unit.HOUR for clock in clocks)
+    if said.beside:
+        # "Turn off the lights shortly after six"
+        return hours
     return hours and said.constraint in {Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN}

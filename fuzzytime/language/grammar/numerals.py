@@ -41,7 +41,7 @@ class Typed:
 _SHAPES = tuple(
     (category, re.compile(shape))
     for category, shape in (
-        ("hh:mm", r"(\d{1,2}):(\d\d)(?!\d)"),
+        ("hh:mm", r"(\d{1,2})[:;](\d\d)(?!\d)"),
         ("hh:mm:ss", r"(\d{1,2}):(\d\d):(\d\d)(?!\d)"),
         ("hh.mm", r"(\d{1,2})\.(\d\d)(?!\d)"),
         ("15h30", r"(\d{1,2})h(\d\d)(?!\d)"),

@@ -2,6 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Offset, Range, Said, Wall
 
 
@@ -37,7 +38,9 @@ class Ranges(Standing):
             return False
         if ends and all(end.bare or end.weak for end in ends):
             between = said.preposition == "between" and self._binds(piece)
-            return between and not self.measures.measured(piece) and self.around.may_end(piece)
+            # "Book a room from the 10th to the 12th"
+            dated = all(isinstance(end.days, Fields) and end.days.is_day_of_month for end in ends)
+            return between and (dated or not self.measures.measured(piece)) and self.around.may_end(piece)
         return True
 
     def _binds(self, piece: Piece) -> bool:

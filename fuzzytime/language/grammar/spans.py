@@ -75,10 +75,13 @@ def _spelt(word: Word, lexicon: Lexicon) -> Word:
 
 
 def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
-    """Cut "-ish" and "'s" off words about time, and leave out fillers and the hyphens of number words."""
+    """Cut "-ish" and "'s" off words about time, and leave out fillers and marks that say nothing."""
     found: list[Word] = []
     for place, word in enumerate(words):
-        if word.text in lexicon.fillers:
+        if word.text in lexicon.fillers or _is_clipped(words, place + 1, lexicon):
+            continue
+        if _is_clipped(words, place, lexicon):
+            found.append(replace(word, start=words[place - 1].start, glued=words[place - 1].glued))
             continue
         base = word.text.removesuffix("ish")
         owner = word.text.removesuffix("'s")
@@ -102,6 +105,14 @@ def _parted(words: Sequence[Word], lexicon: Lexicon) -> tuple[Word, ...]:
     return tuple(found)
 
 
+def _is_clipped(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether an apostrophe stands for what is left out in front of a word: "'til"."""
+    if not 0 < place < len(words) or not words[place].glued:
+        return False
+    mark, text = words[place - 1].text, words[place].text
+    return any(entry.words == (mark, text) for entry in lexicon.entries.get("'", ()))
+
+
 def _is_owner(text: str, lexicon: Lexicon) -> bool:
     """Whether a word can be what has a time: an hour, or a half."""
     return any(entry.category in {"unit", "fraction"} for entry in lexicon.entries.get(text, ()))
@@ -123,7 +134,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     judge = Judge(scanned.words, lexicon)
     kept = [piece for piece in scanned.pieces("said") if judge.accepts(piece)]
     chosen = _best(kept, len(scanned.words))
-    chosen += [piece for one in chosen for piece in judge.continued(one, scanned.cells, chosen)]
+    chosen += [piece for one in chosen for piece in judge.further.continued(one, scanned.cells, chosen)]
     read = [_phrase(scanned, piece) for piece in sorted(chosen, key=lambda piece: piece.start)]
     found = [
         one

@@ -1,6 +1,8 @@
-"""Words about time as they are often mistyped: letters swapped, left out, or doubled inside the word."""
+"""Words about time as they are often mistyped: letters swapped, left out, doubled, or another vowel."""
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+
+VOWELS = "aeiou"
 
 
 def misspellings(words: Iterable[str], known: Collection[str]) -> Mapping[str, str]:
@@ -24,3 +26,5 @@ def _mistyped(word: str) -> Iterator[str]:
         yield word[:place] + word[place + 1] + word[place] + word[place + 2 :]
         yield word[:place] + word[place + 1 :]
         yield word[:place] + word[place] + word[place:]
+        if word[place] in VOWELS:
+            yield from (word[:place] + vowel + word[place + 1 :] for vowel in VOWELS if vowel != word[place])

@@ -19,3 +19,7 @@ class Standing:
         self.texts = [word.text for word in words]
         self.measures = measures
         self.around = around
+
+    def is_ambiguous(self, place: int) -> bool:
+        """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""
+        return self.texts[place] in self.lexicon.ambiguous

@@ -8,7 +8,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
-from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.language.meaning.feasts import Feast, Season
 from fuzzytime.language.meaning.relations import Deictic, Relative
 
@@ -65,7 +65,12 @@ class Surroundings:
         counted = (
             self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
         )
-        number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
+        # "At six or so call mum": a hedge behind the number ends it.
+        hedged = isinstance(piece.value, Said) and bool(piece.value.hedges)
+        ends = range(piece.start if hedged else piece.end - 1, piece.end)
+        number = any(
+            self.words[place].is_digits or self.texts[place] in self.lexicon.numbers for place in ends
+        )
         called = follower in self.lexicon.addressing and behind in self.lexicon.persons
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
@@ -177,6 +182,9 @@ class Surroundings:
     def ends_in_order(self, piece: Piece) -> bool:
         """Whether its last word says what comes first, and no day: "call me today, first the office"."""
         last = piece.end - 1
+        if self.texts[last] in self.closed.conjuncts and last > piece.start and self.is_weekday(last - 1):
+            # "Call Bob on friday next call Tim"
+            return not self.may_end(piece)
         ordinal = self.texts[last] in self.lexicon.ordinals
         apart = last > piece.start + 1 and self.texts[last - 1] == ","
         if ordinal and last > piece.start and self.is_part(last - 1):

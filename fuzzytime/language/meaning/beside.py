@@ -126,8 +126,8 @@ def refined(said: Said, wall: Wall) -> Said | None:
 
 
 def _as_clock(wall: Wall) -> Wall:
-    """Give a number that is the end of a range for the clock time that it is: "from two to four"."""
-    return wall if wall.clock is None else replace(wall, clock=replace(wall.clock, bare=False))
+    """Give a number, or a meal, that is the end of a range for the time that it is: "from two to four"."""
+    return replace(wall, weak=False, clock=None if wall.clock is None else replace(wall.clock, bare=False))
 
 
 def _is_weekday(wall: Wall) -> bool:

@@ -29,7 +29,7 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     """Choose among the moments that a clock time may mean, in ascending order."""
     named = wall.days is not None
     plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
-    chosen = (plausible or moments)[0]
+    chosen = (plausible or sorted(moments, key=lambda moment: _off_usual(here, moment)))[0]
     if here.leads is not None and not named and not here.usual:
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
@@ -103,6 +103,16 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     return first <= moment.time() < last and (
         not here.lasting or (end.date() == moment.date() and end.time() <= last)
     )
+
+
+def _off_usual(here: Standpoint, moment: datetime) -> timedelta:
+    """Give how far a moment is from the hours at which people do what is asked for; none if all are alike."""
+    if not here.usual:
+        return timedelta()
+    edges = (here.policy.plausible_from, here.policy.plausible_to)
+    near = (datetime.combine(moment.date(), edge, moment.tzinfo) - moment for edge in edges)
+    whole = timedelta(days=1)
+    return min(min(abs(off), whole - abs(off)) for off in near)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:

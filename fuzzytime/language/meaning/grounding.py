@@ -227,6 +227,13 @@ class Grounding(Standpoint):
         after = said.direction > 0 and not self._is_day(said.anchor)
         base = anchor.end if over or after else anchor.start
         start = shifted(base, duration, said.direction)
+        if duration.until is not None:
+            # "Five to ten minutes before noon"
+            first, last = sorted((start, shifted(base, duration.until, said.direction)))
+            if self._is_day(said.anchor) and duration.unit not in SUB_DAY:
+                # "Two or three days after easter": to the end of the third.
+                last += timedelta(days=1)
+            return Instants(first, last, Unit.MINUTE, (), anchor.zone)
         # "An hour before seven": which seven, is not said.
         choices = tuple(shifted(choice, duration, said.direction) for choice in anchor.choices)
         return Instants(start, start, Unit.MINUTE, choices if start in choices else (), anchor.zone)

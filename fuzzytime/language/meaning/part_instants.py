@@ -9,11 +9,12 @@ from fuzzytime.requirement import Unit
 
 def part_on(day: date, part: Part, waking: time | None = None) -> Instants:
     """Give a part of a day; the first part of a whole one begins when people are ``waking``."""
-    start = midnight(day) + timedelta(seconds=part.start)
-    if waking is not None and part.name == WHOLE_DAY and not part.start:
-        # "First thing tomorrow"
-        start = datetime.combine(day, waking)
-    return Instants(start, midnight(day) + timedelta(seconds=part.end), Unit.HOUR)
+    start, end = (midnight(day) + timedelta(seconds=seconds) for seconds in (part.start, part.end))
+    first = None if waking is None else datetime.combine(day, waking)
+    if first is not None and part.name == WHOLE_DAY and not part.start and first < end:
+        # "First thing tomorrow"; but "order pizza first thing tomorrow"
+        start = first
+    return Instants(start, end, Unit.HOUR)
 
 
 def part_alone(part: Part, now: datetime, since: datetime | None, *, follows: bool) -> Instants:

@@ -46,12 +46,15 @@ def read_hedges(tables: Tables) -> None:
             "either": ("hedge", "hedge_after"),
             "anchor": ("beside",),
         }
+        if "front" in fields:
+            key = f"hedges.{name}.front"
+            tables.add(fields["front"], key, "hedge", name, tables.forms(fields["front"], key))
         if "side" not in fields:
             return []
         side = reader.choice(fields["side"], f"hedges.{name}.side", sides)
         return [(category, name) for category in sides.get(side, ())]
 
-    tables.table("hedges", {"side": False, "number": False}, make)
+    tables.table("hedges", {"side": False, "number": False, "front": False}, make)
 
 
 def read_words(tables: Tables) -> None:

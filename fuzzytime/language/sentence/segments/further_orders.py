@@ -85,7 +85,9 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
     if before > 0 and tree.nodes[before].text == ",":
         before -= 1
     bare = node.may_act and node.lower == node.lemma
-    return bare and tree.nodes[place - 1].lower == "so" and before in timed
+    # "At six or so call mum": that "so" is of the time.
+    joint = tree.nodes[place - 1].lower == "so" and place - 1 not in timed
+    return bare and joint and before in timed
 
 
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:

@@ -1,0 +1,81 @@
+"""Whether a number alone, or two that may be hour and minute, are a clock time where they stand."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.words import joins
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.requirement import Unit
+
+DEGREES_DIGITS = 3
+"""Digits of an oven's temperature, and of few clock times."""
+
+
+class BareHours(Standing):
+    """What stands around numbers that may be clock times, and whether it makes one doubtful."""
+
+    def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
+        """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
+        ends = self.around.may_end(piece) or self._leads_to_distance(piece)
+        if not ends or self.around.is_unit(piece.end):
+            return False
+        if said.preposition == "for" and self.around.follower(piece) == "at":
+            # "Make dinner for eight at seven"
+            return False
+        if self.around.follower(piece) == "to" and self.measures.is_number(piece.end + 1):
+            # "At three to one"
+            return False
+        before = piece.start - 1
+        counted = self.measures.is_number(before)
+        if piece.start > 1 and joins(self.words, before):
+            # "A two-by-four"
+            return False
+        named = before > 0 and self.texts[before - 1] in self.lexicon.machines
+        if said.preposition == "by" and counted and not named and not self.measures.is_amount(before):
+            # "Two by four"
+            return False
+        if said.preposition == "through" and counted:
+            # "Pages 3 through 7"
+            return False
+        hour = self.measures.is_sure(piece.end - 1) or (
+            wall.clock is not None and wall.clock.grain is Unit.HOUR
+        )
+        sure = said.preposition == "at" and hour and not self.measures.named(piece)
+        if not sure and said.preposition != "for" and self.measures.measured(piece):
+            return False
+        degrees = self.words[piece.end - 1].is_digits and len(self.texts[piece.end - 1]) == DEGREES_DIGITS
+        if degrees and self.lexicon.measure_verbs & set(self.texts):
+            # "Bake it at 180 for an hour, then half an hour at 200"
+            return False
+        if said.preposition == "to" and self.around.puts_off(piece):
+            # "Move my three o'clock to five"
+            return True
+        if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
+            return said.preposition is None and bool(said.hedges)
+        return True
+
+    def accept_pair(self, piece: Piece, said: Said) -> bool:
+        """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
+        if said.preposition == "to" and self.measures.measured(piece) and not self.around.puts_off(piece):
+            return False
+        # "At five thirty pick up bread": no amount is said like that.
+        worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
+        sure = said.preposition == "at" and worded
+        unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
+        bound = said.preposition is not None or bool(said.hedges)
+        alone = not (bound or unit) and self._ends_behind_object(piece)
+        return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
+
+    def _ends_behind_object(self, piece: Piece) -> bool:
+        """Whether it ends an order with a person: "meet me five thirty", "pick Leo up ten to eight"."""
+        place = piece.start - (self.around.before(piece) in self.beside.put_off)
+        before = self.texts[place - 1] if place else ""
+        someone = before in self.closed.object_pronouns | self.lexicon.persons | self.lexicon.events
+        named = place > 1 and self.words[place - 1].capital
+        spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
+        return spelt and (someone or named) and self.around.follower(piece) in {"", ".", "!", ",", ";"}
+
+    def _leads_to_distance(self, piece: Piece) -> bool:
+        """Whether so long before or after something follows: "at ten two days before the fair"."""
+        unit = piece.end + 1
+        counted = self.measures.is_number(piece.end) and self.around.is_unit(unit)
+        return counted and self.texts[unit + 1 : unit + 2] in (["before"], ["after"])

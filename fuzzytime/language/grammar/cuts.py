@@ -1,0 +1,106 @@
+"""Whether a reading is cut out of a larger word, number or stretch: "twenty-year-old", "650-555-0100"."""
+
+from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.words import joins
+from fuzzytime.language.meaning.expressions import TimeWord
+
+LAST_DAY = ["last", "day"]
+"""Words for yesterday, which may be those for the end of something."""
+
+TENS = 10
+LONG_DIGITS = 3
+"""Digits of the parts of a telephone number, at least."""
+
+
+class Cuts(Standing):
+    """The marks and words that go on beyond readings."""
+
+    def make(self, piece: Piece) -> bool:
+        """Whether a reading is only a part of what is said."""
+        return self.runs_on(piece) or self._divides(piece) or self._opens_another(piece)
+
+    def runs_on(self, piece: Piece) -> bool:
+        """Whether typed marks go on beyond it: a part of a telephone number or of a larger word."""
+        if piece.end < len(self.words):
+            word = self.words[piece.end]
+            if word.text == "'s":
+                # "A day's work"
+                return True
+            last = self.words[piece.end - 1]
+            if word.text == "'" and word.glued and last.text.endswith("s") and self._owns(piece.end + 1):
+                # "With ninety seconds' rest"
+                return True
+            if last.text == "'" and word.glued and word.is_letters:
+                # "Bed 4's"
+                return True
+            if word.glued and (word.is_digits or word.is_letters) and (last.is_digits or last.is_letters):
+                return True
+            if joins(self.words, piece.end) and last.is_letters and not self.around.timely(piece.end + 1):
+                # "Twenty-year-old", "second-hand"
+                return True
+            if word.text == "." and self.texts[piece.end + 1 : piece.end + 2] == ["."]:
+                # "At eleven… no, at twelve"
+                return False
+            if word.glued and word.text in {"-", "/", ":", ".", ",", "%", "°"} and last.is_digits:
+                after = self.words[piece.end + 1] if piece.end + 1 < len(self.words) else None
+                return word.text in {"%", "°"} or (after is not None and after.glued)
+        first = self.words[piece.start]
+        if piece.start and first.glued and first.is_digits:
+            # The "15 on monday" of "train 7:15 on monday"
+            before = self.words[piece.start - 1]
+            if before.text == ":" and before.glued and self.words[piece.start - 2].is_digits:
+                return True
+            decade = before.text == "'" and self.texts[piece.end - 1] == "s"
+            return decade or before.is_letters or before.text in {"-", "/", ".", ",", "$", "€", "£", "#"}
+        return (
+            bool(piece.start) and first.glued and first.is_letters and self.words[piece.start - 1].is_digits
+        )
+
+    def _owns(self, place: int) -> bool:
+        """Whether what belongs to a time stands at a place: "two hours' work"; but "in two hours' time"."""
+        behind = self.words[place : place + 1]
+        return bool(behind) and behind[0].is_letters and not behind[0].glued and behind[0].text != "time"
+
+    def _divides(self, piece: Piece) -> bool:
+        """Whether it begins or ends within a number, a bracket, or "one on one": "the twenty fourth"."""
+        first, before = self.texts[piece.start], self.around.before(piece)
+        if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
+            # "Buy <wine> at six"
+            return True
+        if piece.start and all(self._is_long(place) for place in (piece.start - 1, piece.start)):
+            # "Call 0800 555 1234 this afternoon"
+            return True
+        if first == "one" and before.isalpha() and self.measures.is_number(piece.start + 1):
+            # "And another one two hours later"; but "in one two hours"
+            return True
+        tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
+        named = (
+            self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY
+        )
+        owned = self.texts[piece.start : piece.end] == LAST_DAY and self.around.is_owned(piece)
+        if owned or (named and self.around.follower(piece) == "of"):
+            # "On the eve of departure", "by close of school", "on the last day of the lease", "my last day"
+            return True
+        if self.around.ends_in_order(piece):
+            return True
+        ordinal = tens and self.lexicon.ordinals.get(first, TENS) < TENS
+        paired = self.texts[piece.end - 1] == "one" and self.texts[piece.end + 1 : piece.end + 2] == ["one"]
+        return ordinal or (paired and self.around.follower(piece) in {"on", "to"})
+
+    def _is_long(self, place: int) -> bool:
+        """Whether a number has as many digits as the parts of telephone numbers."""
+        return self.words[place].is_digits and len(self.texts[place]) >= LONG_DIGITS
+
+    def _opens_another(self, piece: Piece) -> bool:
+        """Whether it begins or ends in another word: "the stand-up to nine", "after eleven, just do it"."""
+        joined = piece.start > 1 and self.texts[piece.start - 1] == "-" and self.words[piece.start].glued
+        if joined and piece.value.preposition is not None and self.words[piece.start - 1].glued:
+            return True
+        if piece.rule == "bounds.past_goal" and not self.around.may_end(piece):
+            # "Past the weekend market"
+            return True
+        if isinstance(piece.value.time, TimeWord) and self.around.follower(piece) == "left":
+            # "When you have ten minutes left"
+            return True
+        return self.texts[piece.end - 1] in self.beside.restricting and self.texts[piece.end - 2] == ","
