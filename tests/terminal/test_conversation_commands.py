@@ -199,7 +199,7 @@ def test_a_night_is_busy_until_the_morning() -> None:
     assert busy.end - busy.start == timedelta(hours=8)
 
 
-@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help"])
+@pytest.mark.parametrize("line", ["help", "HELP", "?", ":h", "/help", "help?", "What can you do?"])
 def test_help_comes_however_it_is_asked_for(line: str) -> None:
     answer = Talk().say(line)
     assert ":what-if" in answer
