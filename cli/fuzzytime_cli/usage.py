@@ -20,6 +20,10 @@ PLAINER = (
     (r"^Option '(.*)' does not take a value\.$", r"\1 takes no value"),
     (r"^Got unexpected extra argument\(s\) \((.*)\)$", r"got more than it takes: \1"),
     (r"^No such option: (.*)$", r"there is no option \1"),
+    (
+        r"^No such command (.* .*?)\.$",
+        r"there is no command \1; if these are the words themselves, say: fuzzytime plan -i \1",
+    ),
     (r"^No such command (.*?)\.$", r"there is no command \1"),
     (r"^No such command (.*?)\. Did you mean (.*)\?$", r"there is no command \1 (did you mean \2?)"),
 )
@@ -45,7 +49,8 @@ def usage_line(error: TyperException) -> str:
     message = _plainer(error.message or error.format_message())
     if close:
         message += f" (did you mean {' or '.join(map(repr, close))}?)"
-    return f"fuzzytime: {message}" + ("" if "did you mean" in message else where)
+    advised = " (did you mean " in message or "; if these are" in message
+    return f"fuzzytime: {message}{'' if advised else where}"
 
 
 def _plainer(message: str) -> str:
