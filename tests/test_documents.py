@@ -3,11 +3,15 @@
 import doctest
 import importlib.util
 import re
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
+from typer.main import get_command
 
 from console import ROOT, Example, blocks_of, compared, examples_of, fits, written_for
+from fuzzytime_cli.app import app
 
 DOCUMENTS = sorted([ROOT / "README.md", *ROOT.glob("docs/**/*.md"), *ROOT.glob("tests/transcripts/*.md")])
 EXAMPLES = [example for path in DOCUMENTS if path.exists() for example in examples_of(path)]
@@ -55,6 +59,20 @@ def test_a_link_leads_to_a_file_and_out_of_no_book(path: Path) -> None:
         assert target.exists(), link
         # The book is made of its own folder, and is not made where one leads out of it.
         assert ROOT / "docs" not in path.parents or ROOT / "docs" in target.parents, link
+
+
+def test_the_reference_shows_every_command_and_its_options() -> None:
+    def names(group: Any, path: str) -> Iterator[str]:  # noqa: ANN401 - Typer's groups have no public type
+        for name in group.list_commands(None):
+            command = group.get_command(None, name)
+            yield from (
+                names(command, f"{path} {name}") if hasattr(command, "list_commands") else [f"{path} {name}"]
+            )
+
+    shown = {
+        example.command.removesuffix(" --help") for example in examples_of(ROOT / "docs" / "commands.md")
+    }
+    assert set(names(get_command(app), "fuzzytime")) <= shown
 
 
 def test_the_files_of_a_language_are_where_the_book_says() -> None:

@@ -6,46 +6,22 @@ import signal
 import sys
 from contextlib import suppress
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated
 
 import typer
+from typer.exceptions import TyperException
 
 from fuzzytime_cli import study
 from fuzzytime_cli.commands import batch, config, doctor, explain, parse, plan, repl, rules
 from fuzzytime_cli.commands import run as live
 from fuzzytime_cli.exits import Exit
-from fuzzytime_cli.faults import exit_of
+from fuzzytime_cli.faults import exit_of, report
 from fuzzytime_cli.narrow import help_that_fits
 from fuzzytime_cli.parameters import Command, Group
 
-if TYPE_CHECKING:
-    import typer._click as click
-
-PLAINER = (
-    ("Value error, ", ""),
-    ("Input should be ", "must be "),
-    (", unable to parse string as an integer", ""),
-    (", unable to parse string as a number", ""),
-)
-"""Words of the library that checks options, and what people would say."""
-
-
-class Root(Group):
-    """The command itself: it says what is wrong with an option in plain words."""
-
-    def invoke(self, ctx: "click.Context") -> Any:  # noqa: ANN401 - whatever a command returns
-        """Run what is asked for."""
-        try:
-            return super().invoke(ctx)
-        except typer.BadParameter as error:
-            for words, plainer in PLAINER:
-                error.message = error.message.replace(words, plainer)
-            raise
-
-
 app = typer.Typer(
     name="fuzzytime",
-    cls=Root,
+    cls=Group,
     help=(
         "Turns what people say about time into the schedule that satisfies them most, and says why.\n\n"
         "Without a command it holds a conversation on a terminal, and plans what a pipe brings."
@@ -116,13 +92,18 @@ def _called(arguments: list[str]) -> int:
         return Exit.FINE
     try:
         with help_that_fits() as width:
-            app(arguments, prog_name="fuzzytime", terminal_width=width)
+            code = app(arguments, prog_name="fuzzytime", terminal_width=width, standalone_mode=False)
     except SystemExit as stop:
-        # Typer ends with 1 where the reader of a pipe has gone.
+        # Typer ends so where the reader of a pipe has gone, and where a shell asks for completions.
         if isinstance(stop.__context__, BrokenPipeError):
             return Exit.CLOSED_PIPE
-        return stop.code if isinstance(stop.code, int) else Exit.FAILURE if stop.code else Exit.FINE
-    return Exit.FINE
+        return stop.code if isinstance(stop.code, int) else Exit.FINE
+    except TyperException as error:
+        from fuzzytime_cli.usage import usage_line
+
+        report(usage_line(error))
+        return error.exit_code
+    return code or Exit.FINE
 
 
 def main() -> None:

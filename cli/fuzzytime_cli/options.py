@@ -168,7 +168,7 @@ class Solving:
         str | None,
         typer.Option(
             metavar="DURATION",
-            help="How far to look ahead, such as 8h; if not given, past the last wish, at most 48 h.",
+            help="How far to look ahead, such as 8h; if not given, past the last wish.",
         ),
     ] = None
     in_order: Annotated[

@@ -74,7 +74,7 @@ KINDS: Mapping[str, Kind] = {
     "threshold": Kind(0.001, "satisfaction below which a skill is rejected", low=0.0, high=0.5),
     "time_limit": Kind(5.0, "seconds after which the best schedule so far is given", low=0.01, high=86400),
     "seed": Kind(0, "seed of the methods that draw at random", low=0, high=2**32),
-    "horizon": Kind("", "how far to look ahead, such as 8h; empty: past the last window, at most 48 h"),
+    "horizon": Kind("", "how far to look ahead, such as 8h; empty: past the last wish"),
     "in_order": Kind(default=False, help="whether instructions are steps, each after the one before"),
     "zone": Kind("", "time zone; empty: the machine's"),
     "personal": Kind(default=True, help="whether your ratings of starts (:rate) move the tables"),

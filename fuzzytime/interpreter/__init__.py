@@ -21,10 +21,20 @@ Planning (``planner``)
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.interpreter import Interpreter
 from fuzzytime.interpreter.planner import Plan, plan, scheduled, task_of, understood
-from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Moved, Request, SpokenWish, Started, Wish
+from fuzzytime.interpreter.request import (
+    MAX_HORIZON,
+    WITHOUT_END,
+    DirectWish,
+    Moved,
+    Request,
+    SpokenWish,
+    Started,
+    Wish,
+)
 
 __all__ = [
     "MAX_HORIZON",
+    "WITHOUT_END",
     "DirectWish",
     "Interpretation",
     "Interpreted",

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.request import MAX_HORIZON, Request
+from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, Request
 from fuzzytime.satisfaction import NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
@@ -18,24 +18,29 @@ ROOM = 600.0
 def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
     """Give the horizon in seconds: as asked, else past the last window, at most `MAX_HORIZON`.
 
-    Behind the last window there is room for all the work and all waits, so that what has no time of its own
-    finds one.
+    A wish that is satisfied from now on, by a deadline far away perhaps, is not put off for longer than
+    `WITHOUT_END`. Behind the last window there is free time for all the work and all waits, so that what has
+    no time of its own finds one.
     """
     if request.horizon is not None:
         return request.horizon
-    ends = [0.0]
-    for interpreted in skills:
-        window = interpreted.skill.satisfaction.acceptable(THRESHOLD)
-        if window.low <= MAX_HORIZON < window.high < math.inf:
-            ends.append(MAX_HORIZON)
-        ends += (
-            [window.high] if math.isfinite(window.high) else [window.low] if math.isfinite(window.low) else []
-        )
-    ends += [busy.end for busy in request.busy if busy.end <= MAX_HORIZON]
-    last = max(end for end in ends if end <= MAX_HORIZON)
+    ends = (_end(interpreted.skill.satisfaction) for interpreted in skills)
+    taken = (busy.end for busy in request.busy if busy.end <= WITHOUT_END)
+    last = max((0.0, *(end for end in ends if end <= MAX_HORIZON), *taken))
     work = sum(interpreted.skill.time_until_done for interpreted in skills)
     waits = sum(_waits(interpreted) for interpreted in skills)
-    return min(MAX_HORIZON, last + work + waits + ROOM)
+    until = last + work + waits + ROOM
+    for busy in sorted(request.busy, key=lambda busy: busy.start):
+        if busy.start < until:
+            until += max(0.0, busy.end - max(busy.start, last))
+    return min(MAX_HORIZON, until)
+
+
+def _end(function: SatisfactionFunction) -> float:
+    """Give the end of a wish's window, or where it begins; soon where it may be done at once."""
+    window = function.acceptable(THRESHOLD)
+    end = window.high if math.isfinite(window.high) else window.low if math.isfinite(window.low) else 0.0
+    return end if function.best.low > 0 else min(end, WITHOUT_END)
 
 
 def _waits(interpreted: Interpreted) -> float:

@@ -9,13 +9,14 @@ from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
 from fuzzytime.interpreter.lasting import with_lasting
-from fuzzytime.interpreter.request import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence
 from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
 from fuzzytime.rulebook import OperationDuration, Resolution, Rulebook
 from fuzzytime.satisfaction import ALWAYS, Rectangle, SatisfactionFunction
+from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
 
@@ -69,13 +70,18 @@ class Maker:
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._interpreted(wish, reading, instruction, once)]
-        until = (self.request.horizon or MAX_HORIZON) - seconds_between(self.request.now, wish.given)
         recurrence = repeated.recurrence.spaced(self._duration(wish, instruction).hands_on)
+        passed = seconds_between(self.request.now, wish.given)
+        ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
+        until = (self.request.horizon or ahead) - passed
         if inside is not None and recurrence.interval is not None:
             rest = tuple(part for part in once if part.anchor is None or part.anchor.target != inside.target)
             times = inside.times(repeated, recurrence, until)[:MAX_OCCURRENCES]
             return [self._interpreted(wish, reading, instruction, (time, *rest)) for time in times]
         windows = recurrence.windows(until)[:MAX_OCCURRENCES]
+        if not windows and self.request.horizon is None:
+            # "Every monday" has one, however far away the monday is.
+            windows = recurrence.windows(MAX_HORIZON - passed)[:1]
         operation = instruction.operation
         # "I have a class every day from nine to ten"
         whole = operation is not None and operation.stated and repeated.recurrence.spans
@@ -84,8 +90,14 @@ class Maker:
             occurring = replace(instruction, duration=end - start) if whole else instruction
             time = occurrence(repeated, start, start if whole else end)
             made.append(self._interpreted(wish, reading, occurring, (time, *once)))
+        made = [one for one in made if self._is_near(one)] or made[:1]
         # What no occurrence can satisfy is one loss, not a hundred.
         return made[:1] if all(one.reason for one in made) else made
+
+    def _is_near(self, made: Interpreted) -> bool:
+        """Whether an occurrence may begin within the horizon, where one is given."""
+        window = made.skill.satisfaction.acceptable(THRESHOLD)
+        return self.request.horizon is None or not window.low > self.request.horizon
 
     def _interpreted(
         self,
@@ -131,7 +143,7 @@ class Maker:
             verb=operation.lemma if operation is not None else None,
             duration=duration.hands_on,
             elapsed=duration.elapsed,
-            horizon=self.request.horizon or MAX_HORIZON,
+            horizon=self.request.horizon or WITHOUT_END,
         )
 
     def _joined(self, wish: Wish, resolutions: list[Resolution]) -> SatisfactionFunction:

@@ -11,8 +11,11 @@ from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import SatisfactionFunction
 from fuzzytime.skills import Busy
 
-MAX_HORIZON = 48 * 3600.0
-"""How far a plan looks ahead, in seconds, unless a horizon is given."""
+MAX_HORIZON = 3660 * 86400.0
+"""How far a plan looks ahead at most, in seconds, unless a horizon is given: ten years."""
+
+WITHOUT_END = 48 * 3600.0
+"""How far it looks, in seconds, for what names no end: open wishes, repetitions, conditions."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +121,8 @@ class Request:
     busy
         Times that are taken, in seconds relative to ``now``.
     horizon
-        Seconds ahead; None takes the end of the last window, at most `MAX_HORIZON`.
+        Seconds ahead; None looks past the last window, at most `MAX_HORIZON`, and `WITHOUT_END` for what
+        has none.
     started
         Skills of these wishes that have started.
     in_order

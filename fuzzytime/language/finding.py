@@ -17,6 +17,7 @@ from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded, grounded
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.policy import Policy
+from fuzzytime.language.unseen import without_unseen
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.resources import rules_directory
 
@@ -92,6 +93,7 @@ def find_times(
     (120.0, ('about',))
     """
     check_length(text)
+    text = without_unseen(text)
     words = lexicon or shipped_lexicon()
     scanned = Scanned.of(text, shipped_grammar(), words)
     moment = Moment(now, policy or words.policy)

@@ -19,6 +19,7 @@ from fuzzytime.language.sentence.together.headings import under_headings
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.unseen import without_unseen
 from fuzzytime.requirement import TimeRequirement
 
 
@@ -147,7 +148,8 @@ class Language:
     def _drafts(self, texts: list[tuple[str, datetime | None]]) -> list[Draft]:
         for text, _ in texts:
             check_length(text)
-        stopped = [(with_stops(text, self.lexicon.function_words), now) for text, now in texts]
+        function_words = self.lexicon.function_words
+        stopped = [(with_stops(without_unseen(text), function_words), now) for text, now in texts]
         return drafted(stopped, self.grammar, self.lexicon, self.trees)
 
     def trees(self, texts: Sequence[str]) -> list[Tree]:

@@ -145,6 +145,21 @@ def test_before_it_is_done_counts_back_from_the_end(line: str) -> None:
     assert starts(told(["simmer the broth for three hours", line]))["s2"] == "09:00"
 
 
+@pytest.mark.parametrize(
+    ("words", "start"),
+    [
+        ("ten minutes before the roast is done", "10:50"),
+        ("ten minutes before the roast's finished", "10:50"),
+        ("shortly before the roast is ready", "10:52"),
+        ("when the roast is done", "11:00"),
+        ("ten minutes before the roast", "09:20"),
+    ],
+)
+def test_before_something_is_done_counts_back_from_its_end(words: str, start: str) -> None:
+    made = told(["put the roast in the oven at 9.30 am for 90 minutes", f"set the table {words}"])
+    assert starts(made)["s2"] == start
+
+
 def test_inside_of_nothing_is_told() -> None:
     assert any("none was given so far" in note for note in notes(told(["turn it halfway through"])))
 

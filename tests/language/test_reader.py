@@ -536,6 +536,12 @@ def test_a_question_when_something_is_holds_no_time(text: str) -> None:
     assert [i.requirements for i in reading.instructions] == [()]
 
 
+@pytest.mark.parametrize("text", ["where's my next meeting?", "when's dinner?", "how's the soup?"])
+def test_a_question_is_one_in_short_too(text: str) -> None:
+    reading = language().read(text, now=NOW)
+    assert [remark.message for remark in reading.remarks] == [f"{text[:-1]!r} asks, and says nothing to do"]
+
+
 @pytest.mark.parametrize("text", ["tomorrow at nine call the insurance", "friday at two ring the school"])
 def test_a_verb_behind_a_time_in_front_is_what_is_to_be_done(text: str) -> None:
     operation = language().read(text, now=NOW).instructions[0].operation

@@ -15,6 +15,7 @@ import jsonschema
 import pytest
 
 from console import ROOT, environment
+from fuzzytime_cli import patience as waiting
 from fuzzytime_cli.batch import backends, start
 from fuzzytime_cli.batch.answers import Job, Recipe, recipe_of
 from fuzzytime_cli.batch.backends import WINDOW, Workers
@@ -236,7 +237,8 @@ def test_progress_is_shown_on_a_terminal_once_it_takes_a_while(
     patience: float, words: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     terminal = Terminal()
-    monkeypatch.setattr(start, "PATIENCE", patience)
+    monkeypatch.setattr(waiting, "AFTER", patience)
+    monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setattr(sys, "stderr", terminal)
     monkeypatch.setattr(sys, "stdout", io.StringIO())
     with start.progress(3) as show:
@@ -244,6 +246,23 @@ def test_progress_is_shown_on_a_terminal_once_it_takes_a_while(
         until(lambda: words in terminal.getvalue())
         show(start.Tally(answered=2, failed=1))
     assert bool(terminal.getvalue()) == bool(words)
+
+
+@pytest.mark.parametrize(
+    ("patience", "term", "words"), [(3600.0, "xterm", ""), (0.0, "dumb", ""), (0.0, "xterm", "planning")]
+)
+def test_what_takes_a_while_is_told_on_a_terminal_and_taken_back(
+    patience: float, term: str, words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(waiting, "AFTER", patience)
+    monkeypatch.setattr(sys, "stderr", terminal)
+    monkeypatch.setenv("TERM", term)
+    with waiting.told("planning 3 instructions"):
+        until(lambda: words in terminal.getvalue())
+    shown = terminal.getvalue()
+    assert bool(shown) == bool(words)
+    assert not shown or shown.rindex("planning") < shown.rindex("\x1b[2K")
 
 
 def test_one_who_stops_it_keeps_what_was_answered(tmp_path: Path) -> None:

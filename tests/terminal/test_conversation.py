@@ -3,11 +3,14 @@
 import contextlib
 import io
 import json
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 import pytest
 
+from fuzzytime.interpreter import Problem, ProblemKind
+from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.render import Screen
 from fuzzytime_cli.repl.scene import Reply
 from fuzzytime_cli.repl.start import Dialogue, piped
@@ -223,6 +226,17 @@ def test_a_note_is_said_once_and_listed_when_asked_for() -> None:
     assert note in talk.say("Serve the roast at half past six")
     assert note not in talk.say("Set the table soon")
     assert note in talk.say(":list")
+
+
+@pytest.mark.parametrize(("count", "shown"), [(6, 6), (7, 5), (20, 5)])
+def test_of_many_notes_the_first_are_told_and_the_rest_counted(count: int, shown: int) -> None:
+    talk = Talk()
+    talk.say("Serve the roast")
+    assert talk.turns.plan is not None
+    notes = tuple(Problem(kind=ProblemKind.NOTE, message=f"a note: of kind {n}") for n in range(count))
+    lines = [line.plain for line in note_lines(replace(talk.turns.plan, problems=notes), ["s1"])]
+    assert lines[:shown] == [f"note: a note: of kind {n}" for n in range(shown)]
+    assert (f"and {count - shown} more notes: --format json has all" in lines) == (shown < count)
 
 
 def test_a_reference_to_nothing_is_pointed_at_once_and_again_where_it_is_said_again() -> None:

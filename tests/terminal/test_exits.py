@@ -66,7 +66,17 @@ def test_a_line_that_cannot_be_read_is_said_and_the_rest_is_planned(tmp_path: Pa
 
 def test_of_many_that_are_rejected_the_first_are_said_and_the_rest_counted(tmp_path: Path) -> None:
     lines = b"Call mum on april 22 at noon\n" * 30
-    done = ran("plan", "-", "--format", "csv", *NOW, folder=tmp_path, stdin=lines + b"Stir for a while\n")
+    done = ran(
+        "plan",
+        "-",
+        "--format",
+        "csv",
+        "--horizon",
+        "2d",
+        *NOW,
+        folder=tmp_path,
+        stdin=lines + b"Stir for a while\n",
+    )
     assert done.err.count("beyond the horizon") == 20
     assert "<stdin>: 10 more are rejected" in done.err
     assert "'for a while'" in done.err

@@ -179,13 +179,17 @@ def test_a_page_says_each_problem_once(tmp_path: Path) -> None:
     assert page.count("looks like a time and was not understood") == 1
 
 
-def test_many_notes_are_counted_and_json_has_them_all(tmp_path: Path) -> None:
-    wishes = [word for hour in range(1, 10) for word in ("-i", f"Water plant {hour} at {hour}")]
+def test_notes_with_the_same_advice_are_told_together_and_json_has_them_all(tmp_path: Path) -> None:
+    wishes = [word for hour in range(1, 12) for word in ("-i", f"Water plant {hour} at {hour}")]
     table, whole = written(tmp_path, "table", *wishes), json.loads(written(tmp_path, "json", *wishes))
     said = [problem["message"] for problem in whole["problems"] if problem["kind"] == "note"]
-    shown = [line.removeprefix("note: ") for line in table.splitlines() if line.startswith("note: ")]
-    assert len(said) > len(shown) > 0
-    assert f"and {len(said) - len(shown)} more notes: --format json has all" in table
+    assert len(said) == 11
+    assert table.count("note: ") == table.count("say am or pm") == 1
+    told = " ".join(table.partition("note: ")[2].split())
+    assert told.startswith(f"{said[0].removesuffix(': say am or pm')}; 'at 2' is taken as ")
+    assert "; and 3 more: say am or pm" in told
+    once = written(tmp_path, "table", "-i", "Call mum at six", "-i", "Call dad at six")
+    assert once.count("'at six' is taken as") == 1
 
 
 def test_seconds_are_shown_where_minutes_are_not_enough(tmp_path: Path) -> None:

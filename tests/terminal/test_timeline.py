@@ -1,10 +1,15 @@
 """The lanes of a plan on a terminal."""
 
+from datetime import datetime
+
 import pytest
 
 from fuzzytime.satisfaction import NEVER, Bell, Sampled, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime_cli.drawing.ticks import axis, ticks
+from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.timeline import SHADES, Window, shades
 
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - of no zone
 DAYS = Window(0.0, 5 * 86400.0, 72)
 
 
@@ -29,3 +34,36 @@ def test_what_never_satisfies_has_an_empty_lane() -> None:
 
 def test_a_column_has_the_shade_of_its_best_start() -> None:
     assert "".join(shades(Trapezoid(2, 4, 6, 8), Window(0, 10, 10))) == "  ▒▓▓▓▓▒  "
+
+
+@pytest.mark.parametrize("columns", [30, 46, 66, 120])
+@pytest.mark.parametrize("days", [0.001, 0.01, 0.2, 3, 6, 10, 40, 300, 500, 3000])
+def test_words_of_an_axis_are_whole_and_apart(columns: int, days: float) -> None:
+    window = Window(0.0, days * 86400.0, columns)
+    line = axis(columns, columns // 10, (window.start, window.end), NOW, window.column)
+    assert len(line) <= columns
+    labels = line.split("╵")[1:]
+    shown = {tick.label for most in range(1, 13) for tick in ticks(window.start, window.end, most, NOW)}
+    assert labels
+    assert {label.rstrip() for label in labels} <= shown
+    assert all(label.endswith(" ") for label in labels[:-1])
+
+
+@pytest.mark.parametrize(
+    ("seconds", "shown"),
+    [
+        (0, "09:00"),
+        (86_400, "Thu 09:00"),
+        (7 * 86_400, "11 Mar 09:00"),
+        (363 * 86_400, "02 Mar 2027 09:00"),
+        (-3600 * 10, "03 Mar 23:00"),
+    ],
+)
+def test_a_time_names_its_day_and_its_year_where_they_are_others(seconds: float, shown: str) -> None:
+    assert Clock.to_minutes(NOW).of(seconds) == shown
+
+
+def test_an_end_names_its_day_where_it_is_another_than_that_of_the_start() -> None:
+    clock = Clock.to_minutes(NOW)
+    assert clock.end_of(86_400, 86_400 + 600) == "09:10"
+    assert clock.end_of(14 * 3600, 16 * 3600) == "Thu 01:00"

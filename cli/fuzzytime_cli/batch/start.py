@@ -2,7 +2,6 @@
 
 import json
 import sys
-import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from dataclasses import dataclass, field
@@ -13,13 +12,11 @@ from fuzzytime_cli.batch.backends import Workers
 from fuzzytime_cli.batch.journal import Journal
 from fuzzytime_cli.exits import Exit
 from fuzzytime_cli.faults import report
+from fuzzytime_cli.patience import after_a_while, can_show
 from fuzzytime_cli.render import plain
 
 MOST_NAMED = 4
 """Files that could not be planned and are named."""
-
-PATIENCE = 0.5
-"""Seconds before progress is shown."""
 
 
 @dataclass(slots=True)
@@ -105,7 +102,7 @@ def progress(total: int) -> Iterator[Callable[[Tally], None]]:
 
     Where the answers go to a terminal they show it themselves.
     """
-    if sys.stderr is None or not sys.stderr.isatty() or sys.stdout.isatty():
+    if not can_show() or sys.stdout.isatty():
         yield lambda _: None
         return
     from rich.console import Console
@@ -120,17 +117,10 @@ def progress(total: int) -> Iterator[Callable[[Tally], None]]:
         redirect_stderr=False,
     )
     task = shown.add_task("", total=total, failed="")
-    timer = threading.Timer(PATIENCE, shown.start)
-    timer.daemon = True
-    timer.start()
 
     def show(tally: Tally) -> None:
         failed = f"{tally.failed} failed" if tally.failed else ""
         shown.update(task, completed=tally.answered + tally.kept, failed=failed)
 
-    try:
+    with after_a_while(shown.start, shown.stop):
         yield show
-    finally:
-        timer.cancel()
-        timer.join()
-        shown.stop()

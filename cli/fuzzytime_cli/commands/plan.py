@@ -59,13 +59,16 @@ def plan(
     """Plan instructions: print the best schedule and how well each wish is satisfied."""
     from fuzzytime_cli.assembly import Assembly
     from fuzzytime_cli.inputs.source import STDIN, is_piped
+    from fuzzytime_cli.patience import told
 
     if file is None and not instruction and is_piped():
         file = STDIN
     assembly = Assembly.of(moment, understanding, solving)
     interpreter = assembly.interpreter()
     request = request_of(file, instruction or [], assembly, understanding, interpreter.rulebook.signals)
-    made = assembly.plan(request, interpreter)
+    count = len(request.wishes)
+    with told(f"planning {count:,} instruction{'' if count == 1 else 's'}"):
+        made = assembly.plan(request, interpreter)
     report_problems(made, file or "-i")
     chosen = output_format or PlanFormat.of_file(output) or PlanFormat.TABLE
     write_plan(made, chosen, output, assembly.limits())

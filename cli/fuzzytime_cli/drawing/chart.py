@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fuzzytime.satisfaction import Floats, SatisfactionFunction
-from fuzzytime_cli.drawing.ticks import round_times
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -56,15 +55,6 @@ class Chart:
     def share(self, times: Floats) -> NDArray[np.float64]:
         """Give times as shares of the axis, from 0 to 1."""
         return np.asarray((times - self.start) / (self.end - self.start))
-
-    def ticks(self, most: int) -> list[float]:
-        """Give at most so many round times."""
-        return round_times(self.start, self.end, most, since_midnight(self.now))
-
-
-def since_midnight(now: datetime | None) -> float:
-    """Give the seconds of the day so far, by the clock."""
-    return 0.0 if now is None else now.hour * 3600.0 + now.minute * 60 + now.second + now.microsecond / 1e6
 
 
 def sample_times(function: SatisfactionFunction, start: float, end: float, count: int = 400) -> Floats:

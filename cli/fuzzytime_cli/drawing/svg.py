@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from fuzzytime_cli.drawing.chart import Chart, Curve, Panel
 from fuzzytime_cli.drawing.markup import element, number, picture, words
-from fuzzytime_cli.formats.clock import Clock
+from fuzzytime_cli.drawing.ticks import ticks
 
 WIDTH, LEFT, RIGHT, PANEL, GAP, TOP, BOTTOM = 720, 56, 16, 120, 28, 24, 36
 ROW = 15
@@ -131,9 +131,8 @@ def path(x: NDArray[np.float64], y: NDArray[np.float64]) -> str:
 
 def _ticks(chart: Chart, bottom: float) -> list[str]:
     parts = [element("line", class_="axis", x1=LEFT, y1=bottom, x2=WIDTH - RIGHT, y2=bottom)]
-    for time in chart.ticks(8):
-        x = float(_across(chart, np.asarray([time]))[0])
+    for tick in ticks(chart.start, chart.end, 8, chart.now):
+        x = float(_across(chart, np.asarray([tick.time]))[0])
         parts.append(element("line", class_="axis", x1=x, y1=bottom, x2=x, y2=bottom + 5))
-        label = f"{time / 60:g} min" if chart.now is None else Clock(chart.now, with_seconds=False).of(time)
-        parts.append(element("text", words(label), x=x, y=bottom + 19, text_anchor="middle"))
+        parts.append(element("text", words(tick.label), x=x, y=bottom + 19, text_anchor="middle"))
     return parts

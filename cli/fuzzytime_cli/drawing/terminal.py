@@ -4,6 +4,7 @@ import numpy as np
 
 from fuzzytime_cli.drawing.canvas import Canvas
 from fuzzytime_cli.drawing.chart import Chart, Panel
+from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -54,13 +55,10 @@ def _placed(text: str, columns: int) -> str:
 
 
 def _axis(chart: Chart, columns: int) -> str:
-    cells = [" "] * columns
-    for time in chart.ticks(columns // 12):
-        column = round(float(chart.share(np.asarray(time))) * (columns - 1))
-        label = "╵" + _time(chart, time)
-        if column + width_of(label) <= columns and not "".join(cells[column : column + len(label)]).strip():
-            cells[column : column + len(label)] = label
-    return fitted("", _AXIS) + " " + "".join(cells).rstrip()
+    def column(time: float) -> int:
+        return round(float(chart.share(np.asarray(time))) * (columns - 1))
+
+    return fitted("", _AXIS + 1) + axis(columns, columns // 12, (chart.start, chart.end), chart.now, column)
 
 
 def _time(chart: Chart, time: float) -> str:

@@ -38,14 +38,35 @@ class Clock:
         return cls(now, with_seconds=False, grain=60.0)
 
     def of(self, time: float) -> str:
-        """Print a time, in seconds from now, as ``09:02:30`` or ``Thu 09:02``."""
+        """Print a time, in seconds from now, as ``09:02:30``, ``Thu 09:02`` or ``01 May 2027 09:02``."""
+        instant = self._instant(time)
+        clock = self._time_of_day(instant)
+        return clock if instant.date() == self.now.date() else f"{self.day(time)} {clock}"
+
+    def end_of(self, start: float, end: float) -> str:
+        """Print the end of what starts at a time: without its day where that is the same."""
+        instant = self._instant(end)
+        same = instant.date() == self._instant(start).date()
+        return self._time_of_day(instant) if same else self.of(end)
+
+    def day(self, time: float) -> str:
+        """Print the day of a time: ``Thu``, ``01 May``, or ``01 May 2027`` where it is of another year."""
+        date = self._instant(time).date()
+        if 0 <= (date - self.now.date()).days < 7:
+            return f"{date:%a}"
+        return f"{date:%d %b}" if date.year == self.now.year else f"{date:%d %b %Y}"
+
+    def is_midnight(self, time: float) -> bool:
+        """Say whether a day begins at a time."""
+        instant = self._instant(time)
+        return (instant.hour, instant.minute, instant.second) == (0, 0, 0)
+
+    def _time_of_day(self, instant: datetime) -> str:
+        return instant.strftime("%H:%M:%S" if self.with_seconds else "%H:%M")
+
+    def _instant(self, time: float) -> datetime:
         past = _part(self.now) + (self.now.second if self.grain > 1 else 0)
-        instant = instant_after(self.now, self.grain * round((time + past) / self.grain) - past)
-        clock = instant.strftime("%H:%M:%S" if self.with_seconds else "%H:%M")
-        days = (instant.date() - self.now.date()).days
-        if days == 0:
-            return clock
-        return f"{instant:%a} {clock}" if 0 < days < 7 else f"{instant:%d %b} {clock}"
+        return instant_after(self.now, self.grain * round((time + past) / self.grain) - past)
 
     def at(self, instant: datetime) -> str:
         """Print an instant as `of` does the time until it."""

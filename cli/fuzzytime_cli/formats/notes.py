@@ -5,12 +5,15 @@ from itertools import groupby
 
 from rich.text import Text
 
-from fuzzytime.interpreter import Plan, ProblemKind
+from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
 
 MOST_NOTES = 5
 """Notes that are told at most."""
+
+MOST_TOGETHER = 8
+"""Of notes that end in the same advice, so many are told."""
 
 MOST_LENGTHS = 12
 """Durations that are told one by one at most."""
@@ -21,11 +24,10 @@ MOST_ROWS = 40
 
 def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
     """Give the notes, and the durations that are assumed; ``labels`` name the skills, by position."""
-    notes = [problem for problem in plan.problems if problem.kind is ProblemKind.NOTE]
+    notes = _together([problem for problem in plan.problems if problem.kind is ProblemKind.NOTE])
     shown = notes if len(notes) <= MOST_NOTES + 1 else notes[:MOST_NOTES]
-    for problem in shown:
-        where = f"{plain(problem.identifier)}: " if problem.identifier else ""
-        yield Text(f"note: {where}{plain(problem.message)}", style="dim")
+    for note in shown:
+        yield Text(f"note: {note}", style="dim")
     if len(shown) < len(notes):
         yield Text(f"and {len(notes) - len(shown)} more notes: --format json has all", style="dim")
     assumed = [
@@ -35,6 +37,22 @@ def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
     ]
     if assumed:
         yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels)), style="dim")
+
+
+def _together(notes: Sequence[Problem]) -> list[str]:
+    """Give the sentences of notes; those that end in the same advice ("…: say am or pm") are one."""
+    found: dict[tuple[str, str], dict[str, None]] = {}
+    for problem in notes:
+        head, colon, advice = plain(problem.message).rpartition(": ")
+        kind = (plain(problem.identifier), f"{colon}{advice}")
+        found.setdefault(kind, {})[head] = None
+    sentences = []
+    for (identifier, advice), heads in found.items():
+        named = list(heads)
+        more = f"; and {len(named) - MOST_TOGETHER} more" if len(named) > MOST_TOGETHER + 1 else ""
+        told = "; ".join(named[:MOST_TOGETHER] if more else named)
+        sentences.append(f"{identifier}: {told}{more}{advice}" if identifier else f"{told}{more}{advice}")
+    return sentences
 
 
 def _lengths(assumed: Sequence[tuple[int, str]], labels: Sequence[str]) -> Iterator[str]:

@@ -5,11 +5,11 @@ import math
 import numpy as np
 
 from fuzzytime.interpreter import Interpreted, Plan
-from fuzzytime_cli.drawing.chart import sample_times, since_midnight
+from fuzzytime_cli.drawing.chart import sample_times
 from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
-from fuzzytime_cli.drawing.ticks import round_times
-from fuzzytime_cli.formats.clock import Clock, date_of
+from fuzzytime_cli.drawing.ticks import ticks
+from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
@@ -88,10 +88,9 @@ class _Picture:
         return element("g", "".join(parts), class_="legend")
 
     def _axis(self) -> list[str]:
-        clock = Clock(self.plan.request.now, with_seconds=self.end < 300)
         parts = []
-        for time in round_times(0.0, self.end, 8, since_midnight(self.plan.request.now)):
-            x, label = self.across(time), words(clock.of(time))
+        for tick in ticks(0.0, self.end, 8, self.plan.request.now):
+            x, label = self.across(tick.time), words(tick.label)
             parts.append(element("line", class_="grid", x1=x, y1=TOP, x2=x, y2=self.bottom + 4))
             parts.append(
                 element("text", label, class_="small", x=x, y=self.bottom + 18, text_anchor="middle")

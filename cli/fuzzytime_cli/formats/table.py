@@ -7,8 +7,7 @@ from rich.text import Text
 
 from fuzzytime.interpreter import Plan
 from fuzzytime.scheduling import Status
-from fuzzytime_cli.drawing.chart import since_midnight
-from fuzzytime_cli.drawing.ticks import round_times
+from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
@@ -124,7 +123,8 @@ class PlanView:
             return "–", "–"
         specific = self.schedule.skills[position]
         happens = self.plan.skills[position].skill.happens
-        return self.clock.of(specific.start), self.clock.of(specific.done if happens else specific.end)
+        end = specific.done if happens else specific.end
+        return self.clock.of(specific.start), self.clock.end_of(specific.start, end)
 
     def doer(self, position: int) -> str:
         """Give the agent that does a skill; what is rejected, or happens by itself, is nobody's."""
@@ -136,10 +136,12 @@ class PlanView:
     def _columns(self) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
         positions = range(len(self.plan.skills))
-        time = max(5, *(width_of(moment) for position in positions for moment in self.times(position)))
+        time, longest_end = (
+            max(5, *map(width_of, moments)) for moments in zip(*map(self.times, positions), strict=True)
+        )
         agent = 2 if self.plan.request.agents > 1 else 0
         fixed = self.label_width + (time + 1) + (agent + 1 if agent else 0) + len(" 0.00")
-        end = time if self.width >= fixed + time + 16 else 0
+        end = longest_end if self.width >= fixed + longest_end + 16 else 0
         fixed += end + 1 if end else 0
         bar_width = _BAR if self.width >= fixed + 26 + _BAR else 0
         rest = self.width - fixed - (bar_width + 1 if bar_width else 0) - 1
@@ -216,14 +218,9 @@ class PlanView:
         return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
 
     def _axis(self, window: Window) -> Text:
-        cells = [" "] * window.columns
-        clock = Clock(self.plan.request.now, with_seconds=window.step * 10 < 60)
-        offset = since_midnight(self.plan.request.now)
-        for time in round_times(window.start, window.end, window.columns // 10, offset):
-            column, label = window.column(time), "╵" + clock.of(time)
-            if column + width_of(label) <= window.columns:
-                cells[column : column + len(label)] = label
-        return Text(f"{' ' * self.label_width} {''.join(cells).rstrip()}", style="dim")
+        span, now = (window.start, window.end), self.plan.request.now
+        line = axis(window.columns, window.columns // 10, span, now, window.column)
+        return Text(f"{' ' * self.label_width} {line}", style="dim")
 
     def _lane(self, label: str, cells: list[str], style: str) -> Text:
         line = Text(fitted(label, self.label_width) + " ", style="dim")

@@ -12,7 +12,7 @@ from typing import Required, TypedDict, TypeVar
 
 from fuzzytime.context import Context, Signal, read_context_node
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.interpreter import DirectWish, Request, SpokenWish, Wish
+from fuzzytime.interpreter import MAX_HORIZON, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.spelling import suggestion
 from fuzzytime.times import WEEK, in_zone, parse_instant, parse_zone
 from fuzzytime.yaml_nodes import Node, Reader, Scalar
@@ -115,7 +115,7 @@ class _TaskFile:
         asked, usual = self.surroundings.asked, self.surroundings.usual
         agents = reader.whole(top["agents"], "agents", 1, MAX_AGENTS) if "agents" in top else None
         self.agents = max(1, _first(asked.agents, agents, usual.agents, 1))
-        own = reader.duration(top["horizon"], "horizon", 1.0, 52 * WEEK) if "horizon" in top else None
+        own = reader.duration(top["horizon"], "horizon", 1.0, MAX_HORIZON) if "horizon" in top else None
         horizon = asked.horizon or own or usual.horizon
         in_order = reader.boolean(top["in_order"], "in_order") if "in_order" in top else None
         context = self._context(top["context"]) if "context" in top else Context()

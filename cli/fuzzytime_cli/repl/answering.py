@@ -28,6 +28,8 @@ SETTING_OFF = frozenset({"set", "off", "out"})
 SOON = 90.0
 """Seconds below which it is said to the second how long it is until a start."""
 
+NOTHING = "nothing is planned: say what you want done, and when"
+
 MOST = 5
 """How many occurrences a question is answered with."""
 
@@ -42,7 +44,7 @@ def coming(scene: Scene) -> Reply:
     lines += [_start(scene, position) for position in planned]
     meant = [scene.plan.skills[position].identifier for position in planned]
     meant += [one.identifier for one in running]
-    return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said("nothing is planned")
+    return Reply(tuple(lines), focus=number_of(meant[0])) if lines else said(NOTHING)
 
 
 def when(scene: Scene, about: About) -> Reply:

@@ -16,6 +16,7 @@ from fuzzytime_cli.repl.scene import (
     Scene,
     begun_of,
     ended_line,
+    got,
     identifier_of,
     number_and_rest,
     number_of,
@@ -169,7 +170,7 @@ def agents(scene: Scene, text: str) -> Reply:
     """Say how many can work at once."""
     number = whole_number(text)
     if number is None or not 1 <= number <= MAX_AGENTS:
-        raise FuzzytimeError(f"agents must be a number from 1 to {MAX_AGENTS}, got {text.strip()[:40]!r}")
+        raise FuzzytimeError(f"agents must be a number from 1 to {MAX_AGENTS}{got(text)}")
     return step(scene, f":agents {number}", lambda state: replace(state, agents=number))
 
 
@@ -177,7 +178,7 @@ def in_order(scene: Scene, text: str) -> Reply:
     """Say whether instructions are steps, each after the one before."""
     chosen = text.strip().lower() or "on"
     if chosen not in {"on", "off"}:
-        raise FuzzytimeError(f"in-order must be on or off, got {text.strip()!r}")
+        raise FuzzytimeError(f"in-order must be on or off{got(text)}")
     return step(scene, f":in-order {chosen}", lambda state: replace(state, in_order=chosen == "on"))
 
 
@@ -185,7 +186,7 @@ def solver(scene: Scene, text: str) -> Reply:
     """Choose the method that finds the schedule."""
     name = text.strip()
     if name not in set(SolverChoice):
-        raise FuzzytimeError(f"a solver must be one of {', '.join(SolverChoice)}, got {name!r}")
+        raise FuzzytimeError(f"a solver must be one of {', '.join(SolverChoice)}{got(name)}")
     return step(scene, f":solver {name}", lambda state: replace(state, solver=name))
 
 
@@ -202,7 +203,12 @@ def busy(scene: Scene, text: str) -> Reply:
         raise FuzzytimeError(f"a busy time must end after it starts, got {parts[0]} to {parts[1]}")
     from_, until = instant_after(scene.now, start), instant_after(scene.now, end)
     kept = KeptBusy(from_, until, parts[2] if len(parts) > 2 else "")
-    return step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
+    reply = step(scene, f":busy {text.strip()}", lambda state: replace(state, busy=(*state.busy, kept)))
+    clock = Clock.for_times(scene.now, [start, end])
+    what = f": {kept.what}" if kept.what else ""
+    return replace(
+        reply, lines=(Text(plain(f"taken from {clock.of(start)} to {clock.end_of(start, end)}{what}")),)
+    )
 
 
 def undo(scene: Scene, _: str) -> Reply:

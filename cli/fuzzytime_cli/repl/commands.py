@@ -33,6 +33,7 @@ HEAD = (
         "Speak of it as you like: no, make it six; push the call back by ten minutes; swap the two; done; "
         "five more minutes; I'm ten minutes late; cancel the call; what's next?; why?; undo."
     ),
+    "Or give a command; N is a number of the list, or for :why, :done and :drop words: :why the call.",
 )
 """What the commands' list begins with."""
 
@@ -143,8 +144,10 @@ TRIED = tuple(
 )
 """What may be asked about beforehand: commands that change what is asked for, or what is so."""
 
-BARE = {"help": ":help", "?": ":help", "quit": ":quit", "exit": ":quit"}
-"""Words that people type to a prompt, and mean as commands, though they lack the colon."""
+BARE = dict.fromkeys(
+    ("help", "", "commands", "what can you do", "what can i say", "how does this work"), ":help"
+) | dict.fromkeys(("quit", "exit", "q"), ":quit")
+"""Words that people type to a prompt, perhaps with a question mark, and mean as commands."""
 
 
 def command_of(line: str) -> tuple[Command, str]:

@@ -17,6 +17,7 @@ from fuzzytime_cli.repl.scene import (
     Scene,
     begun_of,
     ended_line,
+    got,
     number_and_rest,
     number_of,
     step,
@@ -121,7 +122,7 @@ def swap(scene: Scene, text: str) -> Reply:
     """Give two instructions each other's times."""
     numbers = [number_of(part) for part in text.split()]
     if len(numbers) != 2 or numbers[0] == numbers[1]:
-        raise FuzzytimeError(f"two numbers must follow, such as: :swap 1 2, got {text.strip()!r}")
+        raise FuzzytimeError(f"two numbers must follow, such as: :swap 1 2{got(text)}")
     one, other = (scene.conversation.state.entry(number) for number in numbers)
     for entry in (one, other):
         if not waiting(scene, entry.number):

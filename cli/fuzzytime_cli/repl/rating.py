@@ -15,7 +15,7 @@ from fuzzytime.study.answers.rating import Cue, CueKind, Direction, Rating, docu
 from fuzzytime.times import seconds_between
 from fuzzytime_cli.personal import personal_table, rating_line
 from fuzzytime_cli.render import plain
-from fuzzytime_cli.repl.scene import Reply, Scene, identifier_of, number_of, step
+from fuzzytime_cli.repl.scene import Reply, Scene, got, identifier_of, number_of, step
 from fuzzytime_cli.session import KeptRating
 
 _SAID = re.compile(r"(?:(?P<score>[1-5])(?:/5| of 5)?)?[ ,]*(?:(?:too )?(?P<way>early|late))?", re.IGNORECASE)
@@ -48,7 +48,7 @@ def _words(text: str) -> tuple[int | None, Direction | None]:
     """Read "4", "too late", "2 too late"."""
     found = _SAID.fullmatch(text.strip())
     if found is None or not text.strip():
-        raise FuzzytimeError(f"a rating must be 1 to 5, 'too early' or 'too late', got {text.strip()!r}")
+        raise FuzzytimeError(f"a rating must be 1 to 5, 'too early' or 'too late'{got(text)}")
     score, way = found["score"], found["way"]
     return (
         int(score) if score is not None else None,

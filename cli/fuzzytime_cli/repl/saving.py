@@ -11,7 +11,7 @@ from fuzzytime_cli.choices import PlanFormat
 from fuzzytime_cli.formats.clock import date_of
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl.conversation import Conversation
-from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, problem_lines, said, step
+from fuzzytime_cli.repl.scene import UNREAD, Reply, Scene, got, problem_lines, said, step
 from fuzzytime_cli.session import KeptBusy, State
 
 AHEAD = 13 * WEEK
@@ -39,7 +39,7 @@ def save(scene: Scene, text: str) -> Reply:
         exports = sorted(f".{kind}" for kind in PlanFormat if kind not in {PlanFormat.TABLE, PlanFormat.JSON})
         raise FuzzytimeError(
             "a file must follow that ends in .json (the session) "
-            f"or {' '.join(exports)} (the plan), got {text.strip()!r}"
+            f"or {' '.join(exports)} (the plan){got(text)}"
         )
     session = kind is PlanFormat.JSON
     replace_file(
@@ -63,6 +63,7 @@ def load(scene: Scene, text: str) -> Reply:
     """
     from fuzzytime_cli.inputs.lines import wishes_of
     from fuzzytime_cli.inputs.source import read_source
+    from fuzzytime_cli.inputs.task_file import is_task_file
     from fuzzytime_cli.session import state_of
 
     if not text.strip():
@@ -74,6 +75,10 @@ def load(scene: Scene, text: str) -> Reply:
     if path.suffix.lower() == ".json":
         loaded = state_of(source.text)
         return step(scene, f":load {path}", lambda state: replace(loaded, ratings=state.ratings))
+    if is_task_file(source):
+        raise FuzzytimeError(
+            f"{path} is a task file, which fuzzytime plan and run read (here: instructions a line)"
+        )
     return _load_lines(scene, path, [wish.text for wish in wishes_of(source, scene.now)])
 
 

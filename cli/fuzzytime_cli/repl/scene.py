@@ -17,6 +17,9 @@ from fuzzytime_cli.session import Started, State
 UNREAD = frozenset({ProblemKind.NOT_UNDERSTOOD, ProblemKind.UNREADABLE, ProblemKind.NOTHING_TO_DO})
 """What is wrong with words of which nothing can be planned."""
 
+MOST_REPEATED = 40
+"""Characters that are repeated of what was typed where something else should have been."""
+
 MOST_DIGITS = 9
 """Of a number that somebody types."""
 
@@ -59,6 +62,12 @@ def said(text: str) -> Reply:
     return Reply((Text(plain(text)),))
 
 
+def got(text: str) -> str:
+    """Repeat, behind what should have been said, what was; nothing where nothing was."""
+    words = text.strip()
+    return f", got {words[:MOST_REPEATED]!r}" if words else ""
+
+
 def whole_number(text: str) -> int | None:
     """Read a whole number that somebody may have meant; None where it is none.
 
@@ -80,7 +89,7 @@ def number_of(text: str) -> int:
     digits = text.strip().removeprefix("s").partition(".")[0]
     number = whole_number(digits)
     if number is None:
-        raise FuzzytimeError(f"a number from the list must follow, such as 2, got {text.strip()[:40]!r}")
+        raise FuzzytimeError(f"a number from the list must follow, such as 2{got(text)}")
     return number
 
 
@@ -94,7 +103,7 @@ def number_and_rest(text: str, what: str) -> tuple[int, str]:
     """
     first, _, rest = text.strip().partition(" ")
     if not rest.strip():
-        raise FuzzytimeError(f"a number and {what} must follow, got {text.strip()!r}")
+        raise FuzzytimeError(f"a number and {what} must follow{got(text)}")
     return number_of(first), rest.strip()
 
 
@@ -123,7 +132,7 @@ def position_of(scene: Scene, text: str) -> int:
                 f"{wanted} is running until {until}, and no longer planned (see: :done, :rate)"
             )
     known = ", ".join(interpreted.identifier for interpreted in scene.plan.skills) or "none yet"
-    raise FuzzytimeError(f"a skill of the plan must follow ({known}), got {text.strip()!r}")
+    raise FuzzytimeError(f"a skill of the plan must follow ({known}){got(text)}")
 
 
 def running_lines(conversation: Conversation, now: datetime) -> list[Text]:

@@ -256,7 +256,10 @@ def piped(talk: Dialogue, stream: TextIO | None) -> None:
     for line in _lines(stream, talk.screen.stream if typed else None):
         talk.beat()
         try:
-            going, _ = talk.take(line)
+            going, words = talk.take(line)
+            if typed and words:
+                # No prompt here holds them: they are shown, to be typed anew.
+                talk.screen.write(Text(plain(words)))
         except KeyboardInterrupt:
             if not typed:
                 raise

@@ -238,7 +238,7 @@ class Turns:
 def _words_of(line: str) -> str:
     """Give what was typed; a command that needs no colon as one that has it, and nothing for a comment."""
     words = said_in(line)
-    return BARE.get(words.lower(), words)
+    return BARE.get(words.lower().rstrip("?").rstrip(), words) if words else ""
 
 
 def question_lines(question: Question) -> list[Line]:

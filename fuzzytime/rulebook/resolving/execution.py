@@ -1,5 +1,7 @@
 """From what was said about one moment of an execution to start times (the paper's section III-A)."""
 
+import math
+
 from fuzzytime.requirement import Reference
 from fuzzytime.satisfaction import Interval, SatisfactionFunction, averaged, points_of
 from fuzzytime.times import format_duration
@@ -11,12 +13,14 @@ def over_starts(
     """Give ψ over start times of an execution, in seconds.
 
     What is said of its finish is ψ(t) = ψ_said(t + elapsed); what is said of all of it is the mean of ψ_said
-    over the duration, within the horizon.
+    over the duration, where it has no end within the horizon behind its beginning.
     """
     if reference is Reference.FINISH:
         return function.shifted(-elapsed)
     if reference is Reference.THROUGHOUT and duration > 0:
-        within = function.support.intersection(Interval(-duration, horizon + duration))
+        support = function.support
+        last = support.high if support.high < math.inf else max(support.low, 0.0) + horizon + duration
+        within = support.intersection(Interval(-duration, last))
         bounded = function if within == function.support else points_of(function, function.kinks, within)
         return averaged(bounded, duration)
     return function

@@ -113,6 +113,12 @@ class Anchors:
             and condition.word in self.lexicon.results
         )
 
+    def _is_over(self, clause: Clause) -> bool:
+        """Whether a clause is about the end of what it names: "ten minutes before the roast is done"."""
+        condition = clause.condition
+        said = condition is not None and (condition.word,) in self.lexicon.conversation["finished"]
+        return clause.kind in FIRST and (said or self._is_done_soon(clause))
+
     def _arrival(self, clause: Clause) -> int | None:
         """Give the latest that comes, of whoever "they" are: "before they arrive".
 
@@ -188,7 +194,7 @@ class Anchors:
         edge = edge if clause.takes is None or edge is Edge.START else Edge.FREE
         if clause.edge is not None:
             edge = clause.edge
-        elif (clause.object or "").lower() in self.lexicon.beside.the_end or self._is_done_soon(clause):
+        elif (clause.object or "").lower() in self.lexicon.beside.the_end or self._is_over(clause):
             edge = Edge.END
         elif target is not None and self._is_stated(target):
             # "When the meeting starts", "before the film ends"
