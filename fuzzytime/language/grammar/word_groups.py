@@ -84,6 +84,7 @@ class ClosedClasses:
     subordinators_of_purpose: Words
     joints_of_consequence: Words
     subordinators_of_reason: Words
+    denied_alternatives: Words
     alternatives: Words
     subordinators_of_simultaneity: Words
     joints_of_orders: Words
@@ -170,6 +171,7 @@ class BesideTimes:
     stops: Words
     behind_things: Words
     polite_ends: Words
+    turning: Words
     taken_back: Words
     courteous: Words
     obliging: Words
@@ -215,4 +217,5 @@ class Doing:
     dropping: Words
     remembering: Words
     needing: Words
+    hesitating: Words
     past_alike: Words

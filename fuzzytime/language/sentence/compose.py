@@ -46,6 +46,7 @@ from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.consequences import behind_consequences
+from fuzzytime.language.sentence.together.denials import denied_together
 from fuzzytime.language.sentence.together.doubts import unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
@@ -116,6 +117,8 @@ class _Composer:
         """Read every part, then resolve what parts say of each other."""
         sketches, remarks = sketches_of(self.draft, self.lexicon)
         sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
+        self.remarks += remarks
+        sketches, remarks = denied_together(sketches, self.draft.text, self.lexicon)
         self.remarks += remarks
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
         self.remarks += remarks
@@ -218,7 +221,7 @@ class _Composer:
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
         duration = lengths[0].duration if lengths else None
         operation, requirements, duration = without_denial(
-            sketch.operation, requirements, duration, connected, said
+            sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}"
         )
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)

@@ -53,7 +53,7 @@ def without_denial(
     connected
         What the word requires that joins it to what was said before.
     said
-        The words of the instruction.
+        The words of the instruction, and of one before it that is denied with it.
     """
     denied = _denied_times(requirements, connected, said)
     if operation is None or not operation.negated or not denied:
