@@ -120,6 +120,9 @@ class Borders:
         if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
             # "Buy <wine> at six"
             return True
+        if piece.end - piece.start > 1 and self.texts[piece.end - 1] in self.closed.sides:
+            # "Take the first right"
+            return True
         tens = self.lexicon.numbers.get(before, 0) in range(2 * TENS, 10 * TENS, TENS)
         named = (
             self.texts[piece.end - 1] in {"eve", "close"} or self.texts[piece.end - 2 : piece.end] == LAST_DAY

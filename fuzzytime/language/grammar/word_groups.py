@@ -171,6 +171,7 @@ class BesideTimes:
     stops: Words
     behind_things: Words
     polite_ends: Words
+    turnings: Words
     turning: Words
     taken_back: Words
     courteous: Words

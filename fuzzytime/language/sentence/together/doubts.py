@@ -85,6 +85,20 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
 
 
+def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at a thing beside another that may as well be an order: "strip the wall and paint by noon"."""
+    tree = part.tree
+    for place, node in enumerate(tree.nodes):
+        over = tree.nodes[node.head]
+        joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
+        bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
+        led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
+        if joined and bare and led and node.lower in lexicon.chores:
+            span = (node.start + part.offset, node.end + part.offset)
+            message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
+            yield Remark(RemarkKind.POLICY, span, message)
+
+
 def unused_words(
     text: str, part: Part, operation: Operation, heard: Sequence[Span], lexicon: Lexicon
 ) -> Iterator[Remark]:
