@@ -11,7 +11,7 @@ From a text to readings
     What looks like a time and is none: ``leftovers``.
 
 Whether a reading is a time where it stands (``judging``)
-    For any kind of time: ``borders``, ``particles``, ``doses``, ``dining``, ``standing``,
-    ``surroundings``.
+    For any kind of time: ``borders``, ``particles``, ``doses``, ``dining``, ``events``,
+    ``standing``, ``surroundings``.
     For each kind: ``walls``, ``ranges``, ``lengths``, ``measuring``.
 """

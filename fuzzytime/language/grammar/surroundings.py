@@ -66,7 +66,10 @@ class Surroundings:
             self.texts[piece.end - 1] not in self.closed.singular_determiners and piece.end - piece.start > 1
         )
         number = self.words[piece.end - 1].is_digits or self.texts[piece.end - 1] in self.lexicon.numbers
-        called = follower in self.lexicon.addressing and behind in self.lexicon.persons
+        # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
+        dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
+        named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
+        called = follower in self.lexicon.addressing and (behind in self.lexicon.persons or named)
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
         orders = called or behind in self.closed.behind_verbs or (number and counted and led)

@@ -94,6 +94,7 @@ class ClosedClasses:
     joints_of_conditions: Words
     joints_of_instances: Words
     joints_of_swaps: Words
+    end_of_an_order: Words
     end_of_an_event: Words
     end_of_an_aside: Words
     end_of_a_gap: Words

@@ -47,7 +47,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.consequences import behind_consequences
 from fuzzytime.language.sentence.together.denials import denied_together
-from fuzzytime.language.sentence.together.doubts import unused_words
+from fuzzytime.language.sentence.together.doubts import unused_front, unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.lengths import (
@@ -177,9 +177,9 @@ class _Composer:
         for sketch in sketches:
             if sketch.operation is not None:
                 text, part = self.draft.text, sketch.part
-                found += unused_words(
-                    text, part, sketch.operation, [*told, *sketch.heard, *sketch.joints], self.lexicon
-                )
+                held = [*told, *sketch.heard, *sketch.joints]
+                found += unused_words(text, part, sketch.operation, held, self.lexicon)
+                found += unused_front(text, part, held)
         return found
 
     def _instruction(

@@ -104,9 +104,13 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     node, behind = tree.nodes[first], tree.nodes[first + 1]
     owning = behind.tag in DETERMINERS and node.may_act
     called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
-    # "After dinner clear the table": no adjective stands before an article.
+    # "After lunch wash up, mop the floor"
+    carried = first != tree.root and node.lower in lexicon.particles.get(behind.lower, ())
+    # "After dinner clear the table": no adjective stands before an article; "before dinner set the table".
+    past = node.tag in {"VBD", "VBN"} and first != tree.root
     named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
-    return named and node.lower == node.lemma and (owning or called)
+    named = named or (past and (owning or carried))
+    return named and node.lower == node.lemma and (owning or called or carried)
 
 
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:

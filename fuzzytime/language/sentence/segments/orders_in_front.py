@@ -89,8 +89,12 @@ def _is_passive(tree: Tree, place: int) -> bool:
 
 
 def _is_verb(tree: Tree, place: int) -> bool:
-    """Whether a word is a verb, or has an object: "lower the hook"."""
-    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(tree.children(place, "dobj")))
+    """Whether a word is a verb, or has an object: "lower the hook", "sign for it"."""
+    objects = [*tree.children(place, "dobj")]
+    for preposition in tree.children(place, "prep"):
+        told = tree.children(preposition, "pobj")
+        objects += (p for p in told if tree.nodes[p].lower in tree.lexicon.closed.object_pronouns)
+    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(objects))
 
 
 def _is_unknown(tree: Tree, place: int, end: int) -> bool:

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -97,6 +97,15 @@ def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark
             span = (node.start + part.offset, node.end + part.offset)
             message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
             yield Remark(RemarkKind.POLICY, span, message)
+
+
+def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at a clause in front that says nothing that is understood: nothing is dropped."""
+    first, end = part.segment.span[0], part.offset
+    said = text[first:end].rstrip(" ,")
+    if said and not any(overlap(span, (first, first + len(said))) for span in heard):
+        message = f"{said!r} says when, and is not understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, first + len(said)), message)
 
 
 def unused_words(
