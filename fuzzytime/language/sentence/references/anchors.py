@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references.mentions import (
     best_of,
     comes,
     is_done_with,
+    undoes,
 )
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Anchor, Edge, TimeRequirement
@@ -132,6 +133,16 @@ class Anchors:
             return next((place for place, lemma in goes if lemma in leaving), None)
         coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
         return next(coming, None)
+
+    def counted_from(self) -> int:
+        """Give what a distance behind counts from: what it undoes, or else the instruction before it."""
+        operation = self.operation_at(self.position)
+        if operation is not None and operation.again:
+            for place, earlier in self.just_before():
+                if earlier.object == operation.object and undoes(operation, earlier, self.lexicon):
+                    # "Put the cake in, whip the cream and take it out after half an hour"
+                    return place
+        return self.position - 1
 
     def just_before(self) -> Iterator[tuple[int, Operation]]:
         """Give the instructions before it, the latest first, that are not long ago."""

@@ -147,9 +147,9 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
         return _counted_from(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
-    before = anchors.position - 1
-    if phrase.said.preposition == INTO:
-        before = anchors.before_list()
+    before = anchors.before_list() if phrase.said.preposition == INTO else anchors.position - 1
+    if phrase.said.preposition == LATER:
+        before = anchors.counted_from()
     if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END

@@ -63,7 +63,8 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.lower in lexicon.measure_verbs and node.may_act and behind == "to":
         # "Dissolve the salt, heat to 60 degrees"
         return True
-    bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    # "Raise the blinds, water the fern, lower them at six"
+    bare = node.tag in {"NN", "JJR"} and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
     if bare and (
         behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
     ):
