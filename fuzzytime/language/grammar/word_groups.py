@@ -172,6 +172,7 @@ class BesideTimes:
     stops: Words
     behind_things: Words
     polite_ends: Words
+    calls: Words
     turnings: Words
     turning: Words
     taken_back: Words

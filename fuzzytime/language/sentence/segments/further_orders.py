@@ -173,10 +173,12 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:
-    """Whether it is the "get" of "get dressed", beside another order."""
+    """Whether it is the "get" of "get dressed", or the "be" of "be gone", beside another order."""
     node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
-    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
-    return bare and over.relation in COORDINATE and not tree.children(node.head, *ANY_SUBJECTS)
+    helps = node.relation in {"aux", "auxpass"} and node.lower in {"get", "be"}
+    alone = not tree.children(node.head, *ANY_SUBJECTS, "mark")
+    alone = alone and tree.children(node.head, "aux", "auxpass") == (place,)
+    return node.tag in IMPERATIVE and helps and over.relation in COORDINATE and alone
 
 
 def _is_bare(node: Node, lexicon: Lexicon) -> bool:
