@@ -15,6 +15,7 @@ from fuzzytime.language.instruction import (
     Remark,
     Span,
 )
+from fuzzytime.language.meaning.first_times import opening_of
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
@@ -26,6 +27,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     counts_from_nothing,
     of_nothing,
     of_phrase,
+    of_the_beginning,
 )
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
@@ -275,9 +277,13 @@ class _Composer:
             for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
         }
         requirements = []
+        lasts = any(grounded.duration is not None for grounded in times.found)
         for grounded in times.found:
             requirement = grounded.requirement
             phrase, reference = said[requirement.span]
+            if lasts and opening_of(phrase.said) is not None:
+                self.remarks.append(of_the_beginning(requirement))
+                continue
             if phrase.rule == HEADED and self.draft.heading is not None:
                 requirement = replace(requirement, text=self.draft.heading.name)
             requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)

@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references.mentions import (
     best_of,
     comes,
     is_done_with,
+    shares_thing,
     undoes,
 )
 from fuzzytime.language.sentence.trees.content_words import content_words
@@ -235,6 +236,13 @@ class Anchors:
         """Whether an instruction asks for something to be done."""
         operation = self.operation_at(target)
         return operation is not None and not operation.stated
+
+    def is_about_the_same(self, target: int) -> bool:
+        """Whether it is about what another is about, or names nothing else."""
+        own, other = self.operation_at(self.position), self.operation_at(target)
+        if own is None or other is None:
+            return False
+        return own.object is None or own.object == other.object or shares_thing(other, own)
 
     def is_same_as_before(self, operation: Operation) -> bool:
         """Whether the instruction before asks for the very same."""

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 
 TURNED = {
     Constraint.BEFORE: Constraint.AFTER,
@@ -80,7 +80,9 @@ def _denied_times(
 def _is_turned(requirement: TimeRequirement) -> bool:
     """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
     first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
-    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+    anchor = requirement.anchor
+    opening = anchor is not None and anchor.edge is Edge.START
+    return requirement.constraint in TURNED or (first and (requirement.earliest == 0.0 or opening))
 
 
 def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
