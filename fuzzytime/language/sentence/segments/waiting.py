@@ -171,9 +171,15 @@ class Waiting:
         """Where the main words begin behind a time in front of them, from ``main``."""
         places = self.source.places(self.main, self.segment.span[1])
         words = self.source.scanned.words
+        firsts = {phrase.first for phrase in self.source.phrases}
+        ends = {phrase.end for phrase in self.source.phrases}
         while places:
             leading = next((p for p in self.source.phrases if p.first == places[0]), None)
-            if leading is None and words[places[0]].text not in {",", ":", "-"}:
+            # "On the 6th and 8th feed the hens"
+            joins = (
+                words[places[0]].text in {"and", "&", "or"} and places[0] + 1 in firsts and places[0] in ends
+            )
+            if leading is None and not joins and words[places[0]].text not in {",", ":", "-"}:
                 return words[places[0]].start - self.main
             end = leading.end if leading is not None else places[0] + 1
             places = [place for place in places if place >= end]
