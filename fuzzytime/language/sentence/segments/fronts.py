@@ -11,7 +11,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.clauses.conditions import being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
 from fuzzytime.language.sentence.verbs.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
@@ -88,7 +88,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        bare = node.lower == node.lemma or node.tag in COMPARED
+        bare = _is_bare(node, lexicon)
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
@@ -114,6 +114,12 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
             yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
 
 
+def _is_bare(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
+    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
+    return node.lower == node.lemma.lower() or known
+
+
 def _as_event(attempt: _Try) -> str:
     """Give a clause to be parsed; one word that may be an event as one: "after work"."""
     alone = attempt.kind in EVENTFUL and attempt.clause.isalpha()
@@ -126,7 +132,7 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    bare = node.lower == node.lemma.lower() or node.tag in COMPARED
+    bare = _is_bare(node, lexicon)
     if not place or not node.may_act or not bare or _is_counted(tree, place):
         return False
     before = tree.nodes[place - 1]
