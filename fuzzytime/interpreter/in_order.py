@@ -12,7 +12,16 @@ from itertools import pairwise
 
 from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.language import Instruction, Lexicon, Order, Reading, comes, content_words, shares_thing
+from fuzzytime.language import (
+    Instruction,
+    Lexicon,
+    Order,
+    Reading,
+    comes,
+    content_words,
+    shares_thing,
+    undoes,
+)
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from fuzzytime.skills import Precedence
 
@@ -139,6 +148,25 @@ class Rows:
                 one, other = (Step(place, skills[place]) for place in (before[0], after[0]))
                 if other.ordered and not other.timed:
                     self.precedences.append(one.precedence(other))
+        for last in range(len(made)):
+            self._enclose(made[: last + 1], skills, lexicon)
+
+    def _enclose(
+        self, made: Sequence[tuple[Instruction, range]], skills: Sequence[Interpreted], lexicon: Lexicon
+    ) -> None:
+        """Let be between what is said before the last undoes an earlier: "open it, let her in, shut it"."""
+        *before, (closing, _) = made
+        opened = next(
+            (p for p in reversed(range(len(before))) if _shuts(closing, before[p][0], lexicon)), None
+        )
+        if opened is None or any(len(places) != 1 for _, places in made[opened:]):
+            return
+        first, *inside, last = (Step(places[0], skills[places[0]]) for _, places in made[opened:])
+        for step in inside:
+            if _is_asked(step.interpreted) and step.ordered:
+                pairs = ((first, step), (step, last))
+                # Of two with times of their own, the times say which comes first.
+                self.precedences += [a.precedence(b) for a, b in pairs if not (a.timed and b.timed)]
 
     def resume(self, made: Sequence[int], skills: Sequence[Interpreted]) -> None:
         """Let what is done with "it" follow what was asked for of the same thing before."""
@@ -274,6 +302,14 @@ def _leaves_out(first: Instruction, second: Instruction, lexicon: Lexicon) -> bo
     if one is None or other is None or one.stated or other.stated or one.object is None:
         return False
     return other.object is None and other.place is None and other.lemma not in lexicon.intransitive
+
+
+def _shuts(closing: Instruction, opening: Instruction, lexicon: Lexicon) -> bool:
+    """Whether an instruction undoes another with the same thing, which it calls "it"."""
+    one, other = opening.operation, closing.operation
+    if one is None or other is None or not other.again or one.object != other.object:
+        return False
+    return undoes(other, one, lexicon)
 
 
 def _repeats(interpreted: Interpreted) -> bool:

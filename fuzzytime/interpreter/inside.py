@@ -32,6 +32,9 @@ class GoingOn:
             begins = self.length - recurrence.closing
             turns = math.ceil(recurrence.closing / interval)
             lags = [begins + count * interval for count in range(turns) if begins + count * interval >= 0]
+        elif not recurrence.endless:
+            # "Every ten minutes for the first hour"
+            lags = [start for start, _ in recurrence.windows(self.length) if start < self.length]
         else:
             lags = [count * interval for count in range(1, math.ceil(self.length / interval))]
         return [turn(repeated, self.target, Edge.START, lag) for lag in lags]
@@ -47,7 +50,9 @@ def going_on(
     """
     repeated = next((part for part in instruction.requirements if part.recurrence is not None), None)
     if repeated is not None and repeated.recurrence is not None and repeated.recurrence.closing is not None:
-        return _closing(instruction, repeated, before, skills)
+        return _said_of(instruction, repeated, before, skills)
+    if repeated is not None and repeated.anchor is not None and repeated.anchor.edge is Edge.START:
+        return _said_of(instruction, repeated, before, skills)
     if repeated is None or repeated.recurrence is None or not repeated.recurrence.endless:
         return None
     interval = repeated.recurrence.interval
@@ -72,13 +77,13 @@ def _begins_behind(recurrence: Recurrence, interval: float, one: Interpreted) ->
     return any(recurrence.windows(first)[:1] == ((first, first),) for first in firsts)
 
 
-def _closing(
+def _said_of(
     instruction: Instruction,
     repeated: TimeRequirement,
     before: Sequence[range],
     skills: Sequence[Interpreted],
 ) -> GoingOn | None:
-    """Give what is over where a repetition is: "baste it every 20 minutes for the last hour"."""
+    """Give what a repetition counts in: "baste it every 20 minutes for the last hour", "… the first hour"."""
     target = _named(instruction)
     target = repeated.anchor.target if target is None and repeated.anchor is not None else target
     made = [] if target is None or target >= len(before) else [skills[place] for place in before[target]]

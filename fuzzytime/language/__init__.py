@@ -28,7 +28,7 @@ from fuzzytime.language.instruction import (
 from fuzzytime.language.own_words import with_words
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.reader import Language
-from fuzzytime.language.sentence.references.mentions import comes, shares_thing
+from fuzzytime.language.sentence.references.mentions import comes, shares_thing, undoes
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelError, installed_model, model_files
 from fuzzytime.language.sentence.trees.named import is_several
@@ -69,5 +69,6 @@ __all__ = [
     "reported",
     "shares_thing",
     "shipped_lexicon",
+    "undoes",
     "with_words",
 ]

@@ -168,3 +168,25 @@ def test_what_is_done_with_it_follows_what_was_asked_of_it() -> None:
 def test_its_own_time_says_when_something_is_done_with_it() -> None:
     at = starts(told(["serve the soup at noon", "heat it at 11 am", "before that, salt it"]))
     assert at["s3"] < at["s2"] == "11:00"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "open the door, let the cat in, close it",
+        "start the pump, log the pressure, stop it",
+        "put the pan on the hob, chop an onion and take it off the heat",
+    ],
+)
+def test_what_is_said_between_what_is_done_and_undone_is_between(text: str) -> None:
+    assert order(told([text])) == ["s1", "s1.2", "s1.3"]
+
+
+def test_what_has_a_time_of_its_own_is_between_too() -> None:
+    at = starts(told(["turn on the oven, call mum at noon, turn it off"]))
+    assert at["s1"] < at["s1.2"] == "12:00" < at["s1.3"]
+
+
+def test_a_distance_counts_from_what_is_undone() -> None:
+    at = starts(told(["put the cake in, whip the cream and take it out after 30 minutes"]))
+    assert at == {"s1": "07:00", "s1.2": "07:01", "s1.3": "07:31"}

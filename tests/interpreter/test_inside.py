@@ -129,3 +129,15 @@ def test_what_is_left_alone_leaves_the_hands_free(lines: list[str]) -> None:
 def test_what_something_that_takes_long_needs_comes_before_it() -> None:
     made = told(["chill the pudding for four hours, so make it before noon"])
     assert starts(made)["s1.2"] < starts(made)["s1"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "simmer the stew at noon for three hours, stir it every twenty minutes for the first hour",
+        "simmer the stew at noon for three hours. For the first hour, stir it every twenty minutes",
+    ],
+)
+def test_what_is_repeated_for_the_first_hour_is_so_from_the_start_of_what_goes_on(text: str) -> None:
+    at = starts(told([text]))
+    assert list(at.values()) == ["12:00", "12:20", "12:40", "13:00"]

@@ -123,6 +123,27 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
     assert "is the end of something" in remark.message
 
 
+def test_what_and_joins_to_a_denial_is_said_to_be_denied_too() -> None:
+    (remark,) = language().read("don't open the lid and stir it", now=NOW).remarks
+    assert remark.message == "'stir it' is taken as denied, too: what is to be done stands behind 'but'"
+    assert language().read("don't open the lid or stir it", now=NOW).remarks == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("strip the wall and paint by noon", "'paint' is taken for a thing: say 'then' before it"),
+        (
+            "once the paint and varnish dry, sand the edges",
+            "'once the paint and varnish dry' says when, and is",
+        ),
+    ],
+)
+def test_what_is_left_open_or_not_understood_is_said(text: str, message: str) -> None:
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.message.startswith(message)
+
+
 def test_then_behind_nothing_but_a_denial_is_said_not_to_be_used() -> None:
     texts = ["Don't open the lid", "Then serve the soup"]
     alone, lines = language().read(". ".join(texts), now=NOW), language().read_all([(t, NOW) for t in texts])

@@ -3,6 +3,7 @@
 from functools import cache
 
 from fuzzytime.language.english import (
+    all_through,
     apart,
     bounded_repetitions,
     bounds,
@@ -62,6 +63,7 @@ _ROOMS = (
     repeated_moments,
     bounded_repetitions,
     stretches_of_weekdays,
+    all_through,
     workdays,
 )
 

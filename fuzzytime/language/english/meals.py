@@ -5,7 +5,8 @@ from dataclasses import replace
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.meaning.expressions import Said, Wall
-from fuzzytime.language.meaning.times_of_day import Part
+from fuzzytime.language.meaning.relations import Relative
+from fuzzytime.language.meaning.times_of_day import Half, Part
 
 grammar = Grammar()
 
@@ -22,6 +23,14 @@ def with_meal(meal: Part) -> Said | None:
 def for_meal(meal: Part) -> Wall | None:
     """For lunch: a time of what is done at the table, as "meet Sam for lunch"."""
     return None if meal.place else Wall(part=meal)
+
+
+@grammar.rule("wall", "for|at|over <meal> <day_part>", weight=0.45)
+def meal_tonight(meal: Part, found: tuple[Relative, Part]) -> Wall | None:
+    """For dinner tonight: when that is, on this day."""
+    days, part = found
+    late = {Half.PM, Half.EVENING, Half.NIGHT}
+    return Wall(days, meal) if not meal.place and {meal.half, part.half} <= late else None
 
 
 @grammar.rule("several meals", "<meal> ,|and|& <meal>")

@@ -32,6 +32,14 @@ def wall_of_part(found: Part) -> Wall:
     return Wall(part=found)
 
 
+@grammar.rule("wall", "on? the? <parts> of <wall>", weight=1.2)
+def parts_of_days(found: Part, wall: Wall) -> Wall | None:
+    """(on) the nights of the 4th (and 5th)."""
+    days = wall.days
+    dated = days is not None and days.grain is Unit.DAY and wall.part is None and not found.is_point
+    return replace(wall, part=found, weak=False) if dated else None
+
+
 @grammar.rule("wall", "on? any <part>", weight=0.05)
 def any_part(found: Part) -> Wall | None:
     """(come) any evening."""

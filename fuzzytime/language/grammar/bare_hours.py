@@ -62,17 +62,21 @@ class BareHours(Standing):
         sure = said.preposition == "at" and worded
         unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
         bound = said.preposition is not None or bool(said.hedges)
-        alone = not (bound or unit) and self._ends_behind_object(piece)
+        # "Pick up the kids three fifteen": it is no number that is picked.
+        alone = not (bound or self.around.is_unit(piece.end)) and self._ends_behind_object(piece)
         return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
 
     def _ends_behind_object(self, piece: Piece) -> bool:
-        """Whether it ends an order with a person: "meet me five thirty", "pick Leo up ten to eight"."""
+        """Whether it ends an order with a person, an animal or a call: "meet me five thirty"."""
         place = piece.start - (self.around.before(piece) in self.beside.put_off)
         before = self.texts[place - 1] if place else ""
-        someone = before in self.closed.object_pronouns | self.lexicon.persons | self.lexicon.events
+        met = self.lexicon.persons | self.lexicon.animals | self.lexicon.events | self.beside.calls
+        someone = before in self.closed.object_pronouns | met
         named = place > 1 and self.words[place - 1].capital
         spelt = all(text.isalpha() or text == "-" for text in self.texts[piece.start : piece.end])
-        return spelt and (someone or named) and self.around.follower(piece) in {"", ".", "!", ",", ";"}
+        happens = before in self.lexicon.happening - self.lexicon.measure_nouns
+        ends = {"", ".", "!", ",", ";"} | self.closed.further_clause
+        return spelt and (someone or named or happens) and self.around.follower(piece) in ends
 
     def _leads_to_distance(self, piece: Piece) -> bool:
         """Whether so long before or after something follows: "at ten two days before the fair"."""

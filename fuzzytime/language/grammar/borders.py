@@ -6,14 +6,15 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
-from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.events import Events
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.titles import Titles
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Offset, Said, Wall
+from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.requirement import Constraint
 
 LONGEST_WISH = 4
@@ -40,6 +41,7 @@ class Borders:
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
         self.dining = Dining(lexicon, around)
+        self.events = Events(words, lexicon, around, self.measures)
 
     def refuse(self, piece: Piece) -> bool:
         """Whether they make a reading no time."""
@@ -51,7 +53,7 @@ class Borders:
             compared
             or self._is_excepted(piece)
             or self.particles.hold(piece)
-            or self._names_event(piece)
+            or self.events.named(piece)
             or self._is_object(piece)
             or self._begins_another(piece)
             or self._is_named(piece)
@@ -170,28 +172,3 @@ class Borders:
     def _is_object(self, piece: Piece) -> bool:
         """Whether it begins with a part of the day that something is done to: "film the sunrise at six"."""
         return self.around.is_object(piece.start + (self.texts[piece.start] == "the"))
-
-    def _names_event(self, piece: Piece) -> bool:
-        """Whether a noun behind it is what is meant: "before the 3 pm call", "after my 9 am class"."""
-        said: Said = piece.value
-        ordinal = (
-            self.texts[piece.end - 2 : piece.end - 1] == ["the"]
-            and self.texts[piece.end - 1] in self.lexicon.ordinals
-        )
-        if ordinal and piece.end < len(self.texts) and not self.around.may_end(piece):
-            # "After the first one is done", "a day before the second coat"
-            return True
-        counted = isinstance(said.time, Offset)
-        if counted and self.around.follower(piece) in self.beside.of_hours:
-            # "Two hours before the 6 am flight"
-            return True
-        wall = said.time.anchor if isinstance(said.time, Offset) else said.time
-        if not isinstance(wall, Wall) or wall.clock is None or self.around.may_end(piece):
-            return False
-        marked = longest_match(self.words, piece.start, self.lexicon.clauses) is not None
-        owning = (
-            place
-            for place in range(piece.start + 1, piece.end - 1)
-            if self.texts[place] in self.closed.noun_openers
-        )
-        return (counted or marked) and any(self.measures.is_number(place + 1) for place in owning)

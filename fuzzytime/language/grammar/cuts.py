@@ -68,6 +68,10 @@ class Cuts(Standing):
         if first == ">" and self.words[piece.start].glued and "<" in self.texts[: piece.start]:
             # "Buy <wine> at six"
             return True
+        before_last = self.texts[piece.end - 2] if piece.end - piece.start > 1 else ""
+        if before_last in self.lexicon.ordinals and self.texts[piece.end - 1] in self.closed.sides:
+            # "Take the first right"
+            return True
         if piece.start and all(self._is_long(place) for place in (piece.start - 1, piece.start)):
             # "Call 0800 555 1234 this afternoon"
             return True

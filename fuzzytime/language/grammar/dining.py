@@ -32,8 +32,15 @@ class Dining:
             or time.clock is not None
             or any(map(self._is_time, self._beside(piece)))
         )
+        if self._is_said_of_day(piece):
+            return False
         # "Come over for dinner"
         return timed or led == piece.start + 1 or not self._dines(led)
+
+    def _is_said_of_day(self, piece: Piece) -> bool:
+        """Whether it ends in a part of a day that the meal is in: "cook pasta for dinner tonight"."""
+        said = self.around.pieces(piece.end - 1)
+        return any(part.category == "day_part" and part.end == piece.end for part in said)
 
     def _leads(self, place: int) -> bool:
         meal = place + 1 < len(self.texts) and self.around.is_meal(place + 1)
@@ -50,11 +57,28 @@ class Dining:
         return bool(verbs) and all(self.texts[p][:1].isalnum() for p in range(verbs[-1], place))
 
     def _beside(self, piece: Piece) -> list[int]:
-        return [*range(piece.start), *range(piece.end, len(self.texts))]
+        """Give the places of the other words of its order."""
+        ends = [
+            place
+            for place, text in enumerate(self.texts)
+            if text in self.around.closed.end_of_an_order
+            # "Between 12 and 1"
+            and not (place + 1 < len(self.texts) and self._counts(place + 1))
+        ]
+        first = max((place for place in ends if place < piece.start), default=-1)
+        last = min((place for place in ends if place >= piece.end), default=len(self.texts))
+        return [*range(first + 1, piece.start), *range(piece.end, last)]
 
     def _is_time(self, place: int) -> bool:
-        """Whether a word elsewhere names a day, a part of one, a unit, or is a number that counts nothing."""
-        number = self.texts[place] in self.lexicon.numbers or self.texts[place][:1].isdigit()
+        """Whether a word elsewhere names a part of the day, a unit, or is a number that counts nothing.
+
+        A day is that of the meal: "tomorrow meet Ann for lunch".
+        """
+        number = self._counts(place)
         behind = self.texts[place + 1 : place + 2]
         counts = bool(behind) and behind[0].isalpha() and not self.around.timely(place + 1)
-        return (number and not counts) or self.around.names_time(place)
+        named = self.around.names_time(place) and not self.around.is_day(place)
+        return (number and not counts) or named
+
+    def _counts(self, place: int) -> bool:
+        return self.texts[place] in self.lexicon.numbers or self.texts[place][:1].isdigit()

@@ -69,6 +69,8 @@ class Lexicon:
         Words around a time, in small groups by what they make of it.
     past
         Irregular forms of verbs of what is over.
+    undoing
+        Verbs that undo what was done, with the verbs of that.
     told
         Words that tell how long something takes, or how far it is, by what they do there.
     asides
@@ -174,6 +176,7 @@ class Lexicon:
     closed: ClosedClasses
     beside: BesideTimes
     past: Mapping[str, frozenset[str]]
+    undoing: Mapping[str, frozenset[str]]
     asides: Mapping[str, frozenset[str]]
     spacing: Mapping[str, frozenset[str]]
     moments: frozenset[tuple[str, ...]]

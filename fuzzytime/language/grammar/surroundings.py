@@ -71,7 +71,10 @@ class Surroundings:
         number = any(
             self.words[place].is_digits or self.texts[place] in self.lexicon.numbers for place in ends
         )
-        called = follower in self.lexicon.addressing and behind in self.lexicon.persons
+        # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
+        dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
+        named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
+        called = follower in self.lexicon.addressing and (behind in self.lexicon.persons or named)
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
         orders = called or behind in self.closed.behind_verbs or (number and counted and led)

@@ -84,6 +84,7 @@ class ClosedClasses:
     subordinators_of_purpose: Words
     joints_of_consequence: Words
     subordinators_of_reason: Words
+    denied_alternatives: Words
     alternatives: Words
     subordinators_of_simultaneity: Words
     joints_of_orders: Words
@@ -93,6 +94,7 @@ class ClosedClasses:
     joints_of_conditions: Words
     joints_of_instances: Words
     joints_of_swaps: Words
+    end_of_an_order: Words
     end_of_an_event: Words
     end_of_an_aside: Words
     end_of_a_gap: Words
@@ -171,6 +173,9 @@ class BesideTimes:
     stops: Words
     behind_things: Words
     polite_ends: Words
+    calls: Words
+    turnings: Words
+    turning: Words
     taken_back: Words
     courteous: Words
     obliging: Words
@@ -217,4 +222,5 @@ class Doing:
     dropping: Words
     remembering: Words
     needing: Words
+    hesitating: Words
     past_alike: Words

@@ -7,10 +7,13 @@ from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Coming,
     Duration,
+    Edge,
+    Ending,
     HourMark,
     Offset,
     Range,
     Repeat,
+    Rest,
     Said,
     Time,
     Wall,
@@ -206,8 +209,8 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         return replace(repeat, until=Offset(time)) if bound else None
     if (closing := closing_of(said)) is not None:
         return in_the_end(repeat, closing)
-    if isinstance(time, Coming):
-        return replace(repeat, until=Offset(time.duration))
+    if isinstance(time, (Coming, Rest)):
+        return replace(repeat, until=_end_of(time))
     if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
         return within_hours(repeat, time.first, time.last)
     if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
@@ -230,6 +233,13 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _end_of(stretch: Coming | Rest) -> Time | None:
+    """Give where a stretch from now on is over: "every day for the rest of the week"."""
+    if isinstance(stretch, Coming):
+        return Offset(stretch.duration)
+    return None if stretch.of.days is None else Ending(Edge.END, stretch.of.days)
 
 
 def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:

@@ -29,6 +29,7 @@ COUNTED_FROM_ELSEWHERE = frozenset({LATER, EARLIER, INTO, LEFT, LAST, HALFWAY})
 
 MOMENTS = frozenset({None, Constraint.AT})
 STARTING = "starting"
+FOR = "for"
 
 
 def first_time(said: Said) -> Time | None:
@@ -67,6 +68,18 @@ def closing_of(said: Said) -> Duration | None:
     if isinstance(time, Coming):
         return time.duration if time.direction < 0 else None
     return time.duration if isinstance(time, Offset) and said.preposition in {LEFT, LAST} else None
+
+
+def opening_of(said: Said) -> Duration | None:
+    """Give how much of the beginning of something a time is: "for the first ten minutes"."""
+    opening = said.preposition == FOR and said.constraint is Constraint.BETWEEN
+    return said.time.duration if opening and isinstance(said.time, Coming) else None
+
+
+def at_the_beginning(repeat: Repeat, length: Duration) -> Repeat | None:
+    """Give a repetition within the beginning of something; None where it has other bounds, or days."""
+    within = in_the_end(repeat, length)
+    return None if within is None else replace(repeat, until=Offset(length))
 
 
 def in_the_end(repeat: Repeat, length: Duration) -> Repeat | None:

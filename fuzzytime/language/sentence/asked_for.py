@@ -10,7 +10,13 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.pronouns import resolved_object, thing_of_clause_in_front
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.together.doubts import doubts_of, nothing_to_do, unasked, unused_orders
+from fuzzytime.language.sentence.together.doubts import (
+    doubts_of,
+    nothing_to_do,
+    things_or_orders,
+    unasked,
+    unused_orders,
+)
 
 
 def asked_of(
@@ -36,6 +42,7 @@ def asked_of(
             found.append(sketch)
         else:
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
+            remarks += things_or_orders(draft.text, sketch.part, lexicon)
             anchors = Anchors(first + len(found), first, operations, mentions, lexicon)
             thing = thing_of_clause_in_front(sketch, operation, anchors)
             thing = thing or _behind_denials(sketch, operation, operations, mentions, first)

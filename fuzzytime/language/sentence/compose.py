@@ -14,6 +14,7 @@ from fuzzytime.language.instruction import (
     Remark,
     Span,
 )
+from fuzzytime.language.meaning.first_times import opening_of
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
@@ -25,6 +26,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import (
     counts_from_nothing,
     of_nothing,
     of_phrase,
+    of_the_beginning,
 )
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.segments.asides import Aside
@@ -47,7 +49,8 @@ from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
 from fuzzytime.language.sentence.together.consequences import behind_consequences
-from fuzzytime.language.sentence.together.doubts import unused_words
+from fuzzytime.language.sentence.together.denials import denied_together
+from fuzzytime.language.sentence.together.doubts import unused_front, unused_words
 from fuzzytime.language.sentence.together.for_all import said_for_all
 from fuzzytime.language.sentence.together.headings import day_above, read_heading
 from fuzzytime.language.sentence.together.lengths import (
@@ -117,6 +120,8 @@ class _Composer:
         sketches, remarks = sketches_of(self.draft, self.lexicon)
         sketches = waited(sketches, self.draft.asides, self.mentions.operations[: self.first], self.lexicon)
         self.remarks += remarks
+        sketches, remarks = denied_together(sketches, self.draft.text, self.lexicon)
+        self.remarks += remarks
         sketches, remarks = asked_of(sketches, self.draft, self.mentions, self.first, self.lexicon)
         self.remarks += remarks
         sketches = said_for_all(sketches, self.draft.text, self.lexicon)
@@ -170,9 +175,9 @@ class _Composer:
         for sketch in sketches:
             if sketch.operation is not None:
                 text, part = self.draft.text, sketch.part
-                found += unused_words(
-                    text, part, sketch.operation, [*told, *sketch.heard, *sketch.joints], self.lexicon
-                )
+                held = [*told, *sketch.heard, *sketch.joints]
+                found += unused_words(text, part, sketch.operation, held, self.lexicon)
+                found += unused_front(text, part, held)
         return found
 
     def _instruction(
@@ -213,7 +218,7 @@ class _Composer:
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
         duration = lengths[0].duration if lengths else None
         operation, requirements, duration = without_denial(
-            sketch.operation, requirements, duration, connected, said
+            sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}"
         )
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
@@ -268,9 +273,13 @@ class _Composer:
             for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
         }
         requirements = []
+        lasts = any(grounded.duration is not None for grounded in times.found)
         for grounded in times.found:
             requirement = grounded.requirement
             phrase, reference = said[requirement.span]
+            if lasts and opening_of(phrase.said) is not None:
+                self.remarks.append(of_the_beginning(requirement))
+                continue
             if phrase.rule == HEADED and self.draft.heading is not None:
                 requirement = replace(requirement, text=self.draft.heading.name)
             requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)

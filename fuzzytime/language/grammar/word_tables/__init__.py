@@ -95,6 +95,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         closed=closed,
         beside=beside,
         past=_by_use(speech, "past"),
+        undoing=_by_use(speech, "undoing"),
         told=_by_use(speech, "told"),
         asides=_by_use(speech, "asides"),
         spacing=_by_use(speech, "spacing"),
@@ -172,7 +173,8 @@ _SPEECH = (
     "travelling", "machines", "workers", "rescheduling", "catching", "citing", "spelling", "timing", "taken",
     "happening", "frames", "standing", "conversation", "vague_adverbs", "told", "instances",
     "asides", "moments", "spacing", "animals", "becoming", "other_calendars", "fillers", "playing", "levels",
-    "passing", "doing", "past", "circling", "dosing", "coming_in", "dining", "closed_classes", "beside_times",
+    "passing", "doing", "past", "undoing", "circling", "dosing", "coming_in", "dining", "closed_classes",
+    "beside_times",
 )  # fmt: skip
 _ROWS = {
     "indicators": ("start", "finish", "throughout"),

@@ -37,6 +37,15 @@ def waits_for(operation: Operation, happening: Operation, lexicon: Lexicon) -> b
     return comes(happening, lexicon) and not operation.stated and shares_thing(happening, operation)
 
 
+def undoes(operation: Operation, earlier: Operation, lexicon: Lexicon) -> bool:
+    """Whether an operation undoes what was done before: it stops what was started, shuts what was opened."""
+    undone = lexicon.undoing.get(operation.phrase, frozenset())
+    if not undone and operation.place is not None:
+        # "Take it off the heat"
+        undone = lexicon.undoing.get(f"{operation.lemma} {operation.place.split()[0].lower()}", frozenset())
+    return not earlier.negated and not earlier.stated and earlier.phrase in undone
+
+
 @dataclass(slots=True)
 class Mentions:
     """The operations of all texts in order, and where each word and each verb names one.

@@ -19,7 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.expressions import Edge as Bound
-from fuzzytime.language.meaning.first_times import closing_of
+from fuzzytime.language.meaning.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
@@ -82,7 +82,25 @@ def of_phrase(
         return _in_the_end(anchors, phrase.said, requirement, clauses)
     found = _meal(anchors, phrase, requirement) or _later(anchors, phrase, requirement)
     found = found or since_the_same(anchors, phrase.said, requirement)
+    found = found or _at_the_beginning(anchors, phrase.said, requirement)
     return found or _upon_arrival(anchors, requirement) or requirement
+
+
+def _at_the_beginning(anchors: Anchors, said: Said, requirement: TimeRequirement) -> TimeRequirement | None:
+    """Read "for the first hour" as counted from the start of what goes on, and so what is repeated in it.
+
+    "Simmer it for three hours, stir it every ten minutes for the first hour".
+    """
+    target = anchors.said_to_last()
+    if target is None or requirement.anchor is not None:
+        return None
+    anchor = Anchor(text=requirement.text, target=target, edge=Edge.START)
+    if opening_of(said) is not None and requirement.latest is not None:
+        return counted_from(requirement, replace(anchor, lag=requirement.latest), Constraint.BETWEEN)
+    time = said.time
+    turns = isinstance(time, Repeat) and time.every is not None and time.starting is None
+    ends = turns and isinstance(time, Repeat) and isinstance(time.until, Offset) and time.until.anchor is None
+    return replace(requirement, anchor=anchor) if ends and anchors.is_about_the_same(target) else None
 
 
 def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -149,9 +167,9 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
         return counted_from(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
-    before = anchors.position - 1
-    if phrase.said.preposition == INTO:
-        before = anchors.before_list()
+    before = anchors.before_list() if phrase.said.preposition == INTO else anchors.position - 1
+    if phrase.said.preposition == LATER:
+        before = anchors.counted_from()
     if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
@@ -170,6 +188,12 @@ def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:
     if is_in_the_end(said):
         message = f"{requirement.text!r} is the end of something, and what goes on until then is not said"
     return Remark(RemarkKind.NOT_UNDERSTOOD, requirement.span, message)
+
+
+def of_the_beginning(requirement: TimeRequirement) -> Remark:
+    """Point at the beginning of what is done itself, which says nothing of when that is."""
+    message = f"{requirement.text!r} is of the beginning of what is done, and not when to do it"
+    return Remark(RemarkKind.POLICY, requirement.span, message)
 
 
 def is_in_the_end(said: Said) -> bool:

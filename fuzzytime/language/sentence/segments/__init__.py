@@ -4,9 +4,9 @@ Lines and sentences
     A ``segment`` ends at a sentence, at "then" (``connectives``) or before a verb; ``list_marks``,
     ``order_words``, ``corrections``, ``asides``.
 Further orders of one sentence
-    Segments ``waiting`` for their trees (``mended_trees``), and ``cuts`` once they have one:
-    ``further_orders``, ``orders_in_front``, ``overlooked_orders``, ``orders_beside_times``,
-    ``verbs_left_out``, ``fronts``.
+    Segments ``waiting`` for their trees (``mended_trees``, ``leading_markers``), and ``cuts`` once they
+    have one: ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
+    ``orders_beside_times``, ``verbs_left_out``, ``fronts``.
 Times that belong to something
     ``named_events``, ``event_edges``, ``in_between``, ``instances``, ``gaps``, ``told_lengths``.
 """

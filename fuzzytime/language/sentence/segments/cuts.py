@@ -99,6 +99,10 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         if chain:
             yield from chain
             return
+    denied = _denied_list(one, starts, lexicon)
+    if denied:
+        yield from denied
+        return
     timed = {place for span in times for place in part.tree.at(*span)}
     told = (second_statement(part.tree, place, timed) for place in range(len(part.tree.nodes)))
     statements = {part.tree.nodes[place].start + part.offset for place in told if place is not None}
@@ -115,6 +119,29 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
             yield replace(one.segment, span=(first, end))
             yield Segment((start, last), addressee=one.segment.addressee, verbless=start in gaps)
             return
+
+
+def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:
+    """Give the segments of what is denied together: "never open the lid, lift the pan or leave the room".
+
+    Its further orders begin at ``starts``.
+    """
+    first, last = one.segment.span
+    words = {word.start: place for place, word in enumerate(one.source.scanned.words)}
+    texts = ["", *(word.text for word in one.source.scanned.words)]
+    closing = [s for s in starts if s in words and texts[words[s]] in lexicon.closed.denied_alternatives]
+    begins = [first, *(start for start in starts if closing and start <= closing[-1])]
+    if len(begins) == 1:
+        return []
+    text = one.source.scanned.text
+    ends = [a + len(JOINT.sub("", text[a:b])) for a, b in pairwise(begins)]
+    spans = zip(begins, (*ends, last), strict=True)
+    return [
+        replace(one.segment, span=span)
+        if span[0] == first
+        else Segment(span, addressee=one.segment.addressee)
+        for span in spans
+    ]
 
 
 def _onward(one: Waiting, part: Part) -> tuple[int, Segment] | None:

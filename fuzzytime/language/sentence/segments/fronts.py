@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.clauses.conditions import being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
-from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SUBJECTS
-from fuzzytime.language.sentence.trees.tree import Tree, Trees
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
+from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
 from fuzzytime.language.sentence.verbs.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
@@ -26,6 +26,9 @@ OPENING = frozenset({"DT", "PRP", "PRP$"})
 
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
+
+ENDING = frozenset({"JJ", "VBN", "RP"})
+"""Tags of words that end what is said of something, and behind which no thing stands: "the pan is hot"."""
 
 COMPLEMENTS = ("acomp", "attr", "oprd", "prep", "advmod", "prt", "xcomp", "npadvmod", "dobj")
 OF_EVENTS = frozenset({"of", "during"})
@@ -66,7 +69,7 @@ def fronts_of(
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True))
         for attempt in (*_tries(place, one, tree, lexicon), *_with_order(place, one, front, lexicon))
     ]
-    clauses = trees([attempt.clause for attempt in tries])
+    clauses = trees([_as_event(attempt) for attempt in tries])
     orders = trees([CARRIER + attempt.order for attempt in tries])
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
@@ -85,7 +88,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        bare = node.lower == node.lemma or node.tag in COMPARED
+        bare = _is_bare(node, lexicon)
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
@@ -103,32 +106,47 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
     if marker is None or marker.end >= len(words):
         return
     first, end = words[marker.end].start, one.segment.span[1]
+    timed = {p for a, b in (phrase.span for phrase in source.phrases) for p in front.at(a, b)}
     for here, node in enumerate(front.nodes):
         start = node.start + one.segment.span[0]
-        if start > first and (_disagrees(front, here, lexicon) or _is_taken_for_noun(front, here)):
+        if start > first and here not in timed and _may_begin(front, here, lexicon):
             clause = source.sound[first:start].strip(" ,")
             yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
 
 
-def _is_taken_for_noun(tree: Tree, place: int) -> bool:
-    """Whether what may be a bare verb has a thing behind it, and no subject: "the flight pack the bags"."""
-    node = tree.nodes[place]
-    bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, *SUBJECTS)
-    named = place > 0 and tree.nodes[place - 1].tag not in BINDING
-    return bare and named and place + 1 < len(tree.nodes) and tree.nodes[place + 1].tag in DETERMINERS
+def _is_bare(node: Node, lexicon: Lexicon) -> bool:
+    """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
+    known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
+    return node.lower == node.lemma.lower() or known
 
 
-def _disagrees(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether what stands right before a bare verb is one thing: it would do that in another form."""
-    if tree.nodes[place].tag not in IMPERATIVE:
+def _as_event(attempt: _Try) -> str:
+    """Give a clause to be parsed; one word that may be an event as one: "after work"."""
+    alone = attempt.kind in EVENTFUL and attempt.clause.isalpha()
+    return f"the {attempt.clause}" if alone else attempt.clause
+
+
+def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what is to be done may begin with a word inside a clause in front: it governs something.
+
+    "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
+    """
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    bare = _is_bare(node, lexicon)
+    if not place or not node.may_act or not bare or _is_counted(tree, place):
         return False
-    subjects = tree.children(place, "nsubj")
-    if len(subjects) != 1 or tree.children(place, "aux", "auxpass"):
+    before = tree.nodes[place - 1]
+    if _binds(tree, place - 1, lexicon):
         return False
-    node = tree.nodes[subjects[0]]
-    several = tree.children(subjects[0], "conj") or node.lower in lexicon.beside.plurals | lexicon.persons
-    one = node.tag in {"NN", "NNP"} and node.lower == node.lemma.lower() and not several
-    return one and tree.reach(subjects[0])[1] == place
+    if not behind:
+        # "When the battery is low dock, charge and wait"
+        return node.lower in lexicon.alone and before.tag in ENDING
+    led = behind[0].tag in DETERMINERS or behind[0].lower in lexicon.closed.object_pronouns
+    carried = node.lower in lexicon.particles.get(behind[0].lower, ())
+    further = tree.nodes[place + 2 : place + 3]
+    about = behind[0].tag == "IN" and bool(further) and further[0].lower in lexicon.closed.object_pronouns
+    named = behind[0].tag.startswith("NN") and (node.is_verb or before.tag in ENDING)
+    return led or carried or about or named
 
 
 def _is_counted(tree: Tree, place: int) -> bool:
@@ -164,6 +182,9 @@ def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
         return True
     if kind in EVENTFUL:
         # "Before the guests get here": a plural has its verb behind it; but "after three rings".
-        return node.tag in {"NN", "NNP"} or (node.tag == "NNS" and bool(tree.children(root, "nummod")))
+        several = tree.children(root, "conj") or node.lower in lexicon.beside.plurals | lexicon.persons
+        return (node.tag in {"NN", "NNP"} and not several) or (
+            node.tag == "NNS" and bool(tree.children(root, "nummod"))
+        )
     whole = range(len(tree.nodes))
     return any(read(tree, whole, tree.text) is not None for read in (happening, being))

@@ -105,15 +105,24 @@ def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lex
         return None
     first = min([_behind_place(tree, place), *tree.children(place, "aux")]) if denied is None else denied
     start = behind_joint(tree, first, timed)
+    joints = lexicon.closed.joints_of_orders
+    if _is_denied(tree, lexicon):
+        # "Don't open the lid or stir the soup"
+        joints |= lexicon.closed.denied_alternatives
     if (
         start == 0
-        or tree.nodes[start - 1].lower not in lexicon.closed.joints_of_orders
+        or tree.nodes[start - 1].lower not in joints
         or (_is_embedded(tree, place, root) and not wanted)
     ):
         return None
     if gone_to_do(tree, root, lexicon) == place:
         return None
     return start if place > root or _leads(tree, place, root) else None
+
+
+def _is_denied(tree: Tree, lexicon: Lexicon) -> bool:
+    action = action_of(tree, lexicon)
+    return action is not None and action.negated
 
 
 def _is_wanted_too(tree: Tree, place: int, root: int, lexicon: Lexicon) -> bool:
@@ -166,10 +175,12 @@ def _is_second_statement(tree: Tree, place: int, root: int) -> bool:
 
 
 def _is_passive_order(tree: Tree, place: int) -> bool:
-    """Whether it is the "get" of "get dressed", beside another order."""
+    """Whether it is the "get" of "get dressed", or the "be" of "be gone", beside another order."""
     node, over = tree.nodes[place], tree.nodes[tree.nodes[place].head]
-    bare = node.tag in IMPERATIVE and node.relation == "auxpass" and node.lemma == "get"
-    return bare and over.relation in COORDINATE and not tree.children(node.head, *ANY_SUBJECTS)
+    helps = node.relation in {"aux", "auxpass"} and node.lower in {"get", "be"}
+    alone = not tree.children(node.head, *ANY_SUBJECTS, "mark")
+    alone = alone and tree.children(node.head, "aux", "auxpass") == (place,)
+    return node.tag in IMPERATIVE and helps and over.relation in COORDINATE and alone
 
 
 def _is_bare(node: Node, lexicon: Lexicon) -> bool:

@@ -53,6 +53,8 @@ def is_led_by_time(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) ->
     while first and first - 1 in timed:
         first -= 1
     led = 1 < first < place and tree.nodes[first - 1].lower in {"and", ",", "&", ";"}
+    # "On the 6th and 8th feed the hens": two times of one order.
+    led = led and not timed.issuperset(range(first - 1))
     bare = node.may_act and node.lower == node.lemma
     called = node.lower in lexicon.addressing and behind in lexicon.persons
     return led and bare and (called or behind in closed.noun_openers | closed.object_pronouns)
@@ -104,9 +106,13 @@ def leads_to_order(tree: Tree, behind_time: int, lexicon: Lexicon) -> bool:
     node, behind = tree.nodes[first], tree.nodes[first + 1]
     owning = behind.tag in DETERMINERS and node.may_act
     called = node.lower in lexicon.addressing and _is_called(tree, first + 1, lexicon)
-    # "After dinner clear the table": no adjective stands before an article.
+    # "After lunch wash up, mop the floor"
+    carried = first != tree.root and node.lower in lexicon.particles.get(behind.lower, ())
+    # "After dinner clear the table": no adjective stands before an article; "before dinner set the table".
+    past = node.tag in {"VBD", "VBN"} and first != tree.root
     named = node.tag.startswith("NN") or (owning and node.tag.startswith(("JJ", "RB")))
-    return named and node.lower == node.lemma and (owning or called)
+    named = named or (past and (owning or carried))
+    return named and node.lower == node.lemma and (owning or called or carried)
 
 
 def _is_called(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -19,12 +19,16 @@ def order_behind_order(tree: Tree, root: int, timed: AbstractSet[int] = frozense
     closed = tree.lexicon.closed
     subjects = tree.children(root, *ANY_SUBJECTS)
     start = min([root, *tree.below(subjects[0])]) if subjects else first_of(tree, root)
-    brought = [p for p in tree.children(root, "aux") if p == start - 1 and tree.nodes[p].lower == "have"]
+    brought = [
+        p
+        for p in tree.children(root, "aux", "auxpass")
+        if p == start - 1 and tree.nodes[p].lower in {"have", "be"}
+    ]
     denied = denied_from(tree, root)
     if denied is not None:
         # "Mix the paint, don't touch the lid"
         brought.append(denied)
-    # "Scrub the potatoes, have them peeled"
+    # "Scrub the potatoes, have them peeled", "tidy the kitchen, be gone by four"
     start = min([start, *brought])
     start = start if subjects else behind_joint(tree, start, timed)
     joint = tree.nodes[start - 1].lower if start else ""
@@ -69,7 +73,7 @@ def behind_joint(tree: Tree, start: int, timed: AbstractSet[int]) -> int:
 
 def _orders_before(tree: Tree, root: int, start: int, joint: str) -> list[int]:
     """Give what may be orders below a root, before where it begins behind a joint."""
-    before = [p for p in tree.children(root, *COORDINATE, "csubj") if p < start]
+    before = [p for p in tree.children(root, *COORDINATE, "csubj", "csubjpass") if p < start]
     # "Saw the board, sand the edges": a past form in front is an order, as nobody is named.
     # "Using a fork, mash them" says how.
     verbs = [p for p in before if p == 0 and _is_verb(tree, p) and tree.nodes[p].tag != "VBG"]
@@ -89,8 +93,12 @@ def _is_passive(tree: Tree, place: int) -> bool:
 
 
 def _is_verb(tree: Tree, place: int) -> bool:
-    """Whether a word is a verb, or has an object: "lower the hook"."""
-    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(tree.children(place, "dobj")))
+    """Whether a word is a verb, or has an object: "lower the hook", "sign for it"."""
+    objects = [*tree.children(place, "dobj")]
+    for preposition in tree.children(place, "prep"):
+        told = tree.children(preposition, "pobj")
+        objects += (p for p in told if tree.nodes[p].lower in tree.lexicon.closed.object_pronouns)
+    return tree.nodes[place].is_verb or (tree.nodes[place].may_act and bool(objects))
 
 
 def _is_unknown(tree: Tree, place: int, end: int) -> bool:

@@ -17,12 +17,21 @@ def is_overlooked(tree: Tree, place: int, timed: set[int], lexicon: Lexicon) -> 
     alone = tree.nodes[place].lower in lexicon.alone
     return (
         (_governs(tree, place, lexicon) and (alone or place + 1 not in timed))
+        or _follows_turning(tree, place, lexicon)
         or is_order_before_time(tree, place, timed)
         or is_order_between_times(tree, place, timed, lexicon)
         or (
             place - 2 in timed and (stands_alone(tree, place, lexicon) or _has_numbered(tree, place, lexicon))
         )
     )
+
+
+def _follows_turning(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb stands behind where to turn, beside which is no thing: "left and park"."""
+    node, before = tree.nodes[place], tree.nodes[place - 1].lower
+    turning = tree.nodes[place - 2].lower in lexicon.closed.sides | lexicon.beside.turnings
+    bare = node.may_act and node.lower == node.lemma.lower() and not tree.children(place, "det", "amod")
+    return turning and before in lexicon.closed.joints_of_orders and bare and node.relation == "conj"
 
 
 def _has_numbered(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -54,7 +63,8 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     if node.lower in lexicon.measure_verbs and node.may_act and behind == "to":
         # "Dissolve the salt, heat to 60 degrees"
         return True
-    bare = node.tag == "NN" and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    # "Raise the blinds, water the fern, lower them at six"
+    bare = node.tag in {"NN", "JJR"} and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
     if bare and (
         behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
     ):

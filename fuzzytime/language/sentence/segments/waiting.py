@@ -12,6 +12,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.conditions import IF
+from fuzzytime.language.sentence.segments.leading_markers import Marker, marker_at
 from fuzzytime.language.sentence.segments.orders_beside_times import begins_order, leads_to_order
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
@@ -20,7 +21,7 @@ from fuzzytime.language.sentence.verbs.actions import is_doubtful
 from fuzzytime.language.sentence.verbs.happenings import happens, may_be_ordered
 from fuzzytime.language.sentence.verbs.statement_trees import leaves
 
-JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but)\b)?[\s,;&]*$", re.IGNORECASE)
+JOINT = re.compile(r"[\s,;&]*(\b(?:and|so|but|or|nor)\b)?[\s,;&]*$", re.IGNORECASE)
 """What stands between two instructions."""
 
 
@@ -32,15 +33,6 @@ STATED = frozenset({"when", "if", "while"})
 
 LEAST_SAID = 3
 """Words of "and nobody calls"."""
-
-
-@dataclass(frozen=True, slots=True)
-class Marker:
-    """What begins a clause: its kind, the character where the clause begins, the place behind the marker."""
-
-    kind: str
-    start: int
-    end: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,7 +130,8 @@ class Waiting:
                 else not lexicon.closed.joints_of_conditions.isdisjoint(before[-1:])
             )
             leads = leads and (position == 0 or words[place].start >= self.main)
-            marker = _marker_at(self.source, place, self.segment.span[1], lexicon) if leads else None
+            end = self.segment.span[1]
+            marker = marker_at(words, self.source.phrases, place, end, lexicon) if leads else None
             if marker is not None:
                 yield marker
 
@@ -147,7 +140,9 @@ class Waiting:
         places = self.source.places(*self.segment.span)
         if self.main == self.segment.span[0] or not places:
             return None
-        return _marker_at(self.source, places[0], self.segment.span[1], lexicon)
+        return marker_at(
+            self.source.scanned.words, self.source.phrases, places[0], self.segment.span[1], lexicon
+        )
 
     def cut_at(self, start: int, main: int, lexicon: Lexicon) -> Iterator["Waiting"]:
         """Give what stands before a clause in front, and what it leads from ``main`` on."""
@@ -171,9 +166,15 @@ class Waiting:
         """Where the main words begin behind a time in front of them, from ``main``."""
         places = self.source.places(self.main, self.segment.span[1])
         words = self.source.scanned.words
+        firsts = {phrase.first for phrase in self.source.phrases}
+        ends = {phrase.end for phrase in self.source.phrases}
         while places:
             leading = next((p for p in self.source.phrases if p.first == places[0]), None)
-            if leading is None and words[places[0]].text not in {",", ":", "-"}:
+            # "On the 6th and 8th feed the hens"
+            joins = (
+                words[places[0]].text in {"and", "&", "or"} and places[0] + 1 in firsts and places[0] in ends
+            )
+            if leading is None and not joins and words[places[0]].text not in {",", ":", "-"}:
                 return words[places[0]].start - self.main
             end = leading.end if leading is not None else places[0] + 1
             places = [place for place in places if place >= end]
@@ -246,17 +247,6 @@ def _is_numbered(tree: Tree, lexicon: Lexicon) -> bool:
     return named and root + 1 < len(tree.nodes) and tree.nodes[root + 1].tag == "CD"
 
 
-def _marker_at(source: Source, place: int, end: int, lexicon: Lexicon) -> Marker | None:
-    """Give the marker of a clause at a place; a length of time may stand before it."""
-    words = source.scanned.words
-    first = next((phrase.end for phrase in source.phrases if phrase.first == place), place)
-    inside = any(phrase.first <= first < phrase.end for phrase in source.phrases)
-    if first >= len(words) or words[first].start >= end or inside:
-        return None
-    form = longest_match(words, first, lexicon.clauses)
-    return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
-
-
 def goes_on_behind(words: Sequence[Word], comma: int, following: int, lexicon: Lexicon) -> bool:
     """Whether another thing that must be so stands between two commas: ", and the oil shimmers,"."""
     said = [word.text for word in words[comma + 1 : following]]
@@ -269,7 +259,7 @@ def _second_marker(source: Source, place: int, end: int, lexicon: Lexicon) -> Ma
     """Give the marker of a further clause in front, behind the comma of the one before it."""
     words = source.scanned.words
     place += words[place].text in {"and", "but", "or"} if place < end else 0
-    marker = _marker_at(source, place, words[end].start, lexicon) if place < end else None
+    marker = marker_at(words, source.phrases, place, words[end].start, lexicon) if place < end else None
     return marker if marker is not None and marker.end < end else None
 
 
@@ -280,7 +270,7 @@ def _main(source: Source, segment: Segment, lexicon: Lexicon) -> int:
     """
     words = source.scanned.words
     places = source.places(*segment.span)
-    marker = _marker_at(source, places[0], segment.span[1], lexicon) if places else None
+    marker = marker_at(words, source.phrases, places[0], segment.span[1], lexicon) if places else None
     inverted = bool(places) and words[places[0]].text in lexicon.closed.conditional_inversion
     if marker is None and not inverted:
         return segment.span[0]

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint, TimeRequirement
+from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 
 TURNED = {
     Constraint.BEFORE: Constraint.AFTER,
@@ -53,7 +53,7 @@ def without_denial(
     connected
         What the word requires that joins it to what was said before.
     said
-        The words of the instruction.
+        The words of the instruction, and of one before it that is denied with it.
     """
     denied = _denied_times(requirements, connected, said)
     if operation is None or not operation.negated or not denied:
@@ -80,7 +80,9 @@ def _denied_times(
 def _is_turned(requirement: TimeRequirement) -> bool:
     """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
     first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
-    return requirement.constraint in TURNED or (first and requirement.earliest == 0.0)
+    anchor = requirement.anchor
+    opening = anchor is not None and anchor.edge is Edge.START
+    return requirement.constraint in TURNED or (first and (requirement.earliest == 0.0 or opening))
 
 
 def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:

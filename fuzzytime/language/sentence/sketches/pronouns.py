@@ -1,14 +1,14 @@
 """What pronouns stand for: things, "it" and "them", or who was named, "him", "her" and "them"."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.references.anchors import Anchors
-from fuzzytime.language.sentence.references.mentions import Mentions
+from fuzzytime.language.sentence.references.mentions import Mentions, undoes
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.language.sentence.trees.named import is_several
+from fuzzytime.language.sentence.trees.named import is_several, may_be_it
 
 HEAT = "heat"
 """What is under the pan, and not what is in it."""
@@ -42,6 +42,10 @@ def resolved_object(
         # "Tell them when to stop"
         return operation.object
     several = operation.object.lower() in pronouns.plural_anaphors
+    before = (*reversed(own), *reversed(mentions.operations[:first]))
+    undone = _undone(operation, before, several=several, lexicon=lexicon)
+    if undone is not None:
+        return undone
     near = Mentions(lexicon)
     for earlier in own:
         passed = _is_setting(earlier, lexicon) and not _is_changing(operation, lexicon)
@@ -51,6 +55,18 @@ def resolved_object(
         thing for thing in (here, there) if thing is not None and is_several(thing, lexicon) is several
     )
     return next(fitting, here or there or operation.object)
+
+
+def _undone(
+    operation: Operation, before: Iterable[Operation | None], *, several: bool, lexicon: Lexicon
+) -> str | None:
+    """Give what was begun, and is now undone: "start the pump, log the pressure, stop it"."""
+    for earlier in before:
+        if earlier is None or earlier.object is None or not undoes(operation, earlier, lexicon):
+            continue
+        if may_be_it(earlier, lexicon) and is_several(earlier.object, lexicon) is several:
+            return earlier.object
+    return None
 
 
 def _is_changing(operation: Operation, lexicon: Lexicon) -> bool:

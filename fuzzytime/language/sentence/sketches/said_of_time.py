@@ -61,6 +61,7 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     clauses, passed = with_deadlines(
         clauses, phrases, draft.text, part.offset, draft.scanned.lexicon, follows=follows
     )
+    clauses = [_without_clock(clause, draft.text) for clause in clauses]
     clauses = [clause for clause in clauses if not any(overlap(clause.content, u) for u in draft.unfinished)]
     coarse = [u for u in draft.unfinished if any(u[0] < clause.span[0] < u[1] for clause in clauses)]
     left_out = [_left_out(draft, clause, phrases) for clause in clauses if clause.excepted]
@@ -79,6 +80,18 @@ def said_of_time(draft: Draft, part: Part, phrases: Sequence[Phrase], lexicon: L
     kept.sort(key=lambda phrase: phrase.span)
     clauses, kept = with_distances(clauses, kept, draft.text)
     return SaidOfTime(kept, clauses, left_out, excepted)
+
+
+def _without_clock(clause: Clause, text: str) -> Clause:
+    """Give a day of an event without the clock time behind it: "on the morning of the party, at nine"."""
+    said = None if clause.time is None else clause.time.said.time
+    clock = isinstance(said, Wall) and said.clock is not None and said.days is None
+    if clause.time is None or clause.day_part is None or clause.distance is not None or not clock:
+        return clause
+    first, end = clause.span
+    # The time ends where the clause does.
+    end -= clause.time.span[1] - clause.time.span[0]
+    return replace(clause, time=None, span=(first, first + len(text[first:end].rstrip(" ,"))))
 
 
 def _left_out(draft: Draft, clause: Clause, phrases: Sequence[Phrase]) -> Span:

@@ -40,7 +40,8 @@ class Sketch:
     ``references`` gives, for each of its times, which moment of the execution the words say it is about;
     ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
     above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
-    others of the same thing.
+    others of the same thing; ``denial`` is what is said of the orders before it that one "don't" denies
+    with it.
     """
 
     part: Part
@@ -53,6 +54,7 @@ class Sketch:
     headed: tuple[Clause, ...] = ()
     way: Duration | None = None
     joints: tuple[Span, ...] = ()
+    denial: str = ""
 
     @property
     def heard(self) -> list[Span]:

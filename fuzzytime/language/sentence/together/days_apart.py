@@ -21,6 +21,7 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.intervals_on_days import on_days
+from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
@@ -54,7 +55,7 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     day = None if heading is None else heading.day
     above = None if day is None else _Day(day.said)
     held = above
-    for sketch in sketches:
+    for sketch in map(_on_each_day, sketches):
         if placed and ENDS & set(text_between(placed[-1], sketch, text)):
             held = above
         days = [(place, phrase.said) for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
@@ -71,6 +72,20 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
     return placed if heading is None else [_under(sketch, heading) for sketch in placed]
+
+
+def _on_each_day(sketch: Sketch) -> Sketch:
+    """Let a clock time be on each day of what is left: "for the rest of the week feed it at six"."""
+    said = [phrase.said for phrase in sketch.phrases]
+    clocks, rests = [one for one in said if is_clock_time(one)], [one for one in said if is_rest_of_days(one)]
+    daily = each_day(clocks[0], rests[0]) if len(clocks) == len(rests) == 1 else None
+    if daily is None:
+        return sketch
+    told = Said(daily, Constraint.EVERY, clocks[0].preposition)
+    apart = (*clocks, *rests)
+    return replace(
+        sketch, phrases=tuple(replace(p, said=told) if p.said in apart else p for p in sketch.phrases)
+    )
 
 
 def on_owned_day(sketch: Sketch, lexicon: Lexicon) -> Sketch:

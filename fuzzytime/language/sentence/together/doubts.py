@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.quotes import is_quoted
 from fuzzytime.language.grammar.words import Word, words_of
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind, Span, overlap
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
@@ -83,6 +83,29 @@ def unused_orders(text: str, part: Part, operation: Operation, heard: Sequence[S
         span = (tree.nodes[min(below)].start + part.offset, tree.nodes[max(below)].end + part.offset)
         message = f"{text[slice(*span)]!r} is not planned: say it as an instruction of its own"
         yield Remark(RemarkKind.NOT_UNDERSTOOD, span, message)
+
+
+def things_or_orders(text: str, part: Part, lexicon: Lexicon) -> Iterator[Remark]:
+    """Point at a thing beside another that may as well be an order: "strip the wall and paint by noon"."""
+    tree = part.tree
+    for place, node in enumerate(tree.nodes):
+        over = tree.nodes[node.head]
+        joined = node.relation == "conj" and over.relation == "dobj" and over.tag.startswith("NN")
+        bare = node.tag == "NN" and not tree.children(place) and tree.nodes[place - 1].lower in {"and", "&"}
+        led = any(tree.nodes[p].tag in DETERMINERS for p in tree.children(node.head, "det", "poss"))
+        if joined and bare and led and node.lower in lexicon.chores:
+            span = (node.start + part.offset, node.end + part.offset)
+            message = f"{text[slice(*span)]!r} is taken for a thing: say 'then' before it if it is to be done"
+            yield Remark(RemarkKind.POLICY, span, message)
+
+
+def unused_front(text: str, part: Part, heard: Sequence[Span]) -> Iterator[Remark]:
+    """Point at a clause in front that says nothing that is understood: nothing is dropped."""
+    first, end = part.segment.span[0], part.offset
+    said = text[first:end].rstrip(" ,")
+    if said and not any(overlap(span, (first, first + len(said))) for span in heard):
+        message = f"{said!r} says when, and is not understood"
+        yield Remark(RemarkKind.NOT_UNDERSTOOD, (first, first + len(said)), message)
 
 
 def unused_words(

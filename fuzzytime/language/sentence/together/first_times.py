@@ -5,7 +5,15 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Phrase, Repeat
-from fuzzytime.language.meaning.first_times import beginning, closing_of, first_time, in_the_end, is_release
+from fuzzytime.language.meaning.first_times import (
+    at_the_beginning,
+    beginning,
+    closing_of,
+    first_time,
+    in_the_end,
+    is_release,
+    opening_of,
+)
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
@@ -24,9 +32,12 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     if not isinstance(repeat, Repeat) or repeat.walls or repeat.every is None or repeat.starting is not None:
         return sketch
     every = phrases[repeated[0]]
-    in_its_end = _in_the_end(phrases, repeated[0], repeat)
-    if in_its_end is not None:
-        return replace(sketch, phrases=tuple(in_its_end))
+    for part_of, within in ((closing_of, in_the_end), (opening_of, at_the_beginning)):
+        parts = [(place, length) for place, p in enumerate(phrases) if (length := part_of(p.said))]
+        part = within(repeat, parts[0][1]) if len(parts) == 1 else None
+        if part is not None:
+            # "In the last hour, baste it every 20 minutes", "for the first hour, stir it every ten"
+            return _repeated(sketch, part, (repeated[0], parts[0][0]))
     counted = repeat.times is not None
     lexicon = sketch.part.tree.lexicon
     said = [
@@ -52,17 +63,13 @@ def from_first_time(sketch: Sketch, words: Sequence[Word]) -> Sketch:
     return replace(sketch, phrases=tuple(phrases))
 
 
-def _in_the_end(phrases: Sequence[Phrase], place: int, repeat: Repeat) -> list[Phrase] | None:
-    """Put a repetition in the end of something: "in the last hour, baste it every 20 minutes"."""
-    closings = [(other, length) for other, p in enumerate(phrases) if (length := closing_of(p.said))]
-    again = in_the_end(repeat, closings[0][1]) if len(closings) == 1 else None
-    if again is None:
-        return None
-    found = list(phrases)
-    for other in (place, closings[0][0]):
-        told = replace(found[other].said, time=again, constraint=Constraint.EVERY, lasting=None)
-        found[other] = replace(found[other], said=told)
-    return found
+def _repeated(sketch: Sketch, repeat: Repeat, places: Sequence[int]) -> Sketch:
+    """Give a sketch with a repetition for its times at some places, which say it together."""
+    phrases = list(sketch.phrases)
+    for place in places:
+        told = replace(phrases[place].said, time=repeat, constraint=Constraint.EVERY, lasting=None)
+        phrases[place] = replace(phrases[place], said=told)
+    return replace(sketch, phrases=tuple(phrases))
 
 
 def _between(one: Phrase, other: Phrase, words: Sequence[Word]) -> set[str]:

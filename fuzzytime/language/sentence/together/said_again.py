@@ -14,6 +14,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint
 
 SEVERAL = 2
+OF = "of"
 ONE_OF = "one of the "
 """What is said of one of several: "one of the alarms"."""
 
@@ -110,6 +111,21 @@ def with_shared_clock(phrases: Sequence[Phrase]) -> list[Phrase]:
         told = replace(own, clock=time.clock) if alone and isinstance(own, Wall) else own
         found.append(replace(phrase, said=replace(phrase.said, time=told)))
     return found
+
+
+def with_shared_part(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
+    """Give days of a list the part that the first is of: "on the nights of the 4th and 5th"."""
+    times = [phrase.said.time for phrase in phrases]
+    walls = [time for time in times if isinstance(time, Wall) and _is_listed(time)]
+    of = OF in (word.text for word in words[phrases[0].first : phrases[0].end])
+    if len(walls) < len(times) or not of or walls[0].part is None or any(wall.part for wall in walls[1:]):
+        return list(phrases)
+    clock = walls[0].clock or walls[-1].clock
+    told = (replace(wall, part=walls[0].part, clock=wall.clock or clock, weak=False) for wall in walls)
+    return [
+        replace(phrase, said=replace(phrase.said, time=wall))
+        for phrase, wall in zip(phrases, told, strict=True)
+    ]
 
 
 def _with_shared_hours(giving: Phrase, others: Sequence[Phrase], hours: Range) -> list[Phrase]:

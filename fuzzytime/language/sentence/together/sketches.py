@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.together.said_again import (
     each_of,
     is_weekday,
     with_shared_clock,
+    with_shared_part,
 )
 from fuzzytime.language.sentence.together.turns import counted_apart
 from fuzzytime.requirement import Constraint
@@ -184,7 +185,7 @@ def _alternatives(
             rest = tuple(phrase for phrase in phrases if phrase not in group)
             if joints & closed.alternatives:
                 return [((*rest, group[0]), tuple(group[1:]))]
-            times = with_shared_clock(apart(group))
+            times = with_shared_clock(with_shared_part(apart(group), draft.scanned.words))
             return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]
     return [(phrases, ())]
 

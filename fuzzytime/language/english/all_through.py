@@ -1,0 +1,34 @@
+"""Clock times all through a period: "at six for the rest of the week", "all week at noon"."""
+
+from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord
+from fuzzytime.language.meaning.throughout import LONGER, each_day, is_rest_of_days
+from fuzzytime.requirement import Constraint
+
+grammar = Grammar()
+
+
+@grammar.rule("repeat", "<said> ,? for|over? <rest>", weight=0.6)
+def clock_for_the_rest(said: Said, rest: Rest) -> Repeat | None:
+    """At six for the rest of the week."""
+    left = Said(rest)
+    return each_day(said, left) if is_rest_of_days(left) else None
+
+
+@grammar.rule("repeat", "for|over? <rest> ,? <said>", weight=0.6)
+def for_the_rest_at(rest: Rest, said: Said) -> Repeat | None:
+    """For the rest of the week, at six."""
+    return clock_for_the_rest(said, rest)
+
+
+@grammar.rule("repeat", "<said> all <unit>", "<said> all <unit> long", weight=0.6)
+def clock_all_week(said: Said, unit: UnitWord) -> Repeat | None:
+    """At six all week."""
+    long = unit.unit in LONGER and unit.count == 1
+    return each_day(said, Said(Duration(((1, unit.unit),)), Constraint.FOR)) if long else None
+
+
+@grammar.rule("repeat", "all <unit> ,? <said>", "all <unit> long ,? <said>", weight=0.6)
+def all_week_at(unit: UnitWord, said: Said) -> Repeat | None:
+    """All week at six."""
+    return clock_all_week(said, unit)

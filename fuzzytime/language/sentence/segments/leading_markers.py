@@ -1,0 +1,54 @@
+"""What begins a clause in front: "when", "an hour before", "(on) the evening before"."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.requirement import Unit
+
+DAYS_APART = frozenset({"before", "after"})
+"""Markers before which a part of a day, or a day, is that before or after."""
+
+LEAST = 3
+"""Words of "the evening before"."""
+
+
+@dataclass(frozen=True, slots=True)
+class Marker:
+    """What begins a clause: its kind, the character where the clause begins, the place behind the marker."""
+
+    kind: str
+    start: int
+    end: int
+
+
+def marker_at(
+    words: Sequence[Word], phrases: Sequence[Phrase], place: int, end: int, lexicon: Lexicon
+) -> Marker | None:
+    """Give the marker of a clause at a place; a length of time, or a day, may stand before it.
+
+    ``end`` is the character where what it leads is over.
+    """
+    first = next((phrase.end for phrase in phrases if phrase.first == place), None)
+    first = _behind_day(words, place, lexicon) if first is None else first
+    inside = any(phrase.first <= first < phrase.end for phrase in phrases)
+    if first >= len(words) or words[first].start >= end or inside:
+        return None
+    form = longest_match(words, first, lexicon.clauses)
+    return None if form is None else Marker(lexicon.clauses[form], words[place].start, first + len(form))
+
+
+def _behind_day(words: Sequence[Word], place: int, lexicon: Lexicon) -> int:
+    """Give the place of the marker that a day counts from: "(on) the evening before the party"."""
+    begin = place + (words[place].text == "on")
+    named = [word.text for word in words[begin : begin + 3]]
+    if len(named) < LEAST or named[0] not in lexicon.closed.articles or named[2] not in DAYS_APART:
+        return place
+    counted = any(
+        piece.category == "part" or (piece.category == "unit" and piece.value.unit is Unit.DAY)
+        for piece in lexicon.pieces(words, begin + 1)
+        if piece.end == begin + 2
+    )
+    return begin + 2 if counted else place
