@@ -10,6 +10,8 @@ from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
 
+BEFORE, NO_LATER = "before", "no later than"
+
 
 @grammar.rule("said", "<said> at|on|of|,|in? the? <wall>", weight=0.1)
 def range_on_day(said: Said, wall: Wall) -> Said | None:
@@ -19,7 +21,10 @@ def range_on_day(said: Said, wall: Wall) -> Said | None:
 
 @grammar.rule("said", "<wall> , <said>", "<wall> <said>", "<preposition_at> <wall> ,? <said>", weight=0.1)
 def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | None = None) -> Said | None:
-    """Tomorrow before 5pm, tomorrow evening by seven, friday between 1PM and 4 PM."""
+    """Tomorrow before 5pm, tomorrow evening by seven, friday between 1PM and 4 PM.
+
+    What is due by then may be done on a day before; "tomorrow before five" is tomorrow.
+    """
     wall, said = (first, second) if third is None else (second, third)
     if not isinstance(wall, Wall) or not isinstance(said, Said):
         return None
@@ -27,27 +32,35 @@ def day_and_bound(first: Preposition | Wall, second: Wall | Said, third: Said | 
     if isinstance(first, Preposition) and first.name == "for" and dated:
         # "The rota for next week by thursday": what it is for, and a deadline.
         return None
-    # "Eat lunch by one": a meal beside a bound is what is to be done.
-    return None if wall.weak and wall.part is not None else refined(said, wall)
+    if wall.weak and wall.part is not None:
+        # "Eat lunch by one": a meal beside a bound is what is to be done.
+        return None
+    until = said.preposition == BEFORE or (wall.part is not None and said.preposition == NO_LATER)
+    bound = refined(said, wall)
+    return _on_day(bound, wall) if until and bound is not None else bound
 
 
 @grammar.rule("said", "<wall> ,? but|and <preposition_after> <goal>", weight=0.6)
 def day_from(wall: Wall, after: Preposition, goal: Goal) -> Said | None:
     """Tomorrow, but not before ten: from then to the end of that day."""
-    return _rest_of_day(wall, Said(goal.time, Constraint.AFTER, after.name, goal.hedges))
+    said, day = refined(Said(goal.time, Constraint.AFTER, after.name, goal.hedges), wall), wall.days
+    if said is None or day is None or day.grain is not Unit.DAY or not isinstance(said.time, Wall):
+        return None
+    return replace(said, time=Range(said.time, Ending(Edge.END, day)), constraint=Constraint.BETWEEN)
 
 
 @grammar.rule("said", "<wall> ,? but|and <preposition_before> <goal>", weight=0.6)
 def day_until(wall: Wall, before: Preposition, goal: Goal) -> Said | None:
     """Tomorrow, but before ten: from when that day begins to then."""
-    return _rest_of_day(wall, Said(goal.time, Constraint.BEFORE, before.name, goal.hedges))
+    said = refined(Said(goal.time, Constraint.BEFORE, before.name, goal.hedges), wall)
+    return None if said is None or wall.days is None else _on_day(said, wall)
 
 
-def _rest_of_day(wall: Wall, bound: Said) -> Said | None:
-    """Give what a bound leaves of a day; None where no day is named, or the bound does not go with it."""
-    said, day = refined(bound, wall), wall.days
-    if said is None or day is None or day.grain is not Unit.DAY or not isinstance(said.time, Wall):
-        return None
-    later = bound.constraint is Constraint.AFTER
-    first, last = (said.time, Ending(Edge.END, day)) if later else (Ending(Edge.START, day), said.time)
-    return replace(said, time=Range(first, last), constraint=Constraint.BETWEEN)
+def _on_day(bound: Said, wall: Wall) -> Said:
+    """Let a bound hold on its day, or in its part of it, and not before that too."""
+    time = bound.time
+    if wall.days is None or wall.days.grain is not Unit.DAY or not isinstance(time, Wall):
+        return bound
+    # "Tomorrow morning before nine"; but "tomorrow before breakfast"
+    part = wall.part if wall.part is not None or time.clock is None else time.part
+    return replace(bound, within=Wall(wall.days, part, zone=wall.zone))

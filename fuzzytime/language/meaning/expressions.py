@@ -231,7 +231,8 @@ class Said:
 
     ``constraint`` is None where the time itself decides between a point and an interval; ``beside`` says
     that a hedge puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for
-    thirty minutes"). ``listed`` are the further times of a list ("in 10, 20 and 30 minutes").
+    thirty minutes"). ``listed`` are the further times of a list ("in 10, 20 and 30 minutes"). ``within`` is
+    the day, or the part of one, in which a deadline lies and what is due is done: "tomorrow before five".
     """
 
     time: Time | Duration | Repeat
@@ -242,6 +243,7 @@ class Said:
     beside: bool = False
     lasting: Duration | None = None
     listed: tuple["Said", ...] = ()
+    within: Wall | None = None
 
     @property
     def is_day(self) -> bool:

@@ -186,6 +186,8 @@ class _Grounder:
             constraint = Constraint.AT
         earliest = None if constraint is Constraint.BEFORE else start
         latest = None if constraint is Constraint.AFTER else end
+        if constraint is Constraint.BEFORE and self.said.within is not None:
+            constraint, earliest = Constraint.BETWEEN, self._begin_of(self.said.within, end, zone)
         duration = time.duration if isinstance(time, (Offset, Coming)) else None
         hedges = self.said.hedges if duration is None else (*self.said.hedges, *duration.hedges)
         grain = found.grain if isinstance(time, (Wall, Range, Ending, Rest, HourMark)) else None
@@ -234,6 +236,12 @@ class _Grounder:
         if isinstance(time, Ending) and self.said.constraint is Constraint.BEFORE and time.edge is Edge.END:
             end = found.end if not found.is_point else found.end + timedelta(seconds=1)
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
+
+    def _begin_of(self, within: Wall, end: float, zone: str | None) -> float:
+        """Give the seconds to when that begins in which a deadline lies: the day, where its part is later."""
+        walls = (within, replace(within, part=None))
+        starts = (self.moment.grounding(zone).instants(wall).start for wall in walls)
+        return next((begin for start in starts if (begin := self.moment.seconds(start, zone)) < end), end)
 
     def _has_begun(self, time: Time, found: Instants, zone: str | None) -> bool:
         """Whether a deadline is at the start of a stretch that is running: "before dinner", said at dinner.
