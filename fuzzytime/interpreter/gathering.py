@@ -130,7 +130,7 @@ class Gathering:
         step = without_now(instruction) if listed and self.rows.begun else instruction
         made = self._make(wish, reading, step)
         if listed:
-            self.rows.add(self.skills, made)
+            self.rows.add(self.skills, made, len(self.links.instructions))
         self._go_there(wish, reading, instruction, len(self.links.instructions))
         return made
 

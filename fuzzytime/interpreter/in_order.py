@@ -34,10 +34,11 @@ ON_THE_WAY = "on the way"
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """A step: the position of its skill, and what is known of it."""
+    """A step: the position of its skill, what is known of it, and in a list the ``place`` of its words."""
 
     position: int
     interpreted: Interpreted
+    place: int | None = None
 
     @property
     def timed(self) -> bool:
@@ -48,12 +49,21 @@ class Step:
 
     @property
     def ordered(self) -> bool:
-        """Whether its words leave it where it stands: not beside, before, or at a distance of another."""
+        """Whether its words leave it where it stands: not beside, before, or at a distance of another.
+
+        Before what comes later in its list it is anyhow.
+        """
         return all(
             not _is_anchored(part)
             or (part.constraint is Constraint.AFTER and part.anchor is not None and _is_behind(part))
+            or self._comes_before(part)
             for part in self.interpreted.requirements
         )
+
+    def _comes_before(self, part: TimeRequirement) -> bool:
+        target = None if part.anchor is None or part.anchor.exact else part.anchor.target
+        later = self.place is not None and target is not None and target > self.place
+        return later and part.constraint is Constraint.BEFORE
 
     def precedence(self, following: "Step") -> Precedence:
         """Let another follow: once this is done, or once hands are free where it goes on for others."""
@@ -124,10 +134,10 @@ class Rows:
         """Whether there is a step to follow."""
         return bool(self.row.last)
 
-    def add(self, skills: Sequence[Interpreted], places: range) -> None:
-        """Add what an instruction asks for; what happens by itself, or again and again, is no step."""
+    def add(self, skills: Sequence[Interpreted], places: range, instruction: int) -> None:
+        """Add what an instruction, by its place, asks for; what happens, or again and again, is no step."""
         if len(places) == 1 and _is_asked(skills[places[0]]):
-            self.row.add(Step(places[0], skills[places[0]]))
+            self.row.add(Step(places[0], skills[places[0]], instruction))
 
     def join(
         self,

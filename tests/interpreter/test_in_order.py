@@ -87,6 +87,15 @@ def test_words_for_another_order_count() -> None:
     assert starts(made)["s3"] == "07:20"
 
 
+def test_a_step_before_a_later_one_stays_where_it_stands() -> None:
+    lines = [
+        "roast the lamb for an hour",
+        "let the lamb rest for ten minutes before you carve it",
+        "carve the lamb",
+    ]
+    assert starts(told(lines, in_order=True)) == {"s1": "07:00", "s2": "08:00", "s3": "08:10"}
+
+
 def test_now_says_no_more_than_then_in_a_list() -> None:
     made = told(["1. boil the eggs for ten minutes", "2. now peel them"])
     assert starts(made)["s2"] == "07:10"
