@@ -207,6 +207,7 @@ class Doing:
     settling: Words
     inquiring: Words
     sure: Words
+    unwanted: Words
     eating: Words
     keeping: Words
     getting: Words

@@ -218,7 +218,7 @@ class _Composer:
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
         duration = lengths[0].duration if lengths else None
         operation, requirements, duration = without_denial(
-            sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}"
+            sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}", self.lexicon
         )
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
+from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
@@ -43,6 +44,7 @@ def without_denial(
     duration: float | None,
     connected: TimeRequirement | None,
     said: str,
+    lexicon: Lexicon,
 ) -> tuple[Operation | None, list[TimeRequirement], float | None]:
     """Read what is not to be done at some time as what is to be done at another: "don't open it before six".
 
@@ -54,9 +56,11 @@ def without_denial(
         What the word requires that joins it to what was said before.
     said
         The words of the instruction, and of one before it that is denied with it.
+    lexicon
+        What nobody asks for at any time is not turned: "don't disturb dad before ten".
     """
     denied = _denied_times(requirements, connected, said)
-    if operation is None or not operation.negated or not denied:
+    if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
     turned = [_turned(r, duration) if r.span in denied else r for r in requirements]
