@@ -39,6 +39,7 @@ class Operation:
     becomes ("let the dough rest", "have the slides ready"), ``manner`` how it is done or how often: "slowly",
     "twice"; ``addressee`` is who was asked ("Anna, …").
     ``stated`` says that it is not asked for, but happens: of "the guests arrive at six", the object does.
+    ``due`` are the words between object and verb where the object must do it: "the bread must rise".
     ``again`` says that its object was named before ("bake it").
     ``order`` says where it is done among all that is asked for.
     ``attended`` says that who speaks takes part, and can do nothing else: "I have a meeting at two".
@@ -53,6 +54,7 @@ class Operation:
     complement: str | None = None
     manner: str | None = None
     addressee: str | None = None
+    due: str | None = None
     negated: bool = False
     stated: bool = False
     attended: bool = False
@@ -71,8 +73,10 @@ class Operation:
         if self.object is not None and self.object.lower() in BEFORE_PARTICLES:
             inner = (self.object, self.particle)
         said: tuple[str | None, ...] = (self.verb, *inner, self.complement, self.place)
-        if self.lemma == "be" and (self.complement or self.place):
-            # "The coffee should be ready"
+        if self.due is not None:
+            # "The turkey needs to come out", "the coffee should be ready"
+            said = (self.object, self.due, self.verb, self.particle, self.complement, self.place)
+        elif self.lemma == "be" and (self.complement or self.place):
             said = (self.object, self.verb, self.complement, self.place)
         if self.stated:
             # "Dinner is at seven": what is, is its name.

@@ -66,7 +66,7 @@ def test_without_a_verb_there_is_no_action_and_the_tree_is_doubtful() -> None:
         (PLACE_THE_PAN, [], "place the pan on a stove in about four minutes"),
         (WANT, [], "wash it"),
         (READY, [], "have the rice ready"),
-        (STATEMENT, [], "boil the rice"),
+        (STATEMENT, [], "the rice must boil"),
         (DINNER, [], "dinner"),
         (QUIET, [], "be quiet"),
         (CAT, [], "feed the \U0001f431"),
