@@ -122,6 +122,7 @@ class BesideTimes:
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
     restricting: Words
+    belonging: Words
     first_of_repetitions: Words
     binding_ranges: Words
     behind_round: Words
