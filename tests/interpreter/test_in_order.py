@@ -168,3 +168,9 @@ def test_what_is_done_with_it_follows_what_was_asked_of_it() -> None:
 def test_its_own_time_says_when_something_is_done_with_it() -> None:
     at = starts(told(["serve the soup at noon", "heat it at 11 am", "before that, salt it"]))
     assert at["s3"] < at["s2"] == "11:00"
+
+
+@pytest.mark.parametrize("heading", ["Tomorrow:", "Saturday morning:"])
+def test_steps_below_a_day_are_done_in_order(heading: str) -> None:
+    at = starts(told([heading, "1. wash the car", "2. wax it", "3. dry the towels"]))
+    assert at["s2"] < at["s3"] < at["s4"]
