@@ -1,9 +1,9 @@
 """Steps in the order said: a recipe, a script, a numbered list.
 
 A step follows the one before it once that is done, unless its words say another order ("meanwhile",
-"before that", "every ten minutes"). Where two steps have times of their own, these say their order. The order
-of a list is looser than one in words: it gives way where it would keep a step from its own time, and what
-follows a step that cannot be done goes on without it.
+"before that", "every ten minutes"). Where two have different times of their own, these say their order. The
+order of a list is looser than one in words: it gives way where it would keep a step from its own time, and
+what follows a step that cannot be done goes on without it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -46,6 +46,16 @@ class Step:
         return any(
             part.constraint in OWN_TIME and not _is_anchored(part) for part in self.interpreted.requirements
         )
+
+    @property
+    def times(self) -> set[tuple[float | None, float | None]]:
+        """When it is to be done: "Saturday" for all that is asked for below it."""
+        own = (part for part in self.interpreted.requirements if part.constraint in OWN_TIME)
+        return {(part.earliest, part.latest) for part in own}
+
+    def is_apart(self, other: "Step") -> bool:
+        """Whether its time and that of another say which comes first: the same time for both does not."""
+        return self.timed and other.timed and self.times != other.times
 
     @property
     def ordered(self) -> bool:
@@ -92,7 +102,7 @@ class Row:
         left: list[Step] = []
         open_ends = {before.position for before in self.last}
         for before in self.last:
-            if not step.ordered or (step.timed and before.timed):
+            if not step.ordered or step.is_apart(before):
                 left.append(before)
             else:
                 self.precedences.append(before.precedence(step))
@@ -244,7 +254,7 @@ def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
     for step in steps:
         order = _order_of(step)
         for other in steps if order is not None else ():
-            apart = step.timed and other.timed and _times(step) != _times(other)
+            apart = step.is_apart(other)
             if other.position != step.position and not apart and _order_of(other) is not order:
                 first, second = (step, other) if order is Order.FIRST else (other, step)
                 yield first.precedence(second)
@@ -252,12 +262,6 @@ def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
 
 def _order_of(step: Step) -> Order | None:
     return None if step.interpreted.operation is None else step.interpreted.operation.order
-
-
-def _times(step: Step) -> set[tuple[float | None, float | None]]:
-    """Give when a step is to be done: "Saturday" for all that is asked for below it."""
-    own = (part for part in step.interpreted.requirements if part.constraint in OWN_TIME)
-    return {(part.earliest, part.latest) for part in own}
 
 
 def _is_asked(made: Interpreted) -> bool:

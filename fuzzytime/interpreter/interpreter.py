@@ -127,7 +127,7 @@ class Interpreter:
         happened = as_they_happened(gathered.skills, request.started)
         skills, called = by_agents(happened, request)
         problems += called
-        skills, precedences, unresolved = link(skills, gathered.links, self.rulebook)
+        skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
         order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]

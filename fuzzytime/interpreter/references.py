@@ -7,6 +7,7 @@ time of its own, ψ of this one follows it, so that both are wished for at match
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from datetime import datetime
 
 from fuzzytime.context import Context
 from fuzzytime.errors import FuzzytimeError
@@ -19,6 +20,7 @@ from fuzzytime.rulebook import Rulebook
 from fuzzytime.satisfaction import Interval, SatisfactionFunction
 from fuzzytime.skills import Precedence
 from fuzzytime.spelling import suggestion
+from fuzzytime.times import seconds_between
 
 JUST_BEFORE = "just before"
 FAR = 86400.0
@@ -53,9 +55,9 @@ class Links:
 
 
 def link(
-    skills: Sequence[Interpreted], links: Links, rulebook: Rulebook
+    skills: Sequence[Interpreted], links: Links, rulebook: Rulebook, now: datetime
 ) -> tuple[list[Interpreted], tuple[Precedence, ...], list[Problem]]:
-    """Turn references into precedences, and let ψ follow the skills that it is measured from.
+    """Turn references into precedences, and let ψ follow the skills that it is measured from; 0 is ``now``.
 
     Returns
     -------
@@ -92,7 +94,7 @@ def link(
                 problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
             # Of a repetition, the first occurrence is meant.
             tie = _Tie(linked[targets[0]], linked[position], requirement, requirement.anchor, rulebook)
-            linked[position] = tie.follower()
+            linked[position] = tie.follower(now)
             wanted.append((position, tie.precedence(targets[0], position)))
     kept = _without_circles(linked, wanted, problems)
     for position, precedence in kept:
@@ -247,12 +249,30 @@ class _Tie:
         beside, x = self.beside, self.allowed()
         return min(max(x.low, self.lag + (0.0 if beside is None else min(0.0, beside.best.high))), x.high)
 
-    def follower(self) -> Interpreted:
+    def follower(self, now: datetime) -> Interpreted:
         """Give this skill with what an exact distance says of its own time: its ψ, and the start named."""
         if not self.anchor.exact:
-            return self.this
+            return self._from_there(now)
         skill = replace(self.this.skill, satisfaction=self._satisfaction(), preferred=self._preferred())
         return replace(self.this, skill=skill)
+
+    @property
+    def expected(self) -> float:
+        """Where the target is named, or could be at the earliest; infinite where it cannot be."""
+        target = self.target.skill
+        return target.preferred if target.preferred is not None else max(0.0, target.satisfaction.best.low)
+
+    def _from_there(self, now: datetime) -> Interpreted:
+        """Let "soon" and "at once" behind another count from when that is done: "then serve it soon"."""
+        own = [part for part in self.this.requirements if part.anchor is None]
+        later = self.expected + self.moment - seconds_between(now, self.this.wish.given)
+        follows = self.requirement.constraint is Constraint.AFTER and 0 < later < math.inf
+        if not (follows and own and all(map(_counts_from_now, own))):
+            return self.this
+        skill = self.this.skill
+        named = None if skill.preferred is None else skill.preferred + later
+        moved = replace(skill, satisfaction=skill.satisfaction.shifted(later), preferred=named)
+        return replace(self.this, skill=moved)
 
     def _preferred(self) -> float | None:
         """Give the start that was named, or that at the very distance from where the target's was."""
@@ -279,6 +299,11 @@ class _Tie:
         )
         wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
         return wide if alone else both(own, wide)
+
+
+def _counts_from_now(part: TimeRequirement) -> bool:
+    """Whether words name no time but that of who speaks: "soon", "right away"."""
+    return part.word is not None and not part.t_spec and part.constraint in {Constraint.AT, Constraint.VAGUE}
 
 
 def _without_circles(

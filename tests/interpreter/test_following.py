@@ -160,6 +160,22 @@ def test_before_something_is_done_counts_back_from_its_end(words: str, start: st
     assert starts(made)["s2"] == start
 
 
+@pytest.mark.parametrize(
+    ("line", "start"),
+    [
+        ("then serve it right away", "10:01"),
+        ("then immediately serve it", "10:01"),
+        ("after that feed the cat soon", "10:01"),
+        ("then serve it later", "10:31"),
+        ("feed the cat soon", "07:00"),
+    ],
+)
+def test_soon_and_at_once_behind_another_count_from_when_that_is_done(line: str, start: str) -> None:
+    made = told(["stir the soup at 10 am", line])
+    assert starts(made)["s2"] == start
+    assert made.schedule.satisfactions == (1, 1)
+
+
 def test_inside_of_nothing_is_told() -> None:
     assert any("none was given so far" in note for note in notes(told(["turn it halfway through"])))
 

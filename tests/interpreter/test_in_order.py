@@ -199,3 +199,9 @@ def test_what_has_a_time_of_its_own_is_between_too() -> None:
 def test_a_distance_counts_from_what_is_undone() -> None:
     at = starts(told(["put the cake in, whip the cream and take it out after 30 minutes"]))
     assert at == {"s1": "07:00", "s1.2": "07:01", "s1.3": "07:31"}
+
+
+@pytest.mark.parametrize("heading", ["Tomorrow:", "Saturday morning:"])
+def test_steps_below_a_day_are_done_in_order(heading: str) -> None:
+    at = starts(told([heading, "1. wash the car", "2. wax it", "3. dry the towels"]))
+    assert at["s2"] < at["s3"] < at["s4"]

@@ -563,6 +563,11 @@ def test_a_question_is_one_in_short_too(text: str) -> None:
     assert [remark.message for remark in reading.remarks] == [f"{text[:-1]!r} asks, and says nothing to do"]
 
 
+def test_an_end_of_a_time_that_is_not_known_is_pointed_at() -> None:
+    reading = language().read("call Bob at next year's start", now=NOW)
+    assert [remark.kind for remark in reading.remarks] == [RemarkKind.NOT_UNDERSTOOD]
+
+
 @pytest.mark.parametrize("text", ["tomorrow at nine call the insurance", "friday at two ring the school"])
 def test_a_verb_behind_a_time_in_front_is_what_is_to_be_done(text: str) -> None:
     operation = language().read(text, now=NOW).instructions[0].operation

@@ -290,6 +290,14 @@ def test_ctrl_c_in_a_turn_ends_the_turn_of_one_who_types_and_all_of_a_pipe(
     assert len(seen) == taken
 
 
+def test_on_a_plain_terminal_what_is_to_be_said_anew_is_shown() -> None:
+    talk, out = Talk(), io.StringIO()
+    talk.say("Stir the soup in about ten minutes")
+    screen = Screen(out, 80, colour=False, unicode=True, interactive=False)
+    piped(Dialogue(talk.turns, lambda: NINE, screen, bell=False), Tty(":edit 1\n"))
+    assert ":edit 1 Stir the soup in about ten minutes\n" in out.getvalue()
+
+
 def test_a_session_goes_on_with_a_zone_and_without(tmp_path: Path) -> None:
     talk = Talk(tmp_path / "s.sqlite")
     talk.say("Stir the soup in ten minutes")

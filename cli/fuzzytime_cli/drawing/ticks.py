@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from datetime import datetime
 from itertools import pairwise
 
+from fuzzytime.times import instant_after, seconds_between
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import width_of
 
 MINUTES = (1, 2, 5, 10, 15, 30)
 HOURS = (1, 2, 3, 6, 12)
-DAYS = (1, 2, 7, 14, 28)
+DAYS = (1, 2, 7, 14)
+MONTHS = (1, 2, 3, 6, 12, 24, 60)
 STEPS = (*MINUTES, *(60 * m for m in MINUTES), *(3600 * h for h in HOURS), *(86400 * d for d in DAYS))
 """Distances between ticks that people find round, in seconds."""
 
@@ -34,11 +36,14 @@ def ticks(start: float, end: float, most: int, now: datetime | None) -> list[Tic
     >>> [tick.label for tick in ticks(0, 300, 2, None)]
     ['+0 min', '+5 min']
     >>> [tick.label for tick in ticks(0, 400 * 86400, 2, datetime(2026, 3, 4))]
-    ['Wed', '14 Oct']
+    ['01 Jul', '01 Jan 2027']
     """
-    times = round_times(start, end, most, _since_midnight(now))
     if now is None:
-        return [Tick(time, f"{time / 60:+.4g} min") for time in times]
+        return [Tick(time, f"{time / 60:+.4g} min") for time in round_times(start, end, most)]
+    if end - start > most * STEPS[-1]:
+        times = _months(start, end, most, now)
+    else:
+        times = round_times(start, end, most, _since_midnight(now))
     clock = Clock.for_times(now, times)
     shown = clock.day if all(map(clock.is_midnight, times)) else clock.of
     return [Tick(time, shown(time)) for time in times]
@@ -78,6 +83,22 @@ def round_times(start: float, end: float, most: int, offset: float = 0.0) -> lis
     return [float(index * step - offset) for index in range(first, last + 1)]
 
 
-def _since_midnight(now: datetime | None) -> float:
+def _months(start: float, end: float, most: int, now: datetime) -> list[float]:
+    """Give at most so many beginnings of months between two times."""
+    first, last = (_month_of(instant_after(now, time)) for time in (start, end))
+    span = next((step for step in MONTHS if (last - first) // step <= most), last - first)
+    found = (
+        seconds_between(now, datetime(month // 12, month % 12 + 1, 1, tzinfo=now.tzinfo))
+        for month in range(-(-first // span) * span, last + 1, span)
+    )
+    return [time for time in found if start <= time <= end]
+
+
+def _month_of(instant: datetime) -> int:
+    """Count the months of our calendar up to an instant."""
+    return instant.year * 12 + instant.month - 1
+
+
+def _since_midnight(now: datetime) -> float:
     """Give the seconds of the day so far, by the clock."""
-    return 0.0 if now is None else now.hour * 3600.0 + now.minute * 60 + now.second + now.microsecond / 1e6
+    return now.hour * 3600.0 + now.minute * 60 + now.second + now.microsecond / 1e6

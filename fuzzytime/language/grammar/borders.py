@@ -15,6 +15,7 @@ from fuzzytime.language.grammar.titles import Titles
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Wall
+from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.requirement import Constraint
 
 LONGEST_WISH = 4
@@ -68,7 +69,18 @@ class Borders:
             or any(map(self.doses.count, range(piece.start, piece.end)))
             or self.dining.is_purpose(piece)
             or self._offers_more(piece)
+            or self._is_from_the_past(piece)
         )
+
+    def _is_from_the_past(self, piece: Piece) -> bool:
+        """Whether it says of which time a thing is that was: "the report of last week at nine"."""
+        time = piece.value.time
+        days = time.days if isinstance(time, Wall) else None
+        past = (isinstance(days, Deictic) and days.which is Which.LAST) or (
+            isinstance(days, Relative) and days.days < 0
+        )
+        first = piece.start + (self.texts[piece.start] in self.beside.belonging)
+        return past and self.around.belongs(first)
 
     def _begins_other_bound(self, piece: Piece) -> bool:
         """Whether its last words begin another bound: "around noon but not before eleven"."""

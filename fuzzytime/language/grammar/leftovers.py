@@ -8,6 +8,7 @@ from fuzzytime.language.grammar.spans import Scanned
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.instruction import Remark, RemarkKind, Span
 from fuzzytime.language.meaning.expressions import UnitWord
+from fuzzytime.language.meaning.relations import Relative, Which
 from fuzzytime.requirement import Unit
 
 TELLING = frozenset(
@@ -22,6 +23,9 @@ WEEKENDING = frozenset({"over", "during", "at", "on", "for", "by", "before", "af
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
+
+DEICTICS = frozenset(Which)
+"""Words before a unit that say which: "next week"."""
 
 SHORTEST = 3
 """Letters that a unit must have to look like time by itself."""
@@ -65,6 +69,8 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
                     or (category.startswith("hh") and (around.cites(start) or around.before(piece) == "the"))
                     or (around.describes(piece) and around.follower(piece) not in lexicon.beside.ahead)
                     or _is_compound(piece, around)
+                    or _is_owner(piece, around)
+                    or _is_from_the_past(piece, around)
                 ):
                     continue
                 yield from range(start, piece.end)
@@ -106,6 +112,26 @@ def _is_title(piece: Piece, around: Surroundings) -> bool:
     known = named in around.lexicon.function_words or around.timely(piece.end)
     told = named in around.lexicon.beside.saying
     return piece.category == "part" and piece.start == 0 and (told or (named.isalpha() and not known))
+
+
+def _is_from_the_past(piece: Piece, around: Surroundings) -> bool:
+    """Whether it says of which time a thing is that was: "the report of last week", "mail from yesterday"."""
+    place = piece.start - (around.before(piece) == "last")
+    last = "last" in around.texts[place : piece.end]
+    past = last or (isinstance(piece.value, Relative) and piece.value.days < 0)
+    return past and around.belongs(place)
+
+
+def _is_owner(piece: Piece, around: Surroundings) -> bool:
+    """Whether a thing is of that time: "next week's shifts", but not "by next week's end"."""
+    led = piece.start - (around.before(piece) in DEICTICS)
+    leading = around.pieces(led - 1) if led else []
+    bound = led > 0 and around.texts[led - 1] in around.closed.prepositions_of_time
+    if bound or any(said.category.startswith("preposition") for said in leading):
+        return False
+    thing = around.texts[piece.end + 1 : piece.end + 2]
+    timely = around.timely(piece.end + 1) or not around.lexicon.ordinals.keys().isdisjoint(thing)
+    return around.follower(piece) == "'s" and bool(thing) and thing[0].isalpha() and not timely
 
 
 def _is_compound(piece: Piece, around: Surroundings) -> bool:

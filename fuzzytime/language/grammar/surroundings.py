@@ -103,6 +103,13 @@ class Surroundings:
         )
         return not self.may_end(last)
 
+    def belongs(self, place: int) -> bool:
+        """Whether a time at a place is that of a thing: "the report of | last week"."""
+        if place < 2 or self.texts[place - 1] not in self.beside.belonging:
+            return False
+        thing = self.texts[place - 2]
+        return thing.isalpha() and thing not in self.lexicon.function_words and not self.timely(place - 2)
+
     def timely(self, place: int) -> bool:
         """Whether the word at a place begins a time."""
         return any(piece.category in TIMELY for piece in self.pieces(place))

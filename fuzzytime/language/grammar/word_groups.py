@@ -125,6 +125,7 @@ class BesideTimes:
 
     restricting: Words
     hedging_verbs: Words
+    belonging: Words
     first_of_repetitions: Words
     binding_ranges: Words
     behind_round: Words
