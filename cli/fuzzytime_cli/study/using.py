@@ -93,7 +93,8 @@ def calibrate(
 
     with opened(database) as store:
         answers = store.answers()
-    text = rule_table(calibrated(answers, seed=seed))
+    found = calibrated(answers, seed=seed)
+    text = rule_table(found)
     with tempfile.TemporaryDirectory() as folder:
         draft = Path(folder) / "table.yaml"
         draft.write_text(text, encoding="utf-8")
@@ -101,5 +102,7 @@ def calibrate(
     if mistakes:
         raise DocumentError(mistakes)
     write_out(output, text)
+    for caution in found.cautions:
+        report(f"caution: {caution}")
     if output is not None:
         report(f"{output} holds no mistake; use it by: plan --rules {output}")

@@ -80,6 +80,15 @@ class Analysis:
         return Memory(self.answers.design.timeline.samples, 4)
 
     @property
+    def poor(self) -> tuple[str, ...]:
+        """The instructions whose medians no trapezoid fits well."""
+        return tuple(
+            key
+            for key, described in self.overall.items()
+            if described.fits and described.fits[Model.TRAPEZOID].poor
+        )
+
+    @property
     def divergent(self) -> tuple[str, ...]:
         """The instructions in which two subgroups describe the participants clearly better than one."""
         return tuple(key for key, described in self.overall.items() if described.subgroups.divergent)

@@ -62,7 +62,7 @@ class Page:
         return "".join(self.parts)
 
 
-_NUMBER = r"[−\d.,]+(%| [a-z]+)?"
+_NUMBER = r"(< )?[−\d.,]+(%| [a-z]+)?"
 _NUMBERS = re.compile(rf"{_NUMBER}( (to|of) {_NUMBER})?|–")
 
 
