@@ -75,7 +75,7 @@ def _summary(answers: Sequence[str]) -> str:
         numbers = np.array(answers, float)
         return f"median {np.median(numbers):g}, {numbers.min():g} to {numbers.max():g}"
     counts = Counter(answers).most_common()
-    return ", ".join(f"{text} {count} ({count / len(answers):.1%})" for text, count in counts)
+    return ", ".join(f"{text} {count} ({100 * count / len(answers):.1f} %)" for text, count in counts)
 
 
 def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
