@@ -228,6 +228,7 @@ def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(
         ("simulate", Exit.USAGE, "--db"),
         ("simulate --db no/such/folder/x", Exit.IO_ERROR, "no/such/folder/x: "),
         ("serve none --db {new}", Exit.NO_INPUT, "none: there is no such design"),
+        ("analyse none --resamples 5", Exit.USAGE, "--resamples must be 0 or at least 20, got 5"),
         ("nonsense", Exit.USAGE, "nonsense"),
     ],
 )
