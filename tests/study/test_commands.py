@@ -227,6 +227,7 @@ def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(
         ("simulate --db {new} --participants 0", Exit.USAGE, "--participants"),
         ("simulate", Exit.USAGE, "--db"),
         ("simulate --db no/such/folder/x", Exit.IO_ERROR, "no/such/folder/x: "),
+        ("serve --db {new} --name a/b", Exit.USAGE, "--name: a name must be a host"),
         ("serve none --db {new}", Exit.NO_INPUT, "none: there is no such design"),
         ("analyse none --resamples 5", Exit.USAGE, "--resamples must be 0 or at least 20, got 5"),
         ("nonsense", Exit.USAGE, "nonsense"),
