@@ -1,3 +1,4 @@
+import re
 from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +11,9 @@ from hypothesis import strategies as st
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Actor, Profile, Rulebook, check
+from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study import Answers, Design, Population, StudyInstruction, calibrate, rule_table, simulate
+from fuzzytime.study.asking.questions import Timeline
 from fuzzytime.study.calibration.breakpoints import Breakpoint, explained
 from study.truths import half_base, truth
 
@@ -140,6 +143,19 @@ def test_half_hearted_people_give_a_table_with_a_caution(design: Design, tmp_pat
     assert set(found.poor) >= {"in-10", "in-30", "after-10"}
     assert "a trapezoid fits the median badly (R² below 0.9) for: " in found.cautions[0]
     tables(answers, tmp_path)
+
+
+def test_widths_of_hours_are_written_as_durations(design: Design, tmp_path: Path) -> None:
+    day = replace(
+        design,
+        timeline=Timeline(0.0, 24 * 3600.0, 800),
+        attention=None,
+        instructions=(replace(design.instruction("in-10"), t_spec=10 * 3600.0),),
+    )
+    wide = Trapezoid(0.0, 6 * 3600.0, 14 * 3600.0, 20 * 3600.0)
+    answers = simulate(day, {"in-10": wide}, 6)
+    assert re.search(r"points: \{600 min: 3\d{4} s\}", rule_table(calibrate(answers)))
+    assert tables(answers, tmp_path).resolve(ahead(36000.0)).satisfaction.support.length > 19 * 3600
 
 
 def test_people_who_contradict_each_other_give_a_table_that_can_be_read(

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
 
 from fuzzytime.study.analysis.fitting import Fit
 from fuzzytime.study.calibration.calibrate import Calibration
@@ -89,7 +90,12 @@ def _actors(calibration: Calibration, study: str) -> list[str]:
 
 
 def _points(points: Mapping[float, float], unit: str) -> str:
-    return "{" + ", ".join(f"{_time(time)}: {value:.4g}{unit}" for time, value in points.items()) + "}"
+    return "{" + ", ".join(f"{_time(time)}: {_digits(value)}{unit}" for time, value in points.items()) + "}"
+
+
+def _digits(value: float) -> str:
+    """Write four significant digits, never as a power of ten, which no duration has."""
+    return format(Decimal(f"{value:.4g}"), "f")
 
 
 def _time(seconds: float) -> str:
