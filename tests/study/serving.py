@@ -14,11 +14,13 @@ TOKEN = "a-token-for-tests"  # noqa: S105 - of a server that lives for one test
 
 
 @contextmanager
-def running(path: Path, design: Design, port: int = 0, patience: float = 15.0) -> Iterator[StudyServer]:
+def running(
+    path: Path, design: Design, port: int = 0, patience: float = 15.0, names: tuple[str, ...] = ()
+) -> Iterator[StudyServer]:
     """Serve a study in a thread, until the block ends."""
     with AnswerStore.create(path, design) as store:
         service = StudyService(store, lambda: "2026-03-04T09:00:00", lambda: secrets.token_urlsafe(12))
-        server = StudyServer(("127.0.0.1", port), service, TOKEN, patience=patience)
+        server = StudyServer(("127.0.0.1", port), service, TOKEN, names=names, patience=patience)
         thread = threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05})
         thread.start()
         try:

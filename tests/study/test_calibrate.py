@@ -1,3 +1,5 @@
+import re
+from collections.abc import Collection
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,7 +11,9 @@ from hypothesis import strategies as st
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Actor, Profile, Rulebook, check
+from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study import Answers, Design, Population, StudyInstruction, calibrate, rule_table, simulate
+from fuzzytime.study.asking.questions import Timeline
 from fuzzytime.study.calibration.breakpoints import Breakpoint, explained
 from study.truths import half_base, truth
 
@@ -103,21 +107,90 @@ def test_a_study_of_one_preposition_gives_a_table_too(design: Design, tmp_path: 
             assert np.abs(calibrated(times) - meant(times)).mean() < 0.01
 
 
-def test_a_median_that_is_0_everywhere_is_named(design: Design) -> None:
-    answers = simulate(replace(design, attention=None), truth, 4)
+def without(answers: Answers, keys: Collection[str]) -> Answers:
+    """Give the answers of people who draw nothing for some instructions."""
     people = tuple(
-        replace(person, curves={**person.curves, "soon": np.zeros(800)}) for person in answers.participants
+        replace(person, curves={**person.curves, **dict.fromkeys(keys, np.zeros(800))})
+        for person in answers.participants
     )
-    with pytest.raises(FuzzytimeError, match="median curve of 'soon' is 0"):
-        calibrate(Answers(answers.design, people))
+    return Answers(replace(answers.design, attention=None), people)
 
 
-@given(st.floats(-500, 500), st.floats(-3, 3))
+def test_a_median_that_is_0_everywhere_is_left_out_and_named(design: Design, tmp_path: Path) -> None:
+    answers = without(simulate(design, truth, 4), {"soon", "after-30"})
+    found = calibrate(answers)
+    assert found.left_out == ("soon", "after-30")
+    assert found.cautions == ("the median is 0 everywhere, and left out, for: soon, after-30",)
+    assert set(found.words) == {"now"}
+    assert f"# Caution: {found.cautions[0]}.\n" in rule_table(found)
+    tables(answers, tmp_path)
+
+
+def test_medians_that_are_all_0_give_no_table(design: Design) -> None:
+    answers = without(simulate(design, truth, 4), {entry.key for entry in design.instructions})
+    with pytest.raises(FuzzytimeError, match="nothing to calibrate"):
+        calibrate(answers)
+
+
+def test_half_hearted_people_give_a_table_with_a_caution(design: Design, tmp_path: Path) -> None:
+    drawn = simulate(design, truth, 6)
+    people = tuple(
+        replace(person, curves={key: 0.4 * curve for key, curve in person.curves.items()})
+        for person in drawn.participants
+    )
+    answers = Answers(drawn.design, people)
+    found = calibrate(answers)
+    assert set(found.poor) >= {"in-10", "in-30", "after-10"}
+    assert "a trapezoid fits the median badly (R² below 0.9) for: " in found.cautions[0]
+    tables(answers, tmp_path)
+
+
+def test_widths_of_hours_are_written_as_durations(design: Design, tmp_path: Path) -> None:
+    day = replace(
+        design,
+        timeline=Timeline(0.0, 24 * 3600.0, 800),
+        attention=None,
+        instructions=(replace(design.instruction("in-10"), t_spec=10 * 3600.0),),
+    )
+    wide = Trapezoid(0.0, 6 * 3600.0, 14 * 3600.0, 20 * 3600.0)
+    answers = simulate(day, {"in-10": wide}, 6)
+    assert re.search(r"points: \{600 min: 3\d{4} s\}", rule_table(calibrate(answers)))
+    assert tables(answers, tmp_path).resolve(ahead(36000.0)).satisfaction.support.length > 19 * 3600
+
+
+def test_people_who_contradict_each_other_give_a_table_that_can_be_read(
+    design: Design, tmp_path: Path
+) -> None:
+    times = design.timeline.times
+    people = tuple(
+        replace(
+            person,
+            curves={
+                entry.key: np.asarray(
+                    times < entry.t_spec + 120 if place % 2 else times > entry.t_spec - 120, np.float64
+                )
+                for entry in design.instructions
+            },
+        )
+        for place, person in enumerate(simulate(design, truth, 8).participants)
+    )
+    answers = Answers(design, people)
+    assert calibrate(answers).cautions
+    tables(answers, tmp_path)
+
+
+@given(st.floats(-500, 500), st.floats(0, 5))
 def test_lengths_are_explained_within_the_tolerance(constant: float, share: float) -> None:
     widths = [113.0, 115.0, 133.0, 174.0]
     found = explained([constant + share * w for w in widths], widths, 4.5)
     for w in widths:
         assert found.value(0.0, w) == pytest.approx(constant + share * w, abs=4.5)
+
+
+def test_whoever_is_more_lenient_does_not_mean_less() -> None:
+    widths = [113.0, 115.0, 133.0, 174.0]
+    assert explained([500 - 2 * w for w in widths], widths, 1.0).width == 0
+    assert explained([0, 10, 0, 12], [120, 121, 122, 123], 1.0).constant in (0, 5.5)
 
 
 def test_the_simplest_explanation_is_taken() -> None:

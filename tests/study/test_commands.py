@@ -227,7 +227,9 @@ def test_groups_may_be_given_widths_by_a_factor_or_by_the_tables_actors(
         ("simulate --db {new} --participants 0", Exit.USAGE, "--participants"),
         ("simulate", Exit.USAGE, "--db"),
         ("simulate --db no/such/folder/x", Exit.IO_ERROR, "no/such/folder/x: "),
+        ("serve --db {new} --name a/b", Exit.USAGE, "--name: a name must be a host"),
         ("serve none --db {new}", Exit.NO_INPUT, "none: there is no such design"),
+        ("analyse none --resamples 5", Exit.USAGE, "--resamples must be 0 or at least 20, got 5"),
         ("nonsense", Exit.USAGE, "nonsense"),
     ],
 )
@@ -249,6 +251,22 @@ def test_an_address_that_is_taken_is_said(run: Run, tmp_path: Path) -> None:
         done = run("serve", "--db", tmp_path / "a.sqlite", "--port", port)
     assert done.code == Exit.IO_ERROR
     assert f"127.0.0.1:{port}: " in done.err
+
+
+def test_half_hearted_answers_are_warned_of_on_the_whole_road(fine: Run, tmp_path: Path) -> None:
+    truth = tmp_path / "truth.yaml"
+    half = "{points: [[0 s, 0.4], [40 min, 0.4], [45 min, 0]]}"
+    truth.write_text("".join(f"{entry.key}: {half}\n" for entry in Design.shipped().instructions))
+    database = tmp_path / "half.sqlite"
+    fine("simulate", "--db", database, "--participants", 4, "--truth", truth)
+    said = fine("analyse", database, "--permutations", 9, "--no-plots", "--out", tmp_path / "report").out
+    assert "caution: a trapezoid fits the median badly (R² below 0.9) for: in-now" in said
+    cautions = said[said.index("caution: a") : said.index("F1")]
+    assert max(map(len, cautions.splitlines())) <= 80
+    page = (tmp_path / "report" / "report.html").read_text()
+    assert "A trapezoid fits the median badly" in page
+    table = fine("calibrate", database, "-o", tmp_path / "half.yaml")
+    assert "caution: a trapezoid fits the median badly" in table.err
 
 
 def test_a_participants_name_is_a_word_to_shells_and_no_number_to_spreadsheets() -> None:

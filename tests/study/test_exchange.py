@@ -7,9 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from fuzzytime.errors import DocumentError
-from fuzzytime.study import Answers, Design, Participant
+from fuzzytime.satisfaction import Trapezoid
+from fuzzytime.study import Answers, Design, Participant, simulate
 from fuzzytime.study.answers.as_csv import read_csv, write_csv
 from fuzzytime.study.answers.as_json import read_json, write_json
 
@@ -233,3 +236,64 @@ def test_an_imported_curve_may_be_anybodys(design: Design) -> None:
     person = Participant(name="a,b\n'", group="robot", order=("soon",), curves={"soon": np.zeros(800)})
     (again,) = read_csv(io.StringIO(as_csv(Answers(design, (person,))), newline=""), design).participants
     assert again.name == person.name.strip()
+
+
+TINY = """
+fuzzytime-study: 1
+name: tiny
+timeline: {start: 0 s, end: 10 min, samples: 10}
+groups: {robot: robot, person: person}
+instructions:
+  soon: {say: Start soon!, preposition: in, t: 0 s, word: soon}
+  in-5: {say: Start in 5 minutes!, preposition: in, t: 5 min}
+demographics: {age: {ask: How old?, whole: [1, 99]}}
+control: {say: Late?, t: 5 min, late: 1 min, points: 5, lowest: low, highest: high}
+"""
+
+
+@pytest.fixture(scope="module")
+def tiny() -> Answers:
+    design = Design.of_text(TINY)
+    return simulate(design, {entry.key: Trapezoid(0, 100, 200, 500) for entry in design.instructions}, 3)
+
+
+VALUES = st.recursive(
+    st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=5),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+    max_leaves=4,
+)
+
+
+@given(st.data())
+def test_whatever_json_holds_it_is_read_or_refused_with_a_place(tiny: Answers, data: st.DataObject) -> None:
+    document = json.loads(as_json(tiny))
+    parent, steps = document, data.draw(st.integers(1, 5))
+    for _ in range(steps):
+        key = data.draw(st.sampled_from(sorted(parent) if isinstance(parent, dict) else range(len(parent))))
+        if isinstance(parent[key], dict | list) and parent[key]:
+            parent = parent[key]
+    key = data.draw(st.sampled_from(sorted(parent) if isinstance(parent, dict) else range(len(parent))))
+    parent[key] = data.draw(VALUES)
+    text = json.dumps(document, indent=data.draw(st.sampled_from([None, 2])))
+    try:
+        read_json(text, "x.json")
+    except DocumentError as error:
+        for mistake in error.mistakes:
+            assert mistake.path.startswith("x.json")
+            if mistake.path == "x.json":
+                assert text.split("\n")[mistake.line - 1][mistake.column - 1 :]
+
+
+@given(st.integers(0, 40), st.integers(0, 10), st.text(max_size=8))
+def test_whatever_a_cell_holds_it_is_read_or_refused_with_a_place(
+    tiny: Answers, line: int, column: int, cell: str
+) -> None:
+    rows = list(csv.reader(io.StringIO(as_csv(tiny), newline="")))
+    rows[line][column] = cell
+    saved = io.StringIO()
+    csv.writer(saved).writerows(rows)
+    try:
+        read_csv(io.StringIO(saved.getvalue(), newline=""), tiny.design, "x.csv")
+    except DocumentError as error:
+        (mistake,) = error.mistakes
+        assert 1 <= mistake.line <= saved.getvalue().count("\n") + 1

@@ -312,10 +312,27 @@ def test_nothing_drawn_is_asked_about_once(opened: Opened, server: StudyServer) 
 def test_a_refused_answer_is_said_and_may_be_corrected(opened: Opened, server: StudyServer) -> None:
     page = opened()
     agree(page)
-    page.get_by_label("How old are you?").fill("7")
+    female = page.get_by_label("female", exact=True)
+    female.evaluate("input => { input.value = 'of course'; }")
+    female.check()
     page.get_by_role("button", name="Next").click()
-    page.get_by_text("age must be a whole number from 16 to 120").wait_for()
-    page.get_by_label("How old are you?").fill("70")
+    page.get_by_text("gender must be one of female, male, another, got 'of course'").wait_for()
+    page.get_by_label("another").check()
+    page.get_by_role("button", name="Next").click()
+    page.get_by_role("heading", name="Try it out").wait_for()
+    assert server.service.store.answers().participants[0].demographics == {"gender": "another"}
+
+
+def test_a_number_that_is_none_is_said_before_it_is_sent(opened: Opened, server: StudyServer) -> None:
+    page = opened()
+    agree(page)
+    age = page.get_by_label("How old are you?")
+    for typed in ("7", "30.5", "1e"):
+        age.fill("")
+        age.press_sequentially(typed)
+        page.get_by_role("button", name="Next").click()
+        page.get_by_text("whole number from 16 to 120, or leave it open").wait_for()
+    age.fill("70")
     page.get_by_role("button", name="Next").click()
     page.get_by_role("heading", name="Try it out").wait_for()
     assert server.service.store.answers().participants[0].demographics == {"age": "70"}

@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.study import Design
-from fuzzytime.study.serving.server import MOST_CONNECTIONS, StudyServer
+from fuzzytime.study.serving.server import MOST_CONNECTIONS, StudyServer, origin_of
 from fuzzytime.study.serving.service import body_limit
 from study.raw_http import request, send
 from study.serving import TOKEN, running
@@ -347,6 +348,28 @@ def test_another_address_can_be_asked_for(tmp_path: Path, design: Design) -> Non
 
     with AnswerStore.create(tmp_path / "a.sqlite", design) as store:
         service = StudyService(store, lambda: "", lambda: os.urandom(8).hex())
-        with StudyServer(("127.0.0.1", 0), service, TOKEN, names=("lab.example",)) as server:
+        names = ("lab.example", "https://Study.example/")
+        with StudyServer(("127.0.0.1", 0), service, TOKEN, names=names) as server:
             assert f"lab.example:{server.port}" in server.hosts
+            assert server.urls == (
+                f"http://127.0.0.1:{server.port}/?token={TOKEN}",
+                f"http://lab.example:{server.port}/?token={TOKEN}",
+                f"https://study.example/?token={TOKEN}",
+            )
+        with StudyServer(("0.0.0.0", 0), service, TOKEN) as server:  # noqa: S104 - closed at once
             assert server.url == f"http://127.0.0.1:{server.port}/?token={TOKEN}"
+
+
+@pytest.mark.parametrize("host", ["127.0.0.1:{port}", "study.example"])
+def test_a_proxy_with_tls_may_stand_before_it(tmp_path: Path, design: Design, host: str) -> None:
+    with running(tmp_path / "a.sqlite", design, names=("https://study.example",)) as server:
+        asked = {"Host": host.format(port=server.port), "Origin": "https://study.example"}
+        assert request(server, "/join", {"consent": True}, asked).status == 200
+        for other in ("http://study.example", "https://study.example.attacker", "https://127.0.0.1"):
+            assert request(server, "/join", {"consent": True}, {**asked, "Origin": other}).status == 403
+
+
+@pytest.mark.parametrize("name", ["", "a b", "https://", "ftp://a", "https://a/path", "a:b", "a\n", "[::1"])
+def test_what_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(FuzzytimeError, match="must be a host, or an address"):
+        origin_of(name, 1)

@@ -174,3 +174,36 @@ def test_a_file_copied_while_the_page_is_open_is_not_read_without_its_log(
     monkeypatch.setattr(os, "access", lambda _path, _mode: False)
     with pytest.raises(FuzzytimeError, match=r"copied\.sqlite-wal"):
         AnswerStore.open(tmp_path / "copied.sqlite")
+
+
+@pytest.mark.parametrize(
+    ("change", "rule"),
+    [
+        ("UPDATE curves SET samples = zeroblob(80) WHERE instruction = 'soon'", "must have 800 samples"),
+        ("UPDATE curves SET samples = zeroblob(81) WHERE instruction = 'soon'", "buffer size"),
+        ("UPDATE curves SET samples = 'text' WHERE instruction = 'soon'", "bytes-like"),
+        (
+            "UPDATE curves SET instruction = 'later' WHERE instruction = 'soon'",
+            "an instruction must be one of",
+        ),
+        ("UPDATE participants SET instructions = '3'", "not iterable"),
+        ("UPDATE participants SET instructions = '[1]'", "an instruction must be one of"),
+        ("UPDATE participants SET instructions = '['", "Expecting value"),
+        ("UPDATE participants SET actor = 'dog'", "a group must be one of robot, person"),
+        ("UPDATE participants SET control = 77", "the answer must be one of 1 to 5"),
+        ("UPDATE participants SET control = 'often'", "invalid literal"),
+        ("UPDATE participants SET origin = 'dream'", "'dream' is not a valid Origin"),
+        ("UPDATE demographics SET question = 'income' WHERE question = 'age'", "there is no question"),
+    ],
+)
+def test_what_another_hand_wrote_into_the_file_is_said(
+    tmp_path: Path, answers: Answers, change: str, rule: str
+) -> None:
+    path = tmp_path / "answers.sqlite"
+    with AnswerStore.create(path, answers.design) as store:
+        store.add(answers.participants[:2])
+    with sqlite3.connect(path) as connection:
+        connection.execute(change)
+    connection.close()
+    with AnswerStore.open(path) as store, pytest.raises(FuzzytimeError, match=f"participant 's.*{rule}"):
+        store.answers()

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from fuzzytime_cli.choices import ProfileChoice
-from fuzzytime_cli.faults import NoInputError, as_config, report
+from fuzzytime_cli.faults import NoInputError, as_config, as_usage, report
 from fuzzytime_cli.study.shared import DESIGN, DesignFile, NewDatabase, design_of, now
 
 if TYPE_CHECKING:
@@ -28,7 +28,11 @@ def serve(
     port: Annotated[int, typer.Option(min=0, max=65535, help="0 takes a free one.")] = 8765,
     name: Annotated[
         list[str] | None,
-        typer.Option("--name", metavar="HOST", help="Another host name by which people reach the page."),
+        typer.Option(
+            "--name",
+            metavar="HOST",
+            help="Another host by which people reach the page, or a proxy's address: https://study.example.",
+        ),
     ] = None,
     browse: Annotated[bool, typer.Option("--open", help="Open the page in this computer's browser.")] = False,
 ) -> None:
@@ -37,18 +41,24 @@ def serve(
     import signal
 
     from fuzzytime.study import AnswerStore
+    from fuzzytime.study.serving.server import EVERYWHERE, origin_of
     from fuzzytime.study.serving.service import StudyService
 
+    with as_usage("--name"):
+        for one in name or ():
+            origin_of(one, port)
     with AnswerStore.create(database, design_of(database, design)) as store:
         service = StudyService(store, now, new_name)
         token = store.token(secrets.token_urlsafe(16))
         with _listening((host, port), service, token, tuple(name or ())) as server:
             if host not in ("127.0.0.1", "localhost", "::1"):
                 report("the page can be reached from other computers; its traffic is not encrypted")
+            if host in EVERYWHERE and not name:
+                report("others reach it by the hosts that --name gives, such as this computer's address")
             signal.signal(signal.SIGTERM, _stop)
             try:
                 report(f"{store.design.title}: give participants the address below; Ctrl-C ends")
-                sys.stdout.write(f"{server.url}\n")
+                sys.stdout.write("".join(f"{url}\n" for url in server.urls))
                 sys.stdout.flush()
                 if browse:
                     typer.launch(server.url)

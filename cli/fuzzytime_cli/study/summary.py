@@ -1,11 +1,14 @@
 """A study in a terminal: its participants, and what its analysis says, in 80 columns."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
 
 from fuzzytime.study import Answers, Model, Participant
 from fuzzytime.study.analysis.analyse import Analysis
 from fuzzytime.study.analysis.density import SQUARE_MINUTE
-from fuzzytime.study.wording import between
+from fuzzytime.study.analysis.fitting import POOR
+from fuzzytime.study.analysis.scale import FEW
+from fuzzytime.study.wording import between, probability
 from fuzzytime.times import MINUTE, format_duration
 from fuzzytime_cli.render import fitted, plain, width_of
 
@@ -44,7 +47,7 @@ def analysis(found: Analysis) -> Iterator[str]:
     yield from _start_times(found)
     if found.divergent:
         yield ""
-        yield f"Two subgroups, clearly better than one: {', '.join(map(plain, found.divergent))}"
+        yield from caution(f"two subgroups, clearly better than one, for: {', '.join(found.divergent)}")
 
 
 def _instructions(found: Analysis) -> Iterator[str]:
@@ -68,6 +71,10 @@ def _instructions(found: Analysis) -> Iterator[str]:
         )
     yield from table(head, rows)
     yield "(variance of the median in min²; deviation: how much participants disagree)"
+    if found.poor:
+        yield from caution(
+            f"a trapezoid fits the median badly (R² below {POOR:g}) for: {', '.join(found.poor)}"
+        )
 
 
 def _groups(found: Analysis) -> Iterator[str]:
@@ -86,7 +93,7 @@ def _groups(found: Analysis) -> Iterator[str]:
             f"    variance: {first} smaller in {smaller} of {comparison.differences.size}, mean difference "
             f"{comparison.mean_difference / SQUARE_MINUTE:+.3f} min²"
         )
-        yield f"    permutation test over all instructions: p = {comparison.p_value:.3f}, {verdict}"
+        yield f"    permutation test over all instructions: p {probability(comparison.p_value)}, {verdict}"
     if scale is not None:
         modes = " and ".join(
             f"{name} {'/'.join(map(str, mode))}"
@@ -95,9 +102,9 @@ def _groups(found: Analysis) -> Iterator[str]:
         low, high = scale.interval
         yield f"    control question: modes {modes}; Mann-Whitney U = {scale.u:g},"
         interval = f"{low:+.2f} to {high:+.2f}"
-        yield f"    p = {scale.p_value:.3f}, Cliff's delta {scale.delta:+.2f} (95 %: {interval})"
+        yield f"    p {probability(scale.p_value)}, Cliff's delta {scale.delta:+.2f} (95 %: {interval})"
         if scale.few:
-            yield "    caution: with fewer than 20 answers in a group only large differences show"
+            yield f"    caution: with fewer than {FEW} answers in a group only large differences show"
 
 
 def _start_times(found: Analysis) -> Iterator[str]:
@@ -118,6 +125,11 @@ def _start_times(found: Analysis) -> Iterator[str]:
             if influence.t_spec.size == times.size
         ),
     )
+
+
+def caution(text: str) -> Iterator[str]:
+    """Say what to know before numbers are used, in lines of 80 columns."""
+    yield from wrap(plain(f"caution: {text}"), 80, subsequent_indent="  ")
 
 
 def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> Iterator[str]:

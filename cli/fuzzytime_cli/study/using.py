@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from fuzzytime_cli.faults import report
+from fuzzytime_cli.faults import UsageError, report
 from fuzzytime_cli.options import OutputFile
 from fuzzytime_cli.study.shared import Database, opened
 
@@ -34,11 +34,14 @@ def analyse(
     import json as encoding
     import os
 
+    from fuzzytime.study.analysis.analyse import FEWEST_RESAMPLES
     from fuzzytime.study.analysis.analyse import analyse as analysed
     from fuzzytime.study.reporting.numbers import numbers
     from fuzzytime_cli.render import Screen
     from fuzzytime_cli.study.summary import analysis as summary
 
+    if 0 < resamples < FEWEST_RESAMPLES:
+        raise UsageError(f"--resamples must be 0 or at least {FEWEST_RESAMPLES}, got {resamples}")
     with opened(database) as store:
         answers = store.answers()
     found = analysed(answers, permutations=permutations, resamples=resamples, seed=seed)
@@ -93,7 +96,8 @@ def calibrate(
 
     with opened(database) as store:
         answers = store.answers()
-    text = rule_table(calibrated(answers, seed=seed))
+    found = calibrated(answers, seed=seed)
+    text = rule_table(found)
     with tempfile.TemporaryDirectory() as folder:
         draft = Path(folder) / "table.yaml"
         draft.write_text(text, encoding="utf-8")
@@ -101,5 +105,7 @@ def calibrate(
     if mistakes:
         raise DocumentError(mistakes)
     write_out(output, text)
+    for caution in found.cautions:
+        report(f"caution: {caution}")
     if output is not None:
         report(f"{output} holds no mistake; use it by: plan --rules {output}")

@@ -18,6 +18,9 @@ from fuzzytime.study.answers.participants import Answers
 Intervals = tuple[tuple[float, float], ...]
 """Low and high ends, one pair for each corner."""
 
+FEWEST_RESAMPLES = 20
+"""From fewer medians of resamples nobody can read off 95 %."""
+
 BYTES = 8
 """What one number takes in memory."""
 
@@ -80,6 +83,15 @@ class Analysis:
         return Memory(self.answers.design.timeline.samples, 4)
 
     @property
+    def poor(self) -> tuple[str, ...]:
+        """The instructions whose medians no trapezoid fits well."""
+        return tuple(
+            key
+            for key, described in self.overall.items()
+            if described.fits and described.fits[Model.TRAPEZOID].poor
+        )
+
+    @property
     def divergent(self) -> tuple[str, ...]:
         """The instructions in which two subgroups describe the participants clearly better than one."""
         return tuple(key for key, described in self.overall.items() if described.subgroups.divergent)
@@ -104,7 +116,7 @@ def analyse(
     Raises
     ------
     FuzzytimeError
-        If nobody counts, or there are fewer than 20 resamples.
+        If nobody counts, or there are resamples and fewer than `FEWEST_RESAMPLES`.
     """
     overall = _described(answers, None)
     groups = [group for group in answers.design.groups if answers.members(group)]
@@ -187,10 +199,10 @@ def corner_intervals(described: Described, *, resamples: int = 200, seed: int = 
     Raises
     ------
     FuzzytimeError
-        If there are fewer than 20 resamples, or the median is 0 everywhere.
+        If there are fewer than `FEWEST_RESAMPLES`, or the median is 0 everywhere.
     """
-    if resamples < 20:
-        raise FuzzytimeError(f"an interval needs at least 20 resamples, got {resamples}")
+    if resamples < FEWEST_RESAMPLES:
+        raise FuzzytimeError(f"an interval needs at least {FEWEST_RESAMPLES} resamples, got {resamples}")
     if not described.median.any():
         raise FuzzytimeError("a median that is 0 everywhere has no corners")
     generator = np.random.default_rng(seed)

@@ -44,6 +44,10 @@ UNSEEN = 0.95
 """A trapezoid that begins (or ends) its timeline above this is taken to be full there."""
 
 
+POOR = 0.9
+"""Below this R² a function is said to fit badly: a tenth of what varies in the curve is not in it."""
+
+
 class Model(StrEnum):
     """Families of functions to fit."""
 
@@ -86,6 +90,11 @@ class Fit:
     sse: float
     rmse: float
     r_squared: float
+
+    @property
+    def poor(self) -> bool:
+        """Whether the function tells little of the curve; not where the curve is constant."""
+        return self.r_squared < POOR
 
 
 def fit(

@@ -10,39 +10,19 @@ and decimal commas.
 
 import csv
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
 from functools import partial
-from itertools import chain
 from typing import TextIO, TypeVar
 
-from fuzzytime.cells import delimiter_of, with_point
-from fuzzytime.errors import DocumentError, FuzzytimeError, Mistake
-from fuzzytime.spelling import suggestion
+from fuzzytime.errors import FuzzytimeError
+from fuzzytime.study.answers.csv_rows import ABOUT, COLUMNS, MEASURED, Row, guarded, rows_of
 from fuzzytime.study.answers.participants import Answers, Origin, Participant
 from fuzzytime.study.answers.sampling import resampled
 from fuzzytime.study.asking.design import Design
 
 _T = TypeVar("_T")
 
-COLUMNS = (
-    "participant",
-    "actor",
-    "origin",
-    "finished",
-    "excluded",
-    "control",
-    "shown",
-    "instruction",
-    "time_s",
-    "satisfaction",
-)
-"""Columns that every exported file has; ``shown`` counts from 1 in the order of the participant's pages."""
-
-ABOUT = "about_"
-_MEASURED = ("time_s", "satisfaction")
-_NEEDED = ("participant", "instruction", *_MEASURED)
-_FORMULA = ("=", "+", "-", "@", "\t", "\r", "'")
 _TRUTHS = {"1": True, "true": True, "yes": True, "0": False, "false": False, "no": False}
 
 
@@ -55,59 +35,24 @@ def write_csv(answers: Answers, stream: TextIO) -> None:
     for person in answers.participants:
         control = "" if person.control is None else str(person.control)
         fixed = [
-            _guarded(person.name),
-            _guarded(person.group),
+            guarded(person.name),
+            guarded(person.group),
             person.origin.value,
             str(int(person.finished)),
+            guarded(person.excluded or ""),
+            control,
         ]
-        fixed += [_guarded(person.excluded or ""), control]
-        about = [_guarded(person.demographics.get(key, "")) for key in questions]
+        about = [guarded(person.demographics.get(key, "")) for key in questions]
         if not person.curves:
             writer.writerow([*fixed, "", "", "", "", *about])
         for key in sorted(person.curves, key=lambda key: _shown(person, key)):
-            at = [*fixed, str(_shown(person, key)), _guarded(key)]
+            at = [*fixed, str(_shown(person, key)), guarded(key)]
             pairs = zip(times, person.curves[key].tolist(), strict=True)
             writer.writerows([*at, time, repr(value), *about] for time, value in pairs)
 
 
 def _shown(person: Participant, key: str) -> int:
     return person.order.index(key) + 1 if key in person.order else 0
-
-
-def _guarded(text: str) -> str:
-    return f"'{text}" if text.startswith(_FORMULA) else text
-
-
-def _unguarded(text: str) -> str:
-    return text[1:] if text.startswith("'") and text[1:].startswith(_FORMULA) else text
-
-
-@dataclass(frozen=True, slots=True)
-class _Row:
-    """The cells of a row by column, and where it stands: its file, its last line's number, and that line."""
-
-    path: str
-    number: int
-    line: str
-    cells: Mapping[str, str]
-
-    def text(self, column: str) -> str:
-        """Give a cell without its guard; an empty one where the column is not there."""
-        return _unguarded(self.cells.get(column, "")).strip()
-
-    def wrong(self, column: str, message: str) -> DocumentError:
-        """Say what is wrong with a cell, or with the row."""
-        columns = list(self.cells)
-        before = columns[: columns.index(column)] if column in columns and '"' not in self.line else []
-        place = 1 + sum(len(self.cells[name]) + 1 for name in before)
-        return DocumentError((Mistake(self.path, self.number, place, "", message, self.line.rstrip("\r\n")),))
-
-    def ruled_by(self, column: str, rule: Callable[[str], _T]) -> _T:
-        """Give what a rule makes of a cell; what breaks it is said to stand there."""
-        try:
-            return rule(self.text(column))
-        except FuzzytimeError as error:
-            raise self.wrong(column, str(error)) from error
 
 
 @dataclass(slots=True)
@@ -118,7 +63,7 @@ class _Person:
     row said.
     """
 
-    own: dict[str, _Row] = field(default_factory=dict)
+    own: dict[str, Row] = field(default_factory=dict)
     said: tuple[str, ...] = ()
     samples: dict[str, dict[float, float]] = field(default_factory=dict)
     shown: dict[str, int] = field(default_factory=dict)
@@ -145,7 +90,7 @@ def read_csv(stream: Iterable[str], design: Design, path: str = "answers.csv") -
         *(ABOUT + q.key for q in design.demographics),
     )
     people: dict[str, _Person] = {}
-    for row in _rows(stream, design, path):
+    for row in rows_of(stream, design, path):
         name = row.text("participant")
         if not name:
             raise row.wrong("participant", "a participant must have a name")
@@ -157,63 +102,7 @@ def read_csv(stream: Iterable[str], design: Design, path: str = "answers.csv") -
     return Answers(design, tuple(_participant(name, person, design) for name, person in people.items()))
 
 
-@dataclass(slots=True)
-class _Lines:
-    """Lines, and the last one that was read."""
-
-    ahead: Iterator[str]
-    last: str = ""
-
-    def __iter__(self) -> Iterator[str]:
-        return self
-
-    def __next__(self) -> str:
-        self.last = next(self.ahead)
-        return self.last
-
-
-def _rows(stream: Iterable[str], design: Design, path: str) -> Iterator[_Row]:
-    """Give the rows by column; those of empty cells only are passed over."""
-    ahead = iter(stream)
-    head = next(ahead, "")
-    delimiter = delimiter_of(head)
-    lines = _Lines(chain([head], ahead))
-    rows = csv.reader(lines, delimiter=delimiter, strict=True)
-    columns: tuple[str, ...] = ()
-    try:
-        for cells in rows:
-            if not columns:
-                columns = _columns(_Row(path, rows.line_num, lines.last, {}), cells, design)
-            elif any(map(str.strip, cells)):
-                row = _Row(path, rows.line_num, lines.last, dict(zip(columns, cells, strict=False)))
-                if len(cells) != len(columns):
-                    raise row.wrong("", f"a row must have {len(columns)} cells, got {len(cells)}")
-                measured = {name: with_point(row.cells[name], delimiter) for name in _MEASURED}
-                yield replace(row, cells={**row.cells, **measured})
-    except (csv.Error, UnicodeDecodeError) as error:
-        row = _Row(path, max(rows.line_num, 1), lines.last, {})
-        raise row.wrong("", f"not valid CSV: {error}") from error
-
-
-def _columns(head: _Row, cells: Iterable[str], design: Design) -> tuple[str, ...]:
-    """Give the names of the columns; others than ours may stand among them."""
-    columns = tuple(cell.lstrip("\ufeff").strip() for cell in cells)
-    if not any(columns):
-        raise head.wrong("", "a file of answers must have a header")
-    head = replace(head, cells={name: name for name in columns})
-    for name in _NEEDED:
-        if name not in columns:
-            raise head.wrong("", f"a file of answers must have the column {name!r}")
-    known = [ABOUT + question.key for question in design.demographics]
-    for position, name in enumerate(columns):
-        if name and name in columns[:position]:
-            raise head.wrong(name, f"columns must differ, got {name!r} twice")
-        if name.startswith(ABOUT) and name not in known:
-            raise head.wrong(name, f"the study asks nothing for {name!r}{suggestion(name, known)}")
-    return columns
-
-
-def _take_own(person: _Person, row: _Row, columns: tuple[str, ...]) -> None:
+def _take_own(person: _Person, row: Row, columns: tuple[str, ...]) -> None:
     """Take what a row says of the participant: the same as the rows before, or nothing."""
     said = tuple(row.cells.get(column, "") for column in columns)
     if said == person.said:
@@ -226,12 +115,12 @@ def _take_own(person: _Person, row: _Row, columns: tuple[str, ...]) -> None:
     person.said = said
 
 
-def _take_sample(person: _Person, row: _Row, design: Design) -> None:
+def _take_sample(person: _Person, row: Row, design: Design) -> None:
     key = row.text("instruction")
     if not key:
         return
     row.ruled_by("instruction", design.instruction)
-    time, satisfaction = (row.ruled_by(name, partial(_number, name)) for name in _MEASURED)
+    time, satisfaction = (row.ruled_by(name, partial(_number, name)) for name in MEASURED)
     if not 0 <= satisfaction <= 1:
         raise row.wrong("satisfaction", f"satisfaction must lie in [0, 1], got {satisfaction:g}")
     samples = person.samples.setdefault(key, {})

@@ -154,6 +154,12 @@ class Study {
         const answers = {};
         for (const question of this.design.demographics) {
           const field = form.elements.namedItem(question.key);
+          if (question.whole && !field.validity.valid) {
+            const [low, high] = question.whole;
+            this.tell(filled(this.texts.whole_wrong, { low, high }), { warn: true });
+            field.focus();
+            return;
+          }
           answers[question.key] = field ? field.value : "";
         }
         await this.save("demographics", { participant: this.person.participant, answers });

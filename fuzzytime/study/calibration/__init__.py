@@ -1,5 +1,5 @@
 """From answers and ratings to a rule table that plans by them.
 
-To ``calibrate`` is to fit ``breakpoints`` and write a ``table``; ``personal`` ratings move it away from a
-``prior``.
+To ``calibrate`` is to make sums (``breakpoints``) of what was ``measured`` and to write a ``table``; ratings
+move a ``personal`` table away from a ``prior``.
 """

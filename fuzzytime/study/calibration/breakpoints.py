@@ -11,6 +11,9 @@ import numpy as np
 
 from fuzzytime.satisfaction import Floats
 
+HARDLY = 0.1
+"""Widths differ hardly where they lie within this share of the largest."""
+
 
 @dataclass(frozen=True, slots=True)
 class Breakpoint:
@@ -65,8 +68,9 @@ NEVER_ENDS = Breakpoint(float("inf"))
 def explained(lengths: Sequence[float], widths: Sequence[float], tolerance: float) -> Breakpoint:
     """Explain lengths in seconds by widths w in seconds, as simply as the tolerance allows.
 
-    Tried are 0, then a constant or a share of w (the better of both), then their sum. Where there are no
-    widths (all are 0) only constants can explain.
+    Tried are 0, then a constant or a share of w (the better of both), then their sum. No share is below 0:
+    lengths count outward, and whoever is more lenient does not mean less. Where widths hardly differ nobody
+    can tell a share from a constant, and there is no sum.
     """
     measured, w = np.array(lengths, float), np.array(widths, float)
 
@@ -78,10 +82,10 @@ def explained(lengths: Sequence[float], widths: Sequence[float], tolerance: floa
     constant = Breakpoint(float(measured.mean()))
     if not w.any():
         return constant
-    share = Breakpoint(0.0, 0.0, float(measured @ w / (w @ w)))
+    share = Breakpoint(0.0, 0.0, max(0.0, float(measured @ w / (w @ w))))
     # One length alone is explained by either: then as a share, which grows where people grow lenient.
     best = min((share, constant), key=lambda sum_: float((missed(sum_) ** 2).sum()))
-    if missed(best).max() <= tolerance or np.ptp(w) < 1e-9:
+    if missed(best).max() <= tolerance or np.ptp(w) < HARDLY * w.max():
         return best
-    growth, base = np.polyfit(w, measured, 1)
-    return Breakpoint(float(base), 0.0, float(growth))
+    growth = max(0.0, float(np.polyfit(w, measured, 1)[0]))
+    return Breakpoint(float((measured - growth * w).mean()), 0.0, growth)

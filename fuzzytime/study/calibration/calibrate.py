@@ -5,20 +5,18 @@ width law w(t_spec); every preposition gives a model whose corners are sums of t
 instructions give the factor by which their hedge widens w; groups that differ give factors for actors.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study.analysis.compare import compare
-from fuzzytime.study.analysis.fitting import Fit, Model, fit
+from fuzzytime.study.analysis.fitting import POOR, Fit
 from fuzzytime.study.answers.participants import Answers
-from fuzzytime.study.answers.subjective import SubjectiveSatisfaction
 from fuzzytime.study.asking.questions import StudyInstruction
 from fuzzytime.study.calibration.breakpoints import AT_TIME, NEVER_ENDS, ZERO, Breakpoint, explained
-
-WIDTH_PREPOSITION = "in"
-"""The preposition whose trapezoids say how wide w is."""
+from fuzzytime.study.calibration.measured import Measured, WidthLaw, measured
 
 SIGNIFICANCE = 0.05
 """From this p-value down, groups are taken to differ."""
@@ -43,8 +41,10 @@ class Calibration:
     ----------
     answers
         What it was made of.
+    measured
+        The trapezoids that were fitted to the medians.
     widths
-        Half-base w by t_spec, both in seconds; empty where the study has no "in".
+        The half-base w by t_spec; without points where the study has no "in".
     models
         By preposition.
     hedges
@@ -59,54 +59,34 @@ class Calibration:
     """
 
     answers: Answers
-    widths: Mapping[float, float]
+    measured: tuple[Measured, ...]
+    widths: WidthLaw
     models: Mapping[str, CalibratedModel]
     hedges: Mapping[str, float]
     words: Mapping[str, tuple[StudyInstruction, Corners | None]]
     actors: Mapping[str, Mapping[float, float]]
     groups_p: float | None
 
-    def width(self, t_spec: float) -> float:
-        """Give w at a time: linear between the points, and beyond the last with its slope."""
-        times, values = list(self.widths), list(self.widths.values())
-        if not times:
-            return 0.0
-        if len(times) == 1 or t_spec <= times[0]:
-            return values[0]
-        after = next((i for i in range(1, len(times)) if t_spec <= times[i]), len(times) - 1)
-        slope = (values[after] - values[after - 1]) / (times[after] - times[after - 1])
-        return values[after] + slope * (t_spec - times[after])
-
-
-@dataclass(frozen=True, slots=True)
-class _Measured:
-    """An instruction, the trapezoid fitted to its median, and which flanks the timeline shows."""
-
-    instruction: StudyInstruction
-    fit: Fit
-    corners: tuple[float, float, float, float]
-    start: float
-    end: float
+    @property
+    def poor(self) -> tuple[str, ...]:
+        """The instructions whose medians no trapezoid fits, among those that the table is made of."""
+        return tuple(entry.instruction.key for entry in self.measured if entry.fit.poor)
 
     @property
-    def rises(self) -> bool:
-        return self.corners[1] > self.start
+    def left_out(self) -> tuple[str, ...]:
+        """The instructions whose medians are 0 everywhere, of which nothing could be made."""
+        made = {entry.instruction.key for entry in self.measured}
+        return tuple(entry.key for entry in self.answers.design.instructions if entry.key not in made)
 
     @property
-    def rise_seen(self) -> bool:
-        return self.corners[0] >= self.start and self.rises
-
-    @property
-    def falls(self) -> bool:
-        return self.corners[2] < self.end
-
-    @property
-    def half_base(self) -> float:
-        """The mean of the half-bases on the sides that are seen."""
-        t = self.instruction.t_spec
-        sides = [self.corners[3] - t] if self.falls else []
-        sides += [t - self.corners[0]] if self.rise_seen else []
-        return sum(sides) / len(sides)
+    def cautions(self) -> tuple[str, ...]:
+        """What to know before the table is used, in sentences."""
+        said = []
+        if self.left_out:
+            said.append(f"the median is 0 everywhere, and left out, for: {', '.join(self.left_out)}")
+        if self.poor:
+            said.append(f"a trapezoid fits the median badly (R² below {POOR:g}) for: {', '.join(self.poor)}")
+        return tuple(said)
 
 
 def calibrate(answers: Answers, *, seed: int = 0) -> Calibration:
@@ -122,80 +102,73 @@ def calibrate(answers: Answers, *, seed: int = 0) -> Calibration:
     Raises
     ------
     FuzzytimeError
-        If nobody counts, or a median curve is 0 everywhere.
+        If nobody counts, or no median is above 0.
     """
-    measured = _measured(answers, answers.subjective())
-    plain = [entry for entry in measured if entry.instruction.fuzziness is None]
-    ahead = [entry for entry in plain if entry.instruction.preposition == WIDTH_PREPOSITION]
-    widths = {
-        entry.instruction.t_spec: entry.half_base
-        for entry in sorted(ahead, key=lambda entry: entry.instruction.t_spec)
-        if entry.falls and entry.half_base > 0
-    }
-    unfinished = Calibration(
-        answers=answers, widths=widths, models={}, hedges={}, words={}, actors={}, groups_p=None
-    )
+    entries = measured(answers)
+    if not entries:
+        raise FuzzytimeError("all median curves are 0 everywhere: there is nothing to calibrate")
+    widths = WidthLaw.of(entries)
+    step = answers.design.timeline.step
+    plain = [entry for entry in entries if entry.instruction.fuzziness is None]
     models = {
-        preposition: _model([e for e in plain if e.instruction.preposition == preposition], unfinished)
+        preposition: _model([e for e in plain if e.instruction.preposition == preposition], widths, step)
         for preposition in dict.fromkeys(entry.instruction.preposition for entry in plain)
     }
+    hedges = _hedges(entries, models, widths)
     p_value = _difference(answers, seed)
-    hedges = _hedges(measured, models, unfinished)
-    actors = {group: _actor(answers, group, widths, p_value) for group in answers.design.groups}
+    differ = p_value is not None and p_value <= SIGNIFICANCE
     return Calibration(
         answers=answers,
+        measured=tuple(entries),
         widths=widths,
         models=models,
         hedges=hedges,
         words={
-            entry.instruction.word: (entry.instruction, _own_corners(entry, models, hedges, unfinished))
-            for entry in measured
+            entry.instruction.word: (entry.instruction, _own_corners(entry, models, hedges, widths, step))
+            for entry in entries
             if entry.instruction.word is not None
         },
-        actors=actors if p_value is not None and widths else {},
+        actors={
+            group: (_factors(answers, group, widths) if differ else {}) or {0.0: 1.0}
+            for group in answers.design.groups
+            if p_value is not None and widths.points
+        },
         groups_p=p_value,
     )
 
 
-def _measured(answers: Answers, subjective: Mapping[str, SubjectiveSatisfaction]) -> list[_Measured]:
-    found = []
-    for instruction in answers.design.instructions:
-        drawn = subjective[instruction.key]
-        if not drawn.median.any():
-            raise FuzzytimeError(f"the median curve of {instruction.key!r} is 0 everywhere: nothing to fit")
-        best = fit(drawn.times, drawn.median, Model.TRAPEZOID)
-        if isinstance(best.function, Trapezoid):
-            ends = float(drawn.times[0]), float(drawn.times[-1])
-            found.append(_Measured(instruction, best, best.function.corners, *ends))
-    return found
-
-
-def _model(entries: Sequence[_Measured], calibration: Calibration) -> CalibratedModel:
+def _model(entries: Sequence[Measured], width: WidthLaw, step: float) -> CalibratedModel:
     """Explain the corners at several times; a side that most curves do not show is open."""
-    tolerance = calibration.answers.design.timeline.step
 
-    def part(chosen: Sequence[_Measured], lengths: Sequence[float]) -> Breakpoint:
-        widths = [calibration.width(entry.instruction.t_spec) for entry in chosen]
-        allowed = max(tolerance, 0.03 * max(widths, default=0.0))
-        return explained(lengths, widths, allowed)
+    def part(chosen: Sequence[Measured], length: Callable[[Measured], float]) -> Breakpoint:
+        """Explain a length, which counts outward from the time named."""
+        widths = [width(entry.instruction.t_spec) for entry in chosen]
+        allowed = max(step, 0.03 * max(widths, default=0.0))
+        return explained([length(entry) for entry in chosen], widths, allowed)
 
-    times = {entry.instruction.key: entry.instruction.t_spec for entry in entries}
     rising = [e for e in entries if e.rises]
     falling = [e for e in entries if e.falls]
     later = [e for e in entries if e.instruction.t_spec > e.start]
-    rise_start = full_start = ZERO
-    full_end = fall_end = NEVER_ENDS
-    if rising and 2 * len(rising) >= len(later):
+    open_left = not rising or 2 * len(rising) < len(later)
+    open_right = not falling or 2 * len(falling) < len(entries)
+    full_start, full_end = ZERO, NEVER_ENDS
+    if not open_left:
+        full_start = AT_TIME.plus(part(rising, lambda e: e.instruction.t_spec - e.corners[1]), -1.0)
+    if not open_right:
+        full_end = AT_TIME.plus(part(falling, lambda e: e.corners[2] - e.instruction.t_spec))
+    if not open_left and full_end.constant < full_start.constant:
+        # Explained apart, the plateau's ends have crossed: then it is a peak.
+        full_start = full_end = AT_TIME.plus(Breakpoint(float(np.mean([e.peak for e in entries]))))
+    rise_start, fall_end = full_start, full_end
+    if not open_left:
         seen = [e for e in rising if e.rise_seen] or rising
-        full_start = AT_TIME.plus(part(rising, [e.corners[1] - times[e.instruction.key] for e in rising]))
-        rise_start = full_start.plus(part(seen, [e.corners[1] - e.corners[0] for e in seen]), -1.0)
-    if falling and 2 * len(falling) >= len(entries):
-        full_end = AT_TIME.plus(part(falling, [e.corners[2] - times[e.instruction.key] for e in falling]))
-        fall_end = full_end.plus(part(falling, [e.corners[3] - e.corners[2] for e in falling]))
+        rise_start = full_start.plus(part(seen, lambda e: e.corners[1] - e.corners[0]), -1.0)
+    if not open_right:
+        fall_end = full_end.plus(part(falling, lambda e: e.corners[3] - e.corners[2]))
     corners = (rise_start, full_start, full_end, fall_end)
     missed = 0.0
     for entry in entries:
-        t, w = entry.instruction.t_spec, calibration.width(entry.instruction.t_spec)
+        t, w = entry.instruction.t_spec, width(entry.instruction.t_spec)
         for corner, fitted in zip(corners, entry.corners, strict=True):
             value = corner.value(t, w)
             if entry.start < fitted < entry.end and entry.start < value < entry.end:
@@ -204,18 +177,17 @@ def _model(entries: Sequence[_Measured], calibration: Calibration) -> Calibrated
 
 
 def _hedges(
-    measured: Sequence[_Measured], models: Mapping[str, CalibratedModel], calibration: Calibration
+    entries: Sequence[Measured], models: Mapping[str, CalibratedModel], width: WidthLaw
 ) -> dict[str, float]:
     """Find for each hedge the factor of w with which the models come nearest to the hedged corners."""
     sums: dict[str, list[float]] = {}
-    spoken = [entry for entry in measured if entry.instruction.word is None]
+    spoken = [entry for entry in entries if entry.instruction.word is None]
     for entry in spoken:
         hedge, model = entry.instruction.fuzziness, models.get(entry.instruction.preposition)
         if hedge is None or model is None:
             continue
-        t, w = entry.instruction.t_spec, calibration.width(entry.instruction.t_spec)
-        seen = (entry.rise_seen, entry.rises, entry.falls, entry.falls)
-        for corner, fitted, visible in zip(model.breakpoints, entry.corners, seen, strict=True):
+        t, w = entry.instruction.t_spec, width(entry.instruction.t_spec)
+        for corner, fitted, visible in zip(model.breakpoints, entry.corners, entry.seen, strict=True):
             share = corner.width * w
             if visible and share:
                 product, square = sums.setdefault(hedge, [0.0, 0.0])
@@ -227,22 +199,23 @@ def _hedges(
 
 
 def _own_corners(
-    entry: _Measured,
+    entry: Measured,
     models: Mapping[str, CalibratedModel],
     hedges: Mapping[str, float],
-    calibration: Calibration,
+    width: WidthLaw,
+    step: float,
 ) -> Corners | None:
     """Give a word's corners as constants, None where the model of its preposition comes near enough."""
     t, hedge = entry.instruction.t_spec, entry.instruction.fuzziness
     model = models.get(entry.instruction.preposition)
     if model is not None and (hedge is None or hedge in hedges):
-        w = calibration.width(t) * hedges.get(hedge or "", 1.0)
-        near = 2 * max(calibration.answers.design.timeline.step, 0.03 * w)
-        seen = (entry.rise_seen, entry.rises, entry.falls, entry.falls)
-        pairs = zip(model.breakpoints, entry.corners, seen, strict=True)
+        w = width(t) * hedges.get(hedge or "", 1.0)
+        near = 2 * max(step, 0.03 * w)
+        pairs = zip(model.breakpoints, entry.corners, entry.seen, strict=True)
         if all(abs(corner.value(t, w) - fitted) <= near for corner, fitted, visible in pairs if visible):
             return None
-    rise_start, full_start, full_end, fall_end = map(Breakpoint, entry.corners)
+    own = (max(corner, entry.start) for corner in entry.corners[2:])
+    rise_start, full_start, full_end, fall_end = map(Breakpoint, (*entry.corners[:2], *own))
     rise = (rise_start, full_start) if entry.rises else (ZERO, ZERO)
     fall = (full_end, fall_end) if entry.falls else (NEVER_ENDS, NEVER_ENDS)
     return (*rise, *fall)
@@ -260,18 +233,7 @@ def _difference(answers: Answers, seed: int) -> float | None:
         return None
 
 
-def _actor(
-    answers: Answers, group: str, widths: Mapping[float, float], p_value: float | None
-) -> dict[float, float]:
-    """Give a group's widths over everybody's; 1 throughout where groups do not differ."""
-    if p_value is None or p_value > SIGNIFICANCE or not widths:
-        return {0.0: 1.0}
-    own = {
-        entry.instruction.t_spec: entry.half_base / widths[entry.instruction.t_spec]
-        for entry in _measured(answers, answers.subjective(group))
-        if entry.instruction.fuzziness is None
-        and entry.instruction.preposition == WIDTH_PREPOSITION
-        and entry.instruction.t_spec in widths
-        and entry.falls
-    }
-    return dict(sorted(own.items())) or {0.0: 1.0}
+def _factors(answers: Answers, group: str, widths: WidthLaw) -> dict[float, float]:
+    """Give a group's widths over everybody's, by t_spec."""
+    own = WidthLaw.of(measured(answers, group)).points
+    return {time: value / widths.points[time] for time, value in own.items() if time in widths.points}

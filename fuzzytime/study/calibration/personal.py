@@ -17,8 +17,11 @@ from fuzzytime.satisfaction import Floats
 from fuzzytime.study.answers.rating import Cue, CueKind, Direction, Rating
 from fuzzytime.study.calibration.prior import Prior
 
-GRID = 61
-"""Values tried of each number, from −3 to 3 of its standard deviations."""
+REACH = 4.0
+"""How far from the population a person is sought, in standard deviations: five times as wide, or a fifth."""
+
+GRID = 81
+"""Values tried of each number within `REACH`."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,7 +103,7 @@ def personal_table(prior: Prior, ratings: Iterable[Rating]) -> PersonalTable:
     by_cue: dict[Cue | None, list[Rating]] = {}
     for rating in ratings:
         by_cue.setdefault(rating.cue, []).append(rating)
-    steps = np.linspace(-3.0, 3.0, GRID)
+    steps = np.linspace(-REACH, REACH, GRID)
     widths, normal = prior.width * steps, -(steps**2) / 2
     posterior = normal.copy()
     joint: dict[Cue, tuple[Floats, Floats]] = {}

@@ -3,12 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
-from fuzzytime.errors import FuzzytimeError
 from fuzzytime.resources import rules_directory
-from fuzzytime.study.analysis.density import variance
-from fuzzytime.study.answers.participants import Answers
 from fuzzytime.yaml_nodes import Node, Reader
 
 
@@ -68,35 +63,6 @@ class Prior:
         reader.finish()
         points = int(numbers.pop("points"))
         return cls(points=points, **numbers)
-
-    @classmethod
-    def of_answers(cls, answers: Answers) -> "Prior":
-        """Take the spread of widths from a study: how its participants' curves differ in breadth.
-
-        Raises
-        ------
-        FuzzytimeError
-            If fewer than three participants count.
-        """
-        if len(answers.counted) < 3:
-            raise FuzzytimeError(f"a spread needs three participants or more, got {len(answers.counted)}")
-        shipped = cls.shipped()
-        ratios = []
-        for drawn in answers.subjective().values():
-            own, common = variance(drawn.times, drawn.values), float(variance(drawn.times, drawn.median))
-            if np.isfinite(common) and common > 0:
-                ratios.append(np.log(np.where(own > 0, own, np.nan) / common) / 2)
-        widths = np.nanmean(np.array(ratios), axis=0)
-        spread = float(np.nanstd(widths, ddof=1))
-        return cls(
-            width=max(spread, 0.01),
-            time=shipped.time,
-            word=shipped.word,
-            noise=shipped.noise,
-            direction=shipped.direction,
-            lapse=shipped.lapse,
-            points=shipped.points,
-        )
 
 
 def _value(reader: Reader, node: Node, key: str) -> float:

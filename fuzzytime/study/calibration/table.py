@@ -2,11 +2,12 @@
 
 import json
 from collections.abc import Mapping, Sequence
+from decimal import Decimal
 
 from fuzzytime.study.analysis.fitting import Fit
 from fuzzytime.study.calibration.calibrate import Calibration
-from fuzzytime.study.wording import between
-from fuzzytime.times import MINUTE
+from fuzzytime.study.wording import between, probability
+from fuzzytime.times import DAY, MINUTE
 
 CONSTRAINTS = {"in": "at", "before": "before", "after": "after"}
 """What a preposition's model can express, where rule tables must know."""
@@ -23,15 +24,17 @@ def rule_table(calibration: Calibration) -> str:
         f"# Rules calibrated from the {_comment(study)}.",
         *([f"# {len(answers.set_aside)} more were set aside."] if answers.set_aside else []),
         "# A model's corners are sums of t, the time named, and w, the width at that time.",
+        *(f"# Caution: {_comment(caution)}." for caution in calibration.cautions),
         "fuzzytime: 1",
         f"source: {_text(study)}",
     ]
-    if calibration.widths:
+    widths = calibration.widths
+    if widths.points:
         source = f"{study}: half-bases of the trapezoids for 'in'"
-        points = dict(calibration.widths)
-        if len(points) > 1 and calibration.width(max(points) + 1.0) < points[max(points)]:
+        points = dict(widths.points)
+        if widths(max(points) + 1.0) < points[max(points)]:
             # A slope below 0 would end in no width at all: beyond what was asked it stays as it is.
-            points[max(points) + 24 * 3600.0] = points[max(points)]
+            points[max(points) + DAY] = points[max(points)]
         lines += ["width:", f"  points: {_points(points, ' s')}", f"  source: {_text(source)}"]
     lines.append("models:")
     for preposition, model in calibration.models.items():
@@ -77,16 +80,22 @@ def _hedges(calibration: Calibration, study: str) -> list[str]:
 
 def _actors(calibration: Calibration, study: str) -> list[str]:
     rows = []
+    p_value = probability(calibration.groups_p) if calibration.groups_p is not None else ""
     for group, factors in calibration.actors.items():
         if group in ACTORS:
             found = "no difference found" if factors == {0.0: 1.0} else "groups differ"
-            source = f"{study}: {found}, permutation test p = {calibration.groups_p:.3f}"
+            source = f"{study}: {found}, permutation test p {p_value}"
             rows.append(f"  {group}: {{width: {_points(factors, '')}, source: {_text(source)}}}")
     return ["actors:", *rows] if rows else []
 
 
 def _points(points: Mapping[float, float], unit: str) -> str:
-    return "{" + ", ".join(f"{_time(time)}: {value:.4g}{unit}" for time, value in points.items()) + "}"
+    return "{" + ", ".join(f"{_time(time)}: {_digits(value)}{unit}" for time, value in points.items()) + "}"
+
+
+def _digits(value: float) -> str:
+    """Write four significant digits, never as a power of ten, which no duration has."""
+    return format(Decimal(f"{value:.4g}"), "f")
 
 
 def _time(seconds: float) -> str:

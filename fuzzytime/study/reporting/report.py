@@ -10,11 +10,12 @@ from fuzzytime.satisfaction import Trapezoid
 from fuzzytime.study.analysis.analyse import Analysis
 from fuzzytime.study.analysis.density import SQUARE_MINUTE
 from fuzzytime.study.analysis.described import Described
-from fuzzytime.study.analysis.fitting import Model
+from fuzzytime.study.analysis.fitting import POOR, Model
+from fuzzytime.study.analysis.scale import FEW, ScaleComparison
 from fuzzytime.study.assets import asset
 from fuzzytime.study.reporting.plots import instruction_figure
 from fuzzytime.study.reporting.report_page import Page
-from fuzzytime.study.wording import between, number
+from fuzzytime.study.wording import between, number, probability
 from fuzzytime.times import MINUTE, format_duration
 
 
@@ -53,17 +54,17 @@ def _participants(page: Page, analysis: Analysis) -> None:
     page.heading("Participants")
     page.paragraph(f"{answers.head_count} count, {len(answers.set_aside)} set aside.")
     if answers.set_aside:
-        page.table("Participants set aside.", ("participant", "reason"), map(_pair, answers.set_aside))
+        page.table(
+            "Participants set aside.",
+            ("participant", "reason"),
+            ((entry.name, entry.reason) for entry in answers.set_aside),
+        )
     rows = []
     for question in answers.design.demographics:
         given = [person.demographics.get(question.key, "") for person in answers.counted]
         rows.append((question.key, _summary([answer for answer in given if answer]), str(given.count(""))))
     if rows:
         page.table("Answers about the participants who count.", ("question", "answers", "open"), rows)
-
-
-def _pair(entry: object) -> tuple[str, str]:
-    return str(getattr(entry, "name", "")), str(getattr(entry, "reason", ""))
 
 
 def _summary(answers: Sequence[str]) -> str:
@@ -74,7 +75,7 @@ def _summary(answers: Sequence[str]) -> str:
         numbers = np.array(answers, float)
         return f"median {np.median(numbers):g}, {numbers.min():g} to {numbers.max():g}"
     counts = Counter(answers).most_common()
-    return ", ".join(f"{text} {count} ({count / len(answers):.1%})" for text, count in counts)
+    return ", ".join(f"{text} {count} ({100 * count / len(answers):.1f} %)" for text, count in counts)
 
 
 def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:
@@ -116,6 +117,9 @@ def _models(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
         ("instruction", "rise start", "full start", "full end", "fall end", "SSE", "RMSE", "R²"),
         (_trapezoid_row(entry) for entry in analysis.overall.values() if entry.fits),
     )
+    if analysis.poor:
+        texts = "; ".join(analysis.overall[key].instruction.text for key in analysis.poor)
+        page.paragraph(f"A trapezoid fits the median badly (R² below {POOR:g}) for: {texts}", "caution")
     if analysis.intervals:
         page.table(
             "95 % intervals of those corners, by the bootstrap over participants, in minutes.",
@@ -161,7 +165,7 @@ def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
         page.paragraph(
             f"The variance of the median is smaller for {first} in {smaller} of {found.differences.size} "
             f"instructions; the mean difference {first} − {second} is {mean} min² (permutation test over all "
-            f"instructions: p = {found.p_value:.3f})."
+            f"instructions: p {probability(found.p_value)})."
         )
         page.table(
             f"Variances of the groups' medians as densities, in min²; p-values of {found.p_values.size} "
@@ -171,7 +175,7 @@ def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
                 (
                     entry.instruction.text,
                     *(number(value / SQUARE_MINUTE, 3) for value in row[:3]),
-                    f"{row[3]:.3f}",
+                    probability(row[3]).removeprefix("= "),
                 )
                 for entry, *row in zip(
                     analysis.overall.values(),
@@ -188,21 +192,24 @@ def _groups(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> No
         "Medians and quartiles of the groups; variances of the medians in grey, the time said dotted.",
         pictures,
     )
-    scale = analysis.scale
-    if scale is not None:
-        modes = (", ".join(map(str, mode)) for mode in (scale.first_mode, scale.second_mode))
-        low, high = scale.interval
+    if analysis.scale is not None:
+        _control(page, first, second, analysis.scale)
+
+
+def _control(page: Page, first: str, second: str, scale: ScaleComparison) -> None:
+    modes = (", ".join(map(str, mode)) for mode in (scale.first_mode, scale.second_mode))
+    page.paragraph(
+        f"Control question: modes {first} {next(modes)}, {second} {next(modes)}; "
+        f"Mann-Whitney U = {scale.u:g}, p {probability(scale.p_value)}; Cliff's delta "
+        f"{number(scale.delta, 2)} (95 % interval {between(*scale.interval, 2)}), above 0 where {first} "
+        "answers higher."
+    )
+    if scale.few:
         page.paragraph(
-            f"Control question: modes {first} {next(modes)}, {second} {next(modes)}; "
-            f"Mann-Whitney U = {scale.u:g}, p = {scale.p_value:.3f}; Cliff's delta {number(scale.delta, 2)} "
-            f"(95 % interval {between(low, high, 2)}), above 0 where {first} answers higher."
+            f"Caution: with fewer than {FEW} answers in a group the test misses all but large differences; "
+            "look at the interval, not at the p-value alone.",
+            "caution",
         )
-        if scale.few:
-            page.paragraph(
-                "Caution: with fewer than 20 answers in a group the test misses all but large differences; "
-                "look at the interval, not at the p-value alone.",
-                "caution",
-            )
 
 
 def _start_times(page: Page, analysis: Analysis, pictures: Mapping[str, bytes]) -> None:

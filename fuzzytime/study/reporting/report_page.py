@@ -39,9 +39,8 @@ class Page:
             for row in listed
         )
         self.parts.append(
-            "<figure class=table><table>"
-            f"<caption><b>Table {self.tables}.</b> {html.escape(caption)}</caption>"
-            f"<thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></figure>"
+            f"<figure><figcaption><b>Table {self.tables}.</b> {html.escape(caption)}</figcaption>"
+            f"<div><table><thead><tr>{cells}</tr></thead><tbody>{body}</tbody></table></div></figure>"
         )
 
     def figure(self, name: str, caption: str, pictures: Mapping[str, bytes]) -> None:
@@ -62,7 +61,7 @@ class Page:
         return "".join(self.parts)
 
 
-_NUMBER = r"[−\d.,]+(%| [a-z]+)?"
+_NUMBER = r"(< )?[−\d.,]+(%| [a-z]+)?"
 _NUMBERS = re.compile(rf"{_NUMBER}( (to|of) {_NUMBER})?|–")
 
 

@@ -33,6 +33,7 @@ class Serving(Protocol):
     token: str
     patience: float
     hosts: frozenset[str]
+    origins: frozenset[str]
     tell: Callable[[str], None]
 
 
@@ -120,7 +121,7 @@ class Handler(BaseHTTPRequestHandler):
             self._refuse(HTTPStatus.FORBIDDEN, "this server has another name")
             return False
         origins = self.headers.get_all("Origin") or []
-        if any(origin.lower() != f"http://{hosts[0].lower()}" for origin in origins):
+        if any(origin.lower() not in self.server.origins for origin in origins):
             self._refuse(HTTPStatus.FORBIDDEN, "only the study's own page may ask")
             return False
         if self.headers.get("Sec-Fetch-Site", "none").lower() not in ("none", "same-origin"):

@@ -4,6 +4,7 @@ It listens where it is told, on loopback unless somebody asks for more. `fuzzyti
 answers.
 """
 
+import re
 import socket
 import threading
 import time
@@ -11,14 +12,52 @@ from collections.abc import Callable, Iterable
 from http.server import ThreadingHTTPServer
 from typing import Any
 
+from fuzzytime.errors import FuzzytimeError
 from fuzzytime.study.serving.handler import Handler
 from fuzzytime.study.serving.service import StudyService
+
+LOCAL = ("localhost", "127.0.0.1", "[::1]")
+"""Names that every computer has for itself."""
+
+EVERYWHERE = {"0.0.0.0": "127.0.0.1", "::": "[::1]"}  # noqa: S104 - what to call them, not where to listen
+"""Addresses that mean all of a computer's own, and by which of them its page is reached there."""
 
 REQUEST_SECONDS = 15.0
 """How long a request may take to arrive and be answered."""
 
 MOST_CONNECTIONS = 64
 """Requests at one time; more are turned away, so that slow clients cannot use up the machine."""
+
+
+_NAME = re.compile(r"(?:(https?)://)?([a-z0-9._-]+|\[[0-9a-f:.]+\])(?::(\d{1,5}))?/?")
+
+
+def origin_of(name: str, port: int) -> str:
+    """Give what browsers call the origin of a page that people reach by a name.
+
+    Parameters
+    ----------
+    name : str
+        A host, or an address as a proxy with TLS has it.
+    port : int
+        Where the server listens, for a host without an address of its own.
+
+    Raises
+    ------
+    FuzzytimeError
+        If it is neither.
+
+    >>> origin_of("lab.example", 8765), origin_of("https://study.example/", 8765)
+    ('http://lab.example:8765', 'https://study.example')
+    """
+    found = _NAME.fullmatch(name.lower())
+    if found is None:
+        rule = "a name must be a host, or an address such as https://study.example"
+        raise FuzzytimeError(f"{rule}, got {name[:80]!r}")
+    scheme, host, own_port = found.groups()
+    if scheme is None:
+        return f"http://{host}:{own_port or port}"
+    return f"{scheme}://{host}" + (f":{own_port}" if own_port else "")
 
 
 class StudyServer(ThreadingHTTPServer):
@@ -33,7 +72,7 @@ class StudyServer(ThreadingHTTPServer):
     token : str
         What every request must know.
     names : iterable of str
-        Further host names by which this server may be called.
+        Further hosts and addresses by which people reach the page, as `origin_of` takes them.
     tell : callable
         Takes a line about what went wrong.
     patience : float
@@ -43,6 +82,8 @@ class StudyServer(ThreadingHTTPServer):
     ------
     OSError
         If it cannot listen there.
+    FuzzytimeError
+        If a name is none.
     """
 
     daemon_threads = True
@@ -64,20 +105,29 @@ class StudyServer(ThreadingHTTPServer):
         self.patience = patience
         self._open: dict[socket.socket, float] = {}
         self._guard = threading.Lock()
+        given = tuple(names)
+        for name in given:
+            origin_of(name, 0)
         if ":" in address[0]:
             self.address_family = socket.AF_INET6
         super().__init__(address, Handler)
         self.port = int(self.server_address[1])
-        local = {"localhost", "127.0.0.1", "[::1]"}
-        own = f"[{address[0]}]" if ":" in address[0] else address[0]
-        self.hosts = frozenset(f"{name}:{self.port}" for name in {*local, own, *names})
+        host = str(self.server_address[0])
+        own = EVERYWHERE.get(host, f"[{host}]" if ":" in host else host)
+        self._named = tuple(origin_of(name, self.port) for name in (own, *given))
+        further = LOCAL if ":" in address[0] else (*LOCAL, address[0])
+        self.origins = frozenset((*self._named, *(origin_of(name, self.port) for name in further)))
+        self.hosts = frozenset(origin.partition("://")[2] for origin in self.origins)
+
+    @property
+    def urls(self) -> tuple[str, ...]:
+        """The page's addresses for participants, with the token: here, then by each further name."""
+        return tuple(f"{origin}/?token={self.token}" for origin in self._named)
 
     @property
     def url(self) -> str:
-        """The page's address for participants, with the token."""
-        host = str(self.server_address[0])
-        shown = f"[{host}]" if ":" in host else "127.0.0.1" if host == "0.0.0.0" else host  # noqa: S104
-        return f"http://{shown}:{self.port}/?token={self.token}"
+        """The page's address on this computer."""
+        return self.urls[0]
 
     def process_request(self, request: Any, client_address: Any) -> None:  # noqa: ANN401 - as the base class
         """Take a connection, unless too many are open."""

@@ -23,6 +23,7 @@ from fuzzytime.study.storing.store_rows import (
     SCHEMA,
     TABLES,
     checked_curve,
+    checked_participant,
     must_exist,
     participants_in,
 )
@@ -230,9 +231,7 @@ class AnswerStore:
         return count
 
     def _add(self, connection: sqlite3.Connection, person: Participant, at: str) -> None:
-        if person.group not in self.design.groups:
-            known = ", ".join(self.design.groups)
-            raise FuzzytimeError(f"a group must be one of {known}, got {person.group!r}")
+        checked_participant(person, self.design)
         if connection.execute("SELECT 1 FROM participants WHERE name = ?", (person.name,)).fetchone():
             raise FuzzytimeError(
                 f"participants must differ, and {person.name!r} is already in {self._database.path}"
@@ -270,9 +269,9 @@ class AnswerStore:
         """
         with self._database.reading() as connection:
             must_exist(connection, name)
-            return next(participants_in(connection, "WHERE name = ?", (name,)))
+            return next(participants_in(connection, self.design, "WHERE name = ?", (name,)))
 
     def answers(self) -> Answers:
         """Give everybody's answers, in the order in which they came."""
         with self._database.reading() as connection:
-            return Answers(self.design, tuple(participants_in(connection)))
+            return Answers(self.design, tuple(participants_in(connection, self.design)))

@@ -3,6 +3,7 @@
 import json
 import sqlite3
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,9 +52,15 @@ CREATE TABLE curves (
 
 
 def participants_in(
-    connection: sqlite3.Connection, where: str = "", values: tuple[str, ...] = ()
+    connection: sqlite3.Connection, design: Design, where: str = "", values: tuple[str, ...] = ()
 ) -> Iterator[Participant]:
-    """Read participants with all their answers; ``where`` is SQL of the program's own, never of people."""
+    """Read participants with all their answers; ``where`` is SQL of the program's own, never of people.
+
+    Raises
+    ------
+    FuzzytimeError
+        If somebody else wrote into the file, and a participant has an answer that is none.
+    """
     rows = connection.execute(
         "SELECT name, actor, instructions, origin, control, finished, excluded "  # noqa: S608 - two fixed texts
         f"FROM participants {where} ORDER BY position",
@@ -66,17 +73,22 @@ def participants_in(
         demographics = connection.execute(
             "SELECT question, answer FROM demographics WHERE participant = ?", (name,)
         )
-        yield Participant(
-            name=name,
-            group=group,
-            order=tuple(json.loads(order)),
-            curves={key: np.frombuffer(samples, "<f8").astype(float) for key, samples in curves},
-            demographics=dict(demographics.fetchall()),
-            control=control,
-            origin=Origin(origin),
-            finished=bool(finished),
-            excluded=excluded,
-        )
+        try:
+            person = Participant(
+                name=name,
+                group=group,
+                order=tuple(json.loads(order)),
+                curves={key: np.frombuffer(samples, "<f8").astype(float) for key, samples in curves},
+                demographics=dict(demographics.fetchall()),
+                control=None if control is None else int(control),
+                origin=Origin(origin),
+                finished=bool(finished),
+                excluded=excluded,
+            )
+            checked = checked_participant(person, design)
+        except (FuzzytimeError, TypeError, ValueError) as error:
+            raise FuzzytimeError(f"participant {str(name)[:80]!r}: {error}") from error
+        yield checked
 
 
 def must_exist(connection: sqlite3.Connection, name: str) -> None:
@@ -89,6 +101,28 @@ def must_exist(connection: sqlite3.Connection, name: str) -> None:
     """
     if not connection.execute("SELECT 1 FROM participants WHERE name = ?", (name,)).fetchone():
         raise FuzzytimeError(f"there is no participant {name[:80]!r}")
+
+
+def checked_participant(person: Participant, design: Design) -> Participant:
+    """Give a participant whose answers are all to what the design asks.
+
+    Raises
+    ------
+    FuzzytimeError
+        If one is not.
+    """
+    if person.group not in design.groups:
+        raise FuzzytimeError(f"a group must be one of {', '.join(design.groups)}, got {person.group!r}")
+    for key in (*person.order, *person.curves):
+        design.instruction(str(key))
+    about = {key: design.question(key).checked(answer) for key, answer in person.demographics.items()}
+    if person.control is not None:
+        design.control_answer(person.control)
+    return replace(
+        person,
+        curves={key: checked_curve(curve, design) for key, curve in person.curves.items()},
+        demographics={key: answer for key, answer in about.items() if answer},
+    )
 
 
 def checked_curve(values: ArrayLike, design: Design) -> Floats:
