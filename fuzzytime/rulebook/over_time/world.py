@@ -53,11 +53,11 @@ class World:
         series: dict[str, Series] = {}
         happened: dict[str, Floats] = {}
         for name in names:
-            signal, readings = tables.signals[name], context.of_signal(name)
+            signal = tables.signals[name]
             if signal.event:
-                happened[name] = np.array([reading.at for reading in readings], float)
+                happened[name] = np.array([reading.at for reading in context.of_signal(name)], float)
             else:
-                series[name] = Series.of(signal, readings)
+                series[name] = Series.within(context, signal)
         return cls(tables, series, happened)
 
     def combinations(self, names: Iterable[str]) -> tuple[Combination, ...]:
