@@ -66,6 +66,9 @@ class Series:
         after = np.minimum(before + 1, self.times.size - 1)
         gap = self.times[after] - self.times[before]
         known[(gap > self.signal.max_gap) & (times[:past] > self.times[before])] = np.nan
+        if past == times.size:
+            # What was read is the same for all curves.
+            return known[None, :]
         ahead = self.forecast.values(component, times[past:])
         ahead[:, times[past:] > self.known_until] = np.nan
         return np.concatenate([np.broadcast_to(known, (ahead.shape[0], past)), ahead], axis=1)

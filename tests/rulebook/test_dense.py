@@ -13,7 +13,9 @@ from hypothesis import strategies as st
 
 from fuzzytime.context import Context, Reading
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window
+from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window, nodes
+from fuzzytime.rulebook.over_time.grid import Grid
+from fuzzytime.rulebook.over_time.truth import trace
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.inference import holds_now
 from rulebook.books import book
@@ -115,3 +117,23 @@ def test_of_very_many_readings_the_peaks_are_looked_at() -> None:
     readings = [(float(time), 100.0 if time == -40_007.0 else 0.0) for time in times]
     window = Window(Operator.SOMETIME, Direction.LAST, length, 0.0, Is("x", "high"))
     assert found_now(window, {"x": readings, "y": []}) == (1.0, 1.0)
+
+
+@settings(max_examples=40, deadline=None)
+@given(FORMULAS)
+def test_where_nothing_is_forecast_one_curve_stands_for_all(formula: Formula) -> None:
+    course = "forecast: {model: approach, set_point: 90, time_constant: 2 min}"
+    table = f"signals:\n  x: {{{course}}}\n  y: {{{course}}}\nvariables:\n" + "".join(
+        f"  {name}: {{of: {name}, terms: {{{SHAPES}}}}}\n" for name in "xy"
+    )
+    with TemporaryDirectory() as folder:
+        tables = book(Path(folder), table).tables
+    values = [(-120.0, 10.0), (-80.0, 60.0), (-30.0, 40.0), (0.0, 55.0)]
+    world = World.of(Context.of({"x": values, "y": values}).admitted(tables.signals), tables, "xy")
+    past = Grid.of(200.0, 0.0, 5.0)
+    further = Grid.of(200.0, 0.5, 5.0)
+    for part in nodes(formula):
+        if not any(isinstance(node, Window) and node.direction is Direction.NEXT for node in nodes(part)):
+            one, all_of_them = trace(part, world, past).truth, trace(part, world, further).truth
+            assert one.low == pytest.approx(all_of_them.low[: past.times.size], abs=1e-9)
+            assert one.high == pytest.approx(all_of_them.high[: past.times.size], abs=1e-9)
