@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fuzzytime.context import Context, Reading
+from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Rulebook
 from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window, nodes
 from fuzzytime.rulebook.over_time.grid import Grid
@@ -137,3 +138,29 @@ def test_where_nothing_is_forecast_one_curve_stands_for_all(formula: Formula) ->
             one, all_of_them = trace(part, world, past).truth, trace(part, world, further).truth
             assert one.low == pytest.approx(all_of_them.low[: past.times.size], abs=1e-9)
             assert one.high == pytest.approx(all_of_them.high[: past.times.size], abs=1e-9)
+
+
+@pytest.mark.parametrize("hours", [0.0, 1.0, 100.0])
+def test_what_passes_in_seconds_is_found_beside_what_takes_days(tmp_path: Path, hours: float) -> None:
+    """Dough at 230 - 210 exp(-t / 60 s) is full warm from 16 to 24 s, and dry soil is damp for long."""
+    rate = f"rate: {-50 / hours:g}, per: h" if hours else "rate: 0, per: h"
+    rulebook = book(
+        tmp_path,
+        f"""
+signals:
+  dough:
+    range: [0, 300]
+    forecast: {{model: approach, set_point: 230, time_constant: 60 s, spread: 1.01}}
+  soil: {{range: [0, 100], forecast: {{model: linear, {rate}}}}}
+variables:
+  dough: {{of: dough, terms: {{warm: {{trapezoid: [60, 70, 90, 100]}}}}}}
+  bed: {{of: soil, terms: {{damp: {{trapezoid: [10, 20, 60, 80]}}}}}}
+rules:
+  - {{name: r, on: {{cue: soon}}, if: dough is warm and bed is damp, then: {{model: when, core: 1 min}}}}
+""",
+    )
+    said = TimeRequirement(text="soon", span=(0, 4), constraint=Constraint.VAGUE, word="soon")
+    resolved = rulebook.resolve(said, Context.of({"dough": 20.0, "soil": 50.0}))
+    assert resolved.reason is None
+    assert resolved.parameters["t"] == pytest.approx(60 * np.log(210 / 160), abs=1.0)
+    assert resolved.satisfaction([10.0, 20.0, 40.0]).round(1).tolist() == [0.0, 1.0, 0.0]

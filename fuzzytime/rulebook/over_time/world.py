@@ -27,6 +27,7 @@ MOST_COMBINATIONS = 8
 """Combinations of forecasts' components that are followed at most, the likeliest."""
 
 _AFTER = 1e-6
+_STEPS_A_COURSE = 800
 _STRIDES = (1, 37, 11, 53, 23, 5, 43, 29)
 """Orders in which the curves of several signals are paired: coprime to their number, and unlike."""
 
@@ -145,13 +146,24 @@ class World:
     def grid(self, formula: Formula, ahead: float, past: float = 0.0) -> Grid:
         """Make a grid on which a formula can be followed from ``past`` to ``ahead`` seconds from now.
 
-        Where it looks through windows, nothing that was read in them falls between its times.
+        No signal changes much between its times, however much slower others are; and where the formula looks
+        through windows, nothing that was read in them falls between.
         """
         future = ahead + window_reach(formula, Direction.NEXT)
         lengths = [node.length for node in nodes(formula) if isinstance(node, Window)]
         lengths += self._stretches(formula)
         grid = Grid.of(max(past, self.memory(formula)), future, min(lengths, default=math.inf))
-        return grid.refined(self._turns(formula, grid)) if lengths else grid
+        return grid.refined([*self._courses(formula, grid), *(self._turns(formula, grid) if lengths else ())])
+
+    def _courses(self, formula: Formula, grid: Grid) -> list[float]:
+        """Give times at which a signal that settles long before the grid ends is followed more finely."""
+        found: list[float] = []
+        for name in variables(formula):
+            variable = self.tables.variables[name]
+            settled = self._settled(variable)
+            if variable.source is not Source.SINCE and 0 < settled < grid.step * _STEPS_A_COURSE:
+                found += np.linspace(0.0, settled, _STEPS_A_COURSE).tolist()
+        return found
 
     def _turns(self, formula: Formula, grid: Grid) -> list[float]:
         """Give the times within a grid at which what a formula speaks of was read, or an event happens."""
