@@ -125,12 +125,17 @@ class World:
         if variable.source is Source.SINCE:
             beyond = max(variable.breakpoints, default=0.0)
             return float(self.happened[variable.signal].max(initial=-math.inf)) + beyond
+        known_until = self.series[variable.signal].known_until
+        # Where knowledge ends the value changes once more: it becomes unknown.
+        return max(known_until, 0.0) + _AFTER if known_until < math.inf else self._course(variable)
+
+    def _course(self, variable: Variable) -> float:
+        """Give the time from which a signal goes on as it is, or is not known any more."""
         series = self.series[variable.signal]
         if series.forecast is None:
             return 0.0
         within = variable.breakpoints if variable.source is Source.OF else ()
-        # Where knowledge ends the value changes as well: it becomes unknown.
-        return min(series.forecast.settled(within), max(series.known_until, 0.0) + _AFTER)
+        return min(series.forecast.settled(within), max(series.known_until, 0.0))
 
     def memory(self, formula: Formula) -> float:
         """Give how many seconds back a formula looks, through windows and rates."""
@@ -156,12 +161,21 @@ class World:
         return grid.refined([*self._courses(formula, grid), *(self._turns(formula, grid) if lengths else ())])
 
     def _courses(self, formula: Formula, grid: Grid) -> list[float]:
-        """Give times at which a signal that settles long before the grid ends is followed more finely."""
+        """Give times at which signals are followed beside those of the grid.
+
+        One that settles long before the grid ends is followed more finely; and one that is not known for ever
+        has a last time at which it is.
+        """
         found: list[float] = []
         for name in variables(formula):
             variable = self.tables.variables[name]
-            settled = self._settled(variable)
-            if variable.source is not Source.SINCE and 0 < settled < grid.step * _STEPS_A_COURSE:
+            if variable.source is Source.SINCE:
+                continue
+            known_until = self.series[variable.signal].known_until
+            if math.isfinite(known_until):
+                found += jump(math.nextafter(known_until, math.inf))
+            settled = self._course(variable)
+            if 0 < settled < grid.step * _STEPS_A_COURSE:
                 found += np.linspace(0.0, settled, _STEPS_A_COURSE).tolist()
         return found
 
