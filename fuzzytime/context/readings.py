@@ -1,8 +1,9 @@
 """What was read: values and events on the instruction's timeline, where 0 is the moment it was given."""
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from typing import ClassVar
+from collections.abc import Callable, Hashable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import groupby
+from typing import ClassVar, TypeVar, cast
 
 from fuzzytime.context.signals import Signal
 from fuzzytime.context.units import parse_quantity
@@ -12,6 +13,8 @@ from fuzzytime.spelling import suggestion
 MAX_READINGS = 200_000
 FARTHEST = 1e10
 """How many seconds from now a reading may lie at most."""
+
+_T = TypeVar("_T")
 
 Value = float | str | None
 """A number, a text such as ``"180 degC"``, or None for an event that happens."""
@@ -51,6 +54,10 @@ class Reading:
             return cls(signal, at, *parse_quantity(value))
         return cls(signal, at, None if value is None else float(value))
 
+    def shifted(self, by: float) -> "Reading":
+        """Give the same on a timeline whose origin is ``by`` seconds earlier."""
+        return Reading(self.signal, self.at + by, self.value, self.unit)
+
 
 @dataclass(frozen=True, slots=True)
 class Context:
@@ -67,6 +74,8 @@ class Context:
     empty: ClassVar["Context"]
 
     readings: tuple[Reading, ...] = ()
+    _by_signal: Mapping[str, tuple[Reading, ...]] = field(init=False, repr=False, compare=False)
+    _derived: dict[object, object] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if len(self.readings) > MAX_READINGS:
@@ -75,6 +84,8 @@ class Context:
             )
         latest = {(reading.signal, reading.at): reading for reading in self.readings}
         object.__setattr__(self, "readings", tuple(latest[key] for key in sorted(latest)))
+        each = groupby(self.readings, lambda reading: reading.signal)
+        object.__setattr__(self, "_by_signal", {name: tuple(readings) for name, readings in each})
 
     @classmethod
     def of(cls, values: Mapping[str, Value | Sequence[tuple[float, Value]]]) -> "Context":
@@ -94,11 +105,17 @@ class Context:
     @property
     def signals(self) -> tuple[str, ...]:
         """The names of all signals that were read."""
-        return tuple(dict.fromkeys(reading.signal for reading in self.readings))
+        return tuple(self._by_signal)
 
     def of_signal(self, name: str) -> tuple[Reading, ...]:
         """Give one signal's readings by time."""
-        return tuple(reading for reading in self.readings if reading.signal == name)
+        return self._by_signal.get(name, ())
+
+    def derived(self, key: Hashable, derive: Callable[[], _T]) -> _T:
+        """Give what is derived from these readings alone, and remember it by a key: a forecast, say."""
+        if key not in self._derived:
+            self._derived[key] = derive()
+        return cast("_T", self._derived[key])
 
     def with_reading(self, *readings: Reading) -> "Context":
         """Give a context with more readings."""
@@ -110,7 +127,7 @@ class Context:
 
     def shifted(self, by: float) -> "Context":
         """Give the same readings on a timeline whose origin is ``by`` seconds earlier."""
-        return Context(tuple(replace(reading, at=reading.at + by) for reading in self.readings))
+        return Context(tuple(reading.shifted(by) for reading in self.readings))
 
     def admitted(self, signals: Mapping[str, Signal]) -> "Context":
         """Give the readings in the units of the declared signals.
@@ -120,7 +137,13 @@ class Context:
         FuzzytimeError
             If a signal is not declared, or a value is not one that it can have.
         """
-        return Context(tuple(admitted(reading, signals) for reading in self.readings))
+        declared = tuple(_declared(name, signals) for name in self._by_signal)
+        return self.derived(("admitted", declared), lambda: self._as(signals))
+
+    def _as(self, signals: Mapping[str, Signal]) -> "Context":
+        found = tuple(admitted(reading, signals) for reading in self.readings)
+        same = all(one is other for one, other in zip(found, self.readings, strict=True))
+        return self if same else Context(found)
 
 
 Context.empty = Context()
@@ -134,8 +157,17 @@ def admitted(reading: Reading, signals: Mapping[str, Signal]) -> Reading:
     FuzzytimeError
         If the signal is not declared, or the value is not one that it can have.
     """
-    signal = signals.get(reading.signal)
+    signal = _declared(reading.signal, signals)
+    value, unit = signal.admitted(reading.value, reading.unit), None if signal.event else signal.unit
+    return (
+        reading
+        if (value, unit) == (reading.value, reading.unit)
+        else replace(reading, value=value, unit=unit)
+    )
+
+
+def _declared(name: str, signals: Mapping[str, Signal]) -> Signal:
+    signal = signals.get(name)
     if signal is None:
-        raise FuzzytimeError(f"unknown signal {reading.signal!r}{suggestion(reading.signal, signals)}")
-    value = signal.admitted(reading.value, reading.unit)
-    return replace(reading, value=value, unit=None if signal.event else signal.unit)
+        raise FuzzytimeError(f"unknown signal {name!r}{suggestion(name, signals)}")
+    return signal

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fuzzytime.context.forecast import Forecast, forecast
-from fuzzytime.context.readings import Reading
+from fuzzytime.context.readings import Context, Reading
 from fuzzytime.context.signals import Signal
 from fuzzytime.satisfaction import Floats
 
@@ -33,6 +33,11 @@ class Series:
         if not times.size:
             return cls(signal, times, values, None)
         return cls(signal, times, values, forecast(signal, times, values))
+
+    @classmethod
+    def within(cls, context: Context, signal: Signal) -> "Series":
+        """Give the series of a signal in an admitted context, which remembers it."""
+        return context.derived(signal, lambda: cls.of(signal, context.of_signal(signal.name)))
 
     @property
     def known_until(self) -> float:
@@ -61,6 +66,9 @@ class Series:
         after = np.minimum(before + 1, self.times.size - 1)
         gap = self.times[after] - self.times[before]
         known[(gap > self.signal.max_gap) & (times[:past] > self.times[before])] = np.nan
+        if past == times.size:
+            # What was read is the same for all curves.
+            return known[None, :]
         ahead = self.forecast.values(component, times[past:])
         ahead[:, times[past:] > self.known_until] = np.nan
         return np.concatenate([np.broadcast_to(known, (ahead.shape[0], past)), ahead], axis=1)

@@ -70,3 +70,17 @@ def test_readings_are_finite(reading: tuple[str, float, float]) -> None:
 
 def test_a_limit_in_another_unit_is_inside_its_range() -> None:
     assert PAN.admitted(662.0, "degF") == 350.0
+
+
+def test_what_is_derived_of_readings_is_derived_once() -> None:
+    context = Context.of({"pan_temp": 180.0})
+    assert [context.derived("count", lambda: len(context.readings)) for _ in range(2)] == [1, 1]
+    assert context.derived("count", lambda: 7) == 1
+    assert context == Context.of({"pan_temp": 180.0})
+
+
+def test_admitted_readings_are_admitted_as_they_are() -> None:
+    celsius, fahrenheit = Signal(name="pan_temp", unit="degC"), Signal(name="pan_temp", unit="degF")
+    admitted = Context.of({"pan_temp": "356 degF"}).admitted({"pan_temp": celsius})
+    assert admitted.admitted({"pan_temp": celsius}) is admitted
+    assert admitted.admitted({"pan_temp": fahrenheit}).readings[0].value == pytest.approx(356.0)

@@ -12,8 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from fuzzytime.context import Context, Reading
+from fuzzytime.requirement import Constraint, TimeRequirement
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window
+from fuzzytime.rulebook.logic.formula import And, Direction, Formula, Is, Not, Operator, Or, Window, nodes
+from fuzzytime.rulebook.over_time.grid import Grid
+from fuzzytime.rulebook.over_time.truth import trace
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.inference import holds_now
 from rulebook.books import book
@@ -115,3 +118,49 @@ def test_of_very_many_readings_the_peaks_are_looked_at() -> None:
     readings = [(float(time), 100.0 if time == -40_007.0 else 0.0) for time in times]
     window = Window(Operator.SOMETIME, Direction.LAST, length, 0.0, Is("x", "high"))
     assert found_now(window, {"x": readings, "y": []}) == (1.0, 1.0)
+
+
+@settings(max_examples=40, deadline=None)
+@given(FORMULAS)
+def test_where_nothing_is_forecast_one_curve_stands_for_all(formula: Formula) -> None:
+    course = "forecast: {model: approach, set_point: 90, time_constant: 2 min}"
+    table = f"signals:\n  x: {{{course}}}\n  y: {{{course}}}\nvariables:\n" + "".join(
+        f"  {name}: {{of: {name}, terms: {{{SHAPES}}}}}\n" for name in "xy"
+    )
+    with TemporaryDirectory() as folder:
+        tables = book(Path(folder), table).tables
+    values = [(-120.0, 10.0), (-80.0, 60.0), (-30.0, 40.0), (0.0, 55.0)]
+    world = World.of(Context.of({"x": values, "y": values}).admitted(tables.signals), tables, "xy")
+    past = Grid.of(200.0, 0.0, 5.0)
+    further = Grid.of(200.0, 0.5, 5.0)
+    for part in nodes(formula):
+        if not any(isinstance(node, Window) and node.direction is Direction.NEXT for node in nodes(part)):
+            one, all_of_them = trace(part, world, past).truth, trace(part, world, further).truth
+            assert one.low == pytest.approx(all_of_them.low[: past.times.size], abs=1e-9)
+            assert one.high == pytest.approx(all_of_them.high[: past.times.size], abs=1e-9)
+
+
+@pytest.mark.parametrize("hours", [0.0, 1.0, 100.0])
+def test_what_passes_in_seconds_is_found_beside_what_takes_days(tmp_path: Path, hours: float) -> None:
+    """Dough at 230 - 210 exp(-t / 60 s) is full warm from 16 to 24 s, and dry soil is damp for long."""
+    rate = f"rate: {-50 / hours:g}, per: h" if hours else "rate: 0, per: h"
+    rulebook = book(
+        tmp_path,
+        f"""
+signals:
+  dough:
+    range: [0, 300]
+    forecast: {{model: approach, set_point: 230, time_constant: 60 s, spread: 1.01}}
+  soil: {{range: [0, 100], forecast: {{model: linear, {rate}}}}}
+variables:
+  dough: {{of: dough, terms: {{warm: {{trapezoid: [60, 70, 90, 100]}}}}}}
+  bed: {{of: soil, terms: {{damp: {{trapezoid: [10, 20, 60, 80]}}}}}}
+rules:
+  - {{name: r, on: {{cue: soon}}, if: dough is warm and bed is damp, then: {{model: when, core: 1 min}}}}
+""",
+    )
+    said = TimeRequirement(text="soon", span=(0, 4), constraint=Constraint.VAGUE, word="soon")
+    resolved = rulebook.resolve(said, Context.of({"dough": 20.0, "soil": 50.0}))
+    assert resolved.reason is None
+    assert resolved.parameters["t"] == pytest.approx(60 * np.log(210 / 160), abs=1.0)
+    assert resolved.satisfaction([10.0, 20.0, 40.0]).round(1).tolist() == [0.0, 1.0, 0.0]

@@ -341,3 +341,12 @@ def test_a_print_is_done_when_its_progress_says_so() -> None:
 def test_glue_sets() -> None:
     resolution = resolved(when("when the glue is dry", "glue", "dry"), Context((Reading("glue_on", -600.0),)))
     assert resolution.satisfaction([300, 900, 1250]).tolist() == pytest.approx([0.0, 0.5, 1.0], abs=0.01)
+
+
+@pytest.mark.parametrize("now", [229.0, 100.0])
+def test_what_is_forecast_for_a_while_holds_for_that_while_only(now: float) -> None:
+    requirement = when("while the pan is hot", "pan", "hot", preposition="while")
+    resolution = resolved(requirement, Context.of({"pan_temp": now}))
+    horizon = 40 * MINUTE
+    assert resolution.satisfaction(horizon - 1) == pytest.approx(1.0, abs=0.01)
+    assert resolution.satisfaction(horizon + 1) == 0.0

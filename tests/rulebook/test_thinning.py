@@ -32,3 +32,12 @@ def test_a_jump_keeps_both_its_ends() -> None:
 def test_there_are_never_too_many() -> None:
     times = np.arange(50_000.0)
     assert thinned(times, np.random.default_rng(1).random(50_000))[0].size <= MOST_POINTS
+
+
+@given(st.lists(st.floats(0, 1), min_size=1, max_size=60))
+def test_the_first_and_the_last_of_the_highest_points_stay(values: list[float]) -> None:
+    times = np.arange(float(len(values)))
+    curve = np.array(values)
+    fewer_times, fewer = thinned(times, curve, 0.3)
+    highest, kept = times[curve == curve.max()], fewer_times[fewer == curve.max()]
+    assert (kept[0], kept[-1]) == (highest[0], highest[-1])

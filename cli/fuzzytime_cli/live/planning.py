@@ -54,6 +54,7 @@ class Planning:
         skills = interpreter.interpret(self.request).skills
         self.relevant_at_first = frozenset[str]().union(*map(self.signals_of, skills))
         self.readings: dict[str, deque[Reading]] = {}
+        self._last_read: dict[str, float] = {}
         for reading in request.context.readings:
             self.note(reading)
         self.plan: Plan | None = None
@@ -62,6 +63,7 @@ class Planning:
     def note(self, reading: Reading) -> None:
         """Remember a reading, by a time of the run."""
         self.readings.setdefault(reading.signal, deque(maxlen=MOST_READINGS)).append(reading)
+        self._last_read[reading.signal] = max(self.last_read(reading.signal), reading.at)
 
     def signal(self, name: str) -> Signal:
         """Give what is declared of a signal."""
@@ -69,11 +71,11 @@ class Planning:
 
     def last_read(self, signal: str) -> float:
         """Give when a signal was last read; −inf where it never was."""
-        return max((reading.at for reading in self.readings.get(signal, ())), default=-math.inf)
+        return self._last_read.get(signal, -math.inf)
 
     def seen_from(self, now: float, started: tuple[Started, ...], *more: Wish) -> Request:
         """Give the request as it is at a moment of the run."""
-        known = [replace(reading, at=reading.at - now) for kept in self.readings.values() for reading in kept]
+        known = [reading.shifted(-now) for kept in self.readings.values() for reading in kept]
         return replace(
             self.request,
             now=instant_after(self.origin, now),

@@ -57,6 +57,8 @@ class Grid:
         """Give the grid with further times inside it."""
         inside = np.fromiter(more, float)
         inside = inside[(inside > self.times[0]) & (inside < self.times[-1])]
+        if not inside.size:
+            return self
         times = np.union1d(self.times, inside)
         return Grid(self.step, times, np.searchsorted(times, self.times[self.regular]))
 

@@ -10,6 +10,8 @@ MOST_POINTS = 2000
 def thinned(times: Floats, values: Floats, tolerance: float = 1e-4) -> tuple[Floats, Floats]:
     """Leave out points that lie within a tolerance of the line between those that stay.
 
+    The first and the last of the highest points stay: nobody is to wait for a last part in ten thousand.
+
     One pass: from each point that stays, the cone of slopes that pass all points since is narrowed until it
     is empty (Reumann & Witkam 1974; the cone variant). The tolerance grows while more than `MOST_POINTS`
     remain.
@@ -19,14 +21,15 @@ def thinned(times: Floats, values: Floats, tolerance: float = 1e-4) -> tuple[Flo
     times, values : array of shape (k,)
         The curve, by times that do not decrease.
     """
-    kept = _kept(times.tolist(), values.tolist(), tolerance)
+    highest = np.flatnonzero(values == values.max())[[0, -1]].tolist()
+    kept = _kept(times.tolist(), values.tolist(), tolerance, highest)
     while len(kept) > MOST_POINTS:
         tolerance *= 4
-        kept = _kept(times.tolist(), values.tolist(), tolerance)
+        kept = _kept(times.tolist(), values.tolist(), tolerance, highest)
     return times[kept], values[kept]
 
 
-def _kept(times: list[float], values: list[float], tolerance: float) -> list[int]:
+def _kept(times: list[float], values: list[float], tolerance: float, always: list[int]) -> list[int]:
     kept = [0]
     low, high = -np.inf, np.inf
     for i in range(1, len(times)):
@@ -35,7 +38,7 @@ def _kept(times: list[float], values: list[float], tolerance: float) -> list[int
         if i - 1 > anchor:
             # The point before i must lie near the line from the anchor to i: that is what the cone says.
             slope = (values[i] - values[anchor]) / span
-            if not low <= slope <= high:
+            if i - 1 in always or not low <= slope <= high:
                 kept.append(i - 1)
                 anchor, span = i - 1, times[i] - times[i - 1]
                 low, high = -np.inf, np.inf

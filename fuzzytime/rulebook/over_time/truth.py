@@ -1,7 +1,7 @@
 """How true a formula is over time: two bounds, which differ where readings are missing."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -119,10 +119,16 @@ class _Evaluation:
         self._pasts: dict[tuple[Formula, Combination, Direction], Past] = {}
 
     def combinations(self, formula: Formula) -> tuple[Combination, ...]:
-        """Give the combinations of forecasts to follow a formula over, the same ones for the same signals."""
+        """Give the combinations of forecasts to follow a formula over, the same ones for the same signals.
+
+        Where nothing is forecast within the grid, one stands for all.
+        """
         names = tuple(self.world.tables.variables[name].signal for name in variables(formula))
         if names not in self._combinations:
-            self._combinations[names] = self.world.combinations(names)
+            found = self.world.combinations(names)
+            if all(self.world.last_read(name) >= self.grid.times[-1] for name in found[0].components):
+                found = (replace(found[0], weight=1.0),)
+            self._combinations[names] = found
         return self._combinations[names]
 
     def truth(self, formula: Formula, combination: Combination) -> Truth:

@@ -27,6 +27,7 @@ MOST_COMBINATIONS = 8
 """Combinations of forecasts' components that are followed at most, the likeliest."""
 
 _AFTER = 1e-6
+_STEPS_A_COURSE = 800
 _STRIDES = (1, 37, 11, 53, 23, 5, 43, 29)
 """Orders in which the curves of several signals are paired: coprime to their number, and unlike."""
 
@@ -53,11 +54,11 @@ class World:
         series: dict[str, Series] = {}
         happened: dict[str, Floats] = {}
         for name in names:
-            signal, readings = tables.signals[name], context.of_signal(name)
+            signal = tables.signals[name]
             if signal.event:
-                happened[name] = np.array([reading.at for reading in readings], float)
+                happened[name] = np.array([reading.at for reading in context.of_signal(name)], float)
             else:
-                series[name] = Series.of(signal, readings)
+                series[name] = Series.within(context, signal)
         return cls(tables, series, happened)
 
     def combinations(self, names: Iterable[str]) -> tuple[Combination, ...]:
@@ -124,12 +125,17 @@ class World:
         if variable.source is Source.SINCE:
             beyond = max(variable.breakpoints, default=0.0)
             return float(self.happened[variable.signal].max(initial=-math.inf)) + beyond
+        known_until = self.series[variable.signal].known_until
+        # Where knowledge ends the value changes once more: it becomes unknown.
+        return max(known_until, 0.0) + _AFTER if known_until < math.inf else self._course(variable)
+
+    def _course(self, variable: Variable) -> float:
+        """Give the time from which a signal goes on as it is, or is not known any more."""
         series = self.series[variable.signal]
         if series.forecast is None:
             return 0.0
         within = variable.breakpoints if variable.source is Source.OF else ()
-        # Where knowledge ends the value changes as well: it becomes unknown.
-        return min(series.forecast.settled(within), max(series.known_until, 0.0) + _AFTER)
+        return min(series.forecast.settled(within), max(series.known_until, 0.0))
 
     def memory(self, formula: Formula) -> float:
         """Give how many seconds back a formula looks, through windows and rates."""
@@ -145,13 +151,33 @@ class World:
     def grid(self, formula: Formula, ahead: float, past: float = 0.0) -> Grid:
         """Make a grid on which a formula can be followed from ``past`` to ``ahead`` seconds from now.
 
-        Where it looks through windows, nothing that was read in them falls between its times.
+        No signal changes much between its times, however much slower others are; and where the formula looks
+        through windows, nothing that was read in them falls between.
         """
         future = ahead + window_reach(formula, Direction.NEXT)
         lengths = [node.length for node in nodes(formula) if isinstance(node, Window)]
         lengths += self._stretches(formula)
         grid = Grid.of(max(past, self.memory(formula)), future, min(lengths, default=math.inf))
-        return grid.refined(self._turns(formula, grid)) if lengths else grid
+        return grid.refined([*self._courses(formula, grid), *(self._turns(formula, grid) if lengths else ())])
+
+    def _courses(self, formula: Formula, grid: Grid) -> list[float]:
+        """Give times at which signals are followed beside those of the grid.
+
+        One that settles long before the grid ends is followed more finely; and one that is not known for ever
+        has a last time at which it is.
+        """
+        found: list[float] = []
+        for name in variables(formula):
+            variable = self.tables.variables[name]
+            if variable.source is Source.SINCE:
+                continue
+            known_until = self.series[variable.signal].known_until
+            if math.isfinite(known_until):
+                found += jump(math.nextafter(known_until, math.inf))
+            settled = self._course(variable)
+            if 0 < settled < grid.step * _STEPS_A_COURSE:
+                found += np.linspace(0.0, settled, _STEPS_A_COURSE).tolist()
+        return found
 
     def _turns(self, formula: Formula, grid: Grid) -> list[float]:
         """Give the times within a grid at which what a formula speaks of was read, or an event happens."""

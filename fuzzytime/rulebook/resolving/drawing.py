@@ -3,6 +3,7 @@
 import numpy as np
 
 from fuzzytime.rulebook.logic.formula import Formula
+from fuzzytime.rulebook.logic.traces import Positions
 from fuzzytime.rulebook.over_time.truth import Traced
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.evidence import signals_of
@@ -20,9 +21,10 @@ def drawn(
     formula: Formula, world: World, traced: Traced, until: float, satisfaction: SatisfactionFunction
 ) -> Trace:
     """Give the traces of a formula over the times of its grid, to ``until`` seconds from now."""
-    regular = traced.grid.regular
-    shown = regular[traced.grid.times[regular] <= until]
-    positions = shown[np.unique(np.linspace(0, shown.size - 1, POINTS).astype(int))]
+    shown = np.flatnonzero(traced.grid.times <= until)
+    # Readings may lie closely; what is to come is drawn as finely all the same.
+    parts = np.split(shown, [int(np.searchsorted(shown, traced.grid.zero))])
+    positions = np.concatenate([_some_of(part, POINTS // 2) for part in parts])
     times = traced.grid.times[positions]
     names = [name for name in signals_of(formula, world.tables) if name in world.series]
     # ψ is about starts from now on.
@@ -35,6 +37,12 @@ def drawn(
         high=traced.truth.high[positions],
         satisfaction=satisfied,
     )
+
+
+def _some_of(positions: Positions, most: int) -> Positions:
+    """Give so many positions at most, evenly, with the first and the last."""
+    chosen = np.unique(np.linspace(0, positions.size - 1, min(most, positions.size)).astype(int))
+    return np.asarray(positions[chosen])
 
 
 def _signal_trace(name: str, world: World, times: Floats) -> SignalTrace:

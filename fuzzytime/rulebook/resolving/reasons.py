@@ -8,11 +8,13 @@ from fuzzytime.context.forecast import Forecast
 from fuzzytime.context.signals import Approach, Hold, Signal
 from fuzzytime.context.units import symbol
 from fuzzytime.rulebook.logic.formula import And, Formula, Is, Not, nodes
-from fuzzytime.rulebook.over_time.truth import Traced
+from fuzzytime.rulebook.over_time.truth import Traced, Truth
 from fuzzytime.rulebook.over_time.world import World
 from fuzzytime.rulebook.resolving.evidence import signals_of, span_of, too_old
 from fuzzytime.rulebook.tables.variables import Source, Variable
 from fuzzytime.times import format_duration
+
+Mask = np.ndarray[tuple[int], np.dtype[np.bool_]]
 
 _LITTLE = 0.02
 """The share of its way, or of where it leads, that may be left where a signal counts as settled."""
@@ -24,15 +26,15 @@ def why_never(formula: Formula, world: World, traced: Traced, horizon: float, ne
     ``traced`` is the condition's trace, which stays below ``never_below``.
     """
     missing = [name for name in signals_of(formula, world.tables) if _unknown_now(name, world)]
-    ahead = traced.grid.times >= 0
-    if float(traced.truth.high[ahead].max()) >= never_below:
-        if missing:
-            return _missing(missing, world)
+    if missing and float(traced.truth.high[traced.grid.times >= 0].max()) >= never_below:
+        return _missing(missing, world)
+    known = _known(formula, world, traced)
+    if float(traced.truth.high[known].max()) >= never_below:
         return f"cannot be told whether {formula}: {span_of(signals_of(formula, world.tables), world)}"
     described = [
         _end_of(world.tables.variables[node.variable], world, horizon)
         for node in nodes(formula)
-        if isinstance(node, Is) and _stays_apart(node, formula, traced, never_below)
+        if isinstance(node, Is) and _stays_apart(node, formula, traced.parts[node], known, never_below)
     ]
     if not described and isinstance(formula, And):
         return "never: its parts do not hold at the same time"
@@ -41,13 +43,20 @@ def why_never(formula: Formula, world: World, traced: Traced, horizon: float, ne
     return "never: " + ", ".join(dict.fromkeys(described))
 
 
-def _stays_apart(atom: Is, formula: Formula, traced: Traced, never_below: float) -> bool:
-    """Tell whether an atom never does what the formula wants of it."""
-    ahead = traced.grid.times >= 0
-    truth = traced.parts[atom]
+def _known(formula: Formula, world: World, traced: Traced) -> Mask:
+    """Tell at which times from now on everything that a formula speaks of is read or forecast."""
+    ends = [
+        world.series[name].known_until for name in signals_of(formula, world.tables) if name in world.series
+    ]
+    until = max(min(ends, default=math.inf), 0.0)
+    return np.asarray((traced.grid.times >= 0) & (traced.grid.times <= until))
+
+
+def _stays_apart(atom: Is, formula: Formula, truth: Truth, known: Mask, never_below: float) -> bool:
+    """Tell whether an atom never does what the formula wants of it, as far as that is known."""
     if any(isinstance(node, Not) and node.part == atom for node in nodes(formula)):
-        return bool(truth.high[ahead].min() > 1 - never_below)
-    return bool(truth.low[ahead].max() < never_below)
+        return bool(truth.high[known].min() > 1 - never_below)
+    return bool(truth.low[known].max() < never_below)
 
 
 def _unknown_now(name: str, world: World) -> bool:

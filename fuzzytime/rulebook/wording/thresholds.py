@@ -124,8 +124,7 @@ def _corners(side: Side, low: float, high: float, softness: float) -> tuple[floa
 
 def _comes_down(number: float, signal: Signal, context: Context) -> bool:
     """Tell whether a signal is above a number and, as expected, on its way down to it."""
-    readings = context.of_signal(signal.name)
-    forecast = Series.of(signal, readings).forecast if readings else None
+    forecast = Series.within(context, signal).forecast
     if forecast is None:
         return False
     last = forecast.until if math.isfinite(forecast.until) else max(forecast.settled(), 0.0)

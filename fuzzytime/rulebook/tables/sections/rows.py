@@ -11,7 +11,7 @@ from fuzzytime.rulebook.tables.sections.models import FORMS, read_form
 from fuzzytime.rulebook.tables.sections.scope import Scope
 from fuzzytime.rulebook.tables.sections.widths import LONGEST, MAX_FACTOR, read_factor
 from fuzzytime.rulebook.tables.vocabulary import CLAUSE_MODELS
-from fuzzytime.yaml_nodes import Node
+from fuzzytime.yaml_nodes import Node, Sequence
 
 _ROW = ("model", *FORMS, "begun", "t", "w", "reference", "hedge", "core", "fade")
 _TIMES = (("t", -LONGEST), ("w", 1e-3), ("core", 0.0), ("fade", 0.0))
@@ -140,6 +140,8 @@ def read_match(scope: Scope, node: Node, key: str) -> Match:
             texts = scope.reader.choices(value, path, known[name], lower=True)
         else:
             texts = scope.reader.strings(value, path)
+        if isinstance(value, Sequence) and not value.items:
+            scope.reader.mistake(value, path, "must not be an empty list, which nothing matches")
         accepted.append((name, frozenset(text.lower() for text in texts)))
     return Match(tuple(accepted))
 

@@ -97,6 +97,8 @@ def _effect(scope: Scope, found: Mapping[str, Node], key: str) -> Effect:
     scale: dict[str, float] = {}
     if "scale" in parts:
         factors = scope.reader.mapping(parts["scale"], f"{path}.scale", ("t", "w"))
+        if isinstance(parts["scale"], MappingNode) and not parts["scale"].entries:
+            scope.reader.mistake(parts["scale"], f"{path}.scale", "must scale 't' or 'w'")
         scale = {name: read_factor(scope, value, f"{path}.scale.{name}") for name, value in factors.items()}
     if isinstance(node, MappingNode) and not node.entries:
         scope.reader.mistake(node, path, "must ask for something: a model, a parameter or a scale")
