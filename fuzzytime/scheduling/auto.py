@@ -6,6 +6,7 @@ from typing import ClassVar
 
 from fuzzytime.scheduling.exact import shares, small
 from fuzzytime.scheduling.exact.milp import Milp
+from fuzzytime.scheduling.exact.pauses import Pauses
 from fuzzytime.scheduling.exact.threshold import CROWD, MANY, Labels, search_part
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -19,6 +20,12 @@ EXACT_JOBS = 12
 
 KICKS, KICKS_A_PAIR = 200, 0.4
 """Of a local search where a gap is left, at most; what may change places are pairs of skills."""
+
+PAUSED_JOBS = 24
+"""Up to so many skills lags of any kind are heeded by a program of their own."""
+
+PAUSED_SHARE = 0.8
+"""Of the time left, for that program: what it cannot close is left to the mixed-integer one."""
 
 AGAIN = 2.0
 """How many times as long as the first a second search may take at least, to be worth its beginning."""
@@ -39,12 +46,19 @@ class Auto:
         spent = watch.seconds - since
         best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
-        if few:
+        paused = not problem.kept_by_order and len(problem.jobs) <= PAUSED_JOBS
+        if few and not (paused and problem.agents > 1):
             best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
+        elif paused:
+            pass
         elif problem.agents == 1:
             best = replace(Labels().search(problem, watch, best), method=Labels.name)
         elif not shares.why_not(problem, watch.limits.memory):
             best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        goal = OPTIMAL_GAP * problem.weight
+        if paused and best.cost - best.lower_cost > goal:
+            other = Pauses().search(problem, watch.share(PAUSED_SHARE), best)
+            best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Pauses.name)
         gave_up = best.cost >= begun.cost > best.lower_cost and sweeps < math.inf
         if gave_up and watch.remaining > AGAIN * spent:
             # Where the exact method gives up for want of memory, the time left is the search's.
@@ -52,7 +66,7 @@ class Auto:
             best = replace(longer, lower_cost=best.lower_cost, method=LocalSearch.name)
         best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
-        is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
+        is_open = best.cost - best.lower_cost > goal
         if is_open and not watch.is_over() and not (problem.kept_by_order and (few or problem.agents == 1)):
             kicks = max(KICKS, round(KICKS_A_PAIR * math.comb(len(problem.jobs), 2)))
             better = LocalSearch(kicks=kicks).search(problem, watch.share(0.2), best)

@@ -65,6 +65,13 @@ def test_a_lag_can_be_what_clashes() -> None:
     assert clash_of(task) == (0, 2)
 
 
+def test_an_event_during_work_clashes_with_nothing() -> None:
+    event = FuzzySkill("the bell rings", Rectangle(5, 5), 0, happens=True)
+    work = [FuzzySkill(f"skill {k}", Rectangle(0, 2), 10) for k in range(3)]
+    assert clash_of(FuzzyTask((event, work[0]), busy=(Busy(4, 6),))) == (1,)
+    assert clash_of(FuzzyTask((event, *work))) == (1, 2)
+
+
 def test_a_method_without_a_bound_still_proves_a_clash() -> None:
     task = task_of((Rectangle(10, 12), 5), (Rectangle(11, 13), 5))
     assert solve(task, solver=HillClimbing(), threshold=0).certificate.status is Status.INFEASIBLE

@@ -8,7 +8,7 @@ from fuzzytime.satisfaction import EMPTY, Interval, SatisfactionFunction
 from fuzzytime.scheduling.problem.jobs import Job, Lag, Lane, Problem
 from fuzzytime.scheduling.problem.windows import INSIDE, free_of, in_common, strictly_above
 from fuzzytime.scheduling.schedule import TINY
-from fuzzytime.skills import FuzzyTask
+from fuzzytime.skills import FuzzySkill, FuzzyTask
 
 
 def problem_of(task: FuzzyTask, threshold: float) -> Problem:
@@ -30,17 +30,14 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
     strict = 1 - math.log(floor) * math.fsum(skill.priority for skill in task.skills)
     jobs: list[Job] = []
     for position, skill in enumerate(task.skills):
-        mine = [lane if skill.agent in {None, *lane.agents} else None for lane in lanes]
+        mine = [lane if _may_do(lane, skill, task) else None for lane in lanes]
         late = 0.0
         if position not in bound and any(lane is not None and lane.is_free_at_last for lane in mine):
             late = float(skill.satisfaction(math.inf))
         wanted = strictly_above(
             skill.satisfaction, floor if position in leading else max(floor, late), horizon
         )
-        windows = tuple(
-            () if lane is None else wanted if skill.happens else free_of(wanted, lane.busy, skill.duration)
-            for lane in mine
-        )
+        windows = tuple(() if lane is None else free_of(wanted, lane.busy, skill.duration) for lane in mine)
         worst = -skill.priority * math.log(floor)
         final = -skill.priority * math.log(max(late, floor)) + 0.0
         jobs.append(
@@ -59,17 +56,28 @@ def problem_of(task: FuzzyTask, threshold: float) -> Problem:
     return _bound_by_lags(task, jobs, lanes)
 
 
+def _may_do(lane: Lane, skill: FuzzySkill, task: FuzzyTask) -> bool:
+    """Tell whether a lane is for a skill: that of nobody for what happens by itself, and for nothing else."""
+    if skill.happens or lane.agents == (task.agents + 1,):
+        return skill.happens and lane.agents == (task.agents + 1,)
+    return skill.agent in {None, *lane.agents}
+
+
 def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
+    """Put agents together who can stand in for each other; one more, nobody, has what happens by itself."""
     named = {skill.agent for skill in task.skills}
     agents: dict[tuple[tuple[tuple[float, float], ...], int | None], list[int]] = {}
     for agent in range(1, task.agents + 1):
         busy = {(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}}
         times = tuple(sorted(span for span in busy if span[0] < span[1]))
         agents.setdefault((times, agent if agent in named else None), []).append(agent)
-    return tuple(
+    lanes = [
         Lane(tuple(members), tuple(Interval(low, high) for low, high in times))
         for (times, _), members in agents.items()
-    )
+    ]
+    if any(skill.happens for skill in task.skills):
+        lanes.append(Lane((task.agents + 1,), ()))
+    return tuple(lanes)
 
 
 def horizon_of(task: FuzzyTask, floor: float) -> float:
@@ -127,6 +135,10 @@ def _bound_by_lags(task: FuzzyTask, jobs: list[Job], lanes: tuple[Lane, ...]) ->
     everything = Problem(tuple(jobs), lanes, tuple(lags))
     free = _free(task, jobs)
     kept = everything.select([i for i, job in enumerate(jobs) if any(job.windows) and i not in free])
+    if lanes[-1].agents == (task.agents + 1,) and not any(job.windows[-1] for job in kept.jobs):
+        kept = replace(
+            kept, lanes=lanes[:-1], jobs=tuple(replace(job, windows=job.windows[:-1]) for job in kept.jobs)
+        )
     apart = tuple(job for job in jobs if not any(job.windows))
     return replace(kept, apart=apart, free=tuple(jobs[index] for index in free))
 
