@@ -16,7 +16,7 @@ from fuzzytime.scheduling import (
     Status,
     solve,
 )
-from fuzzytime.scheduling.schedule import OPTIMAL_GAP
+from fuzzytime.scheduling.schedule import OPTIMAL_GAP, TINY
 from fuzzytime.skills import FuzzyTask
 from scheduling.oracle import best_cost, best_shared_cost, best_whole_cost
 from scheduling.random_closeness import random_close_task, random_endless_task, random_event_task
@@ -86,6 +86,28 @@ def cost_of(schedule: Schedule) -> float:
         skill.priority * math.log(max(value, THRESHOLD))
         for skill, value in zip(task.skills, got, strict=True)
     )
+
+
+def wrong_if_strict(task: FuzzyTask, last: int) -> Iterator[str]:
+    """Solve a task of whole seconds by the strict product, and say what is wrong with what is said of it."""
+    schedule = solve(task, threshold=0)
+    possible, clash = _can_be_had(task, last), schedule.clash
+    if possible == (schedule.certificate.status is Status.INFEASIBLE):
+        yield f"{schedule.certificate.status} is said of a task that can{'' if possible else 'not'} be had"
+    if possible and any(schedule.rejected):
+        yield f"{schedule.rejected} are rejected of a task that can be had"
+    if possible and schedule.certificate.lower_cost > best_whole_cost(task, TINY, last) + 1e-6:
+        yield "the bound lies above the best cost"
+    if clash and _can_be_had(task.select(clash), last):
+        yield f"the clash {clash} can be had"
+    for member in clash if len(clash) > 1 else ():
+        if not _can_be_had(task.select([other for other in clash if other != member]), last):
+            yield f"{member} is superfluous in the clash {clash}"
+
+
+def _can_be_had(task: FuzzyTask, last: int) -> bool:
+    least = min(skill.priority for skill in task.skills)
+    return best_whole_cost(task, TINY, last) < -0.5 * least * math.log(TINY)
 
 
 def wrong(family: Family, seed: int) -> Iterator[str]:

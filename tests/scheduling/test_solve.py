@@ -18,7 +18,7 @@ from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
-from scheduling.random_tasks import faults, random_task
+from scheduling.random_tasks import faults, random_far_task, random_task
 
 
 @pytest.mark.parametrize("block", range(6))
@@ -32,6 +32,19 @@ def test_random_tasks_are_solved_as_all_permutations_are(block: int) -> None:
         assert best - 1e-3 <= schedule.weighted_cost <= best + 1e-6, seed
         assert schedule.certificate.lower_cost <= best + 1e-9, seed
         assert schedule.certificate.status is Status.OPTIMAL, seed
+
+
+@pytest.mark.parametrize("block", range(3))
+def test_days_that_are_months_apart_are_solved_as_each_day_alone(block: int) -> None:
+    for seed in (*range(12 * block, 12 * block + 12), *((106, 117, 127) if not block else ())):
+        task, days = random_far_task(seed)
+        schedule = solve(task)
+        # Later days may also use what lies before their beginning.
+        best = math.fsum(best_cost(day, THRESHOLD) for day in days)
+        assert not faults(schedule), seed
+        assert schedule.certificate.status is Status.OPTIMAL, seed
+        assert schedule.weighted_cost <= best + 1e-4 * 2 * len(task.skills), seed
+        assert schedule.certificate.lower_cost <= best + 1e-9, seed
 
 
 def test_two_jobs_at_the_same_time_share_the_loss() -> None:

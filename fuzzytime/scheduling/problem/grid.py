@@ -211,7 +211,8 @@ def _lines(job: Job, window: Interval, step: float) -> tuple[int, Floats, Floats
     least = np.minimum(cost[:-1], cost[1:])
     np.minimum.at(least, np.searchsorted(nodes, kinks, "right") - 1, job.costs(kinks))
     # The chord through the ends of the window's part, drawn on to the ends of the cell.
-    slope = np.diff(cost) / np.diff(nodes)
+    with np.errstate(invalid="ignore"):  # A window may end where rounding takes an edge to be.
+        slope = np.diff(cost) / np.diff(nodes)
     error = job.weight * cell_chord_errors(job.function, nodes)
     start = cost[:-1] + slope * (edges[:-1] - nodes[:-1]) - error
     end = cost[1:] + slope * (edges[1:] - nodes[1:]) - error
