@@ -98,14 +98,3 @@ def test_nothing_is_lost_and_the_sum_of_distances_never_grows(seed: int) -> None
     if not any(late):
         assert distance(near) <= distance(plain) + slack
     assert near.certificate.status is plain.certificate.status
-
-
-def test_rounder_starts_cost_nothing_where_a_skill_stands_at_a_jump() -> None:
-    pour = FuzzySkill(
-        "pour", Triangle(68.24190072678282, 91.66607515236514, 115.09024957794746), 0, priority=0.5
-    )
-    stir = FuzzySkill("stir", Triangle(70.63999494614256, 90.61558416264492, 110.59117337914728), 23.60544)
-    serve = FuzzySkill("serve", Sampled([88.3, 107.2], [0.0, 0.49409072415279853]), 17.2)
-    schedule = solve(FuzzyTask((pour, stir, serve)))
-    assert schedule.start_times[2] == 107.2
-    assert schedule.certificate.lower_cost == pytest.approx(schedule.weighted_cost, abs=1e-3)
