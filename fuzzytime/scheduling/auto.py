@@ -13,7 +13,7 @@ from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.scheduling.search.stretches import Stretches
-from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.solver import Draft, Solver
 
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
@@ -33,7 +33,7 @@ AGAIN = 2.0
 
 @dataclass(frozen=True, slots=True)
 class Auto:
-    """Held-Karp for few skills, labels or shares for more; a mixed-integer program for what none knows."""
+    """Held-Karp for few skills, labels or shares for more, pauses for lags; else a mixed-integer program."""
 
     name: ClassVar[str] = "auto"
 
@@ -47,18 +47,12 @@ class Auto:
         best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
         paused = not problem.kept_by_order and len(problem.jobs) <= PAUSED_JOBS
-        if few and not (paused and problem.agents > 1):
-            best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
-        elif paused:
-            pass
-        elif problem.agents == 1:
-            best = replace(Labels().search(problem, watch, best), method=Labels.name)
-        elif not shares.why_not(problem, watch.limits.memory):
-            best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
-        goal = OPTIMAL_GAP * problem.weight
-        if paused and best.cost - best.lower_cost > goal:
-            other = Pauses().search(problem, watch.share(PAUSED_SHARE), best)
-            best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Pauses.name)
+        for solver in self._exact(problem, watch, few=few, paused=paused):
+            share = watch.share(PAUSED_SHARE) if isinstance(solver, Pauses) else watch
+            found = solver.search(problem, share, best)
+            best = replace(found, lower_cost=max(best.lower_cost, found.lower_cost), method=solver.name)
+            if best.cost - best.lower_cost <= OPTIMAL_GAP * problem.weight:
+                break
         gave_up = best.cost >= begun.cost > best.lower_cost and sweeps < math.inf
         if gave_up and watch.remaining > AGAIN * spent:
             # Where the exact method gives up for want of memory, the time left is the search's.
@@ -66,7 +60,7 @@ class Auto:
             best = replace(longer, lower_cost=best.lower_cost, method=LocalSearch.name)
         best = replace(best, lower_cost=max(best.lower_cost, min(problem.least_cost, best.cost)))
         # They relax what binds jobs otherwise than by their order.
-        is_open = best.cost - best.lower_cost > goal
+        is_open = best.cost - best.lower_cost > OPTIMAL_GAP * problem.weight
         if is_open and not watch.is_over() and not (problem.kept_by_order and (few or problem.agents == 1)):
             kicks = max(KICKS, round(KICKS_A_PAIR * math.comb(len(problem.jobs), 2)))
             better = LocalSearch(kicks=kicks).search(problem, watch.share(0.2), best)
@@ -75,6 +69,18 @@ class Auto:
             other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
+
+    @staticmethod
+    def _exact(problem: Problem, watch: Stopwatch, *, few: bool, paused: bool) -> list[Solver]:
+        """Give the exact methods for a problem, in turn until one closes the gap."""
+        if paused:
+            # Of one agent sets alone often tell enough, and at once.
+            return [small.HeldKarp(), Pauses()] if few and problem.agents == 1 else [Pauses()]
+        if few:
+            return [small.HeldKarp()]
+        if problem.agents == 1:
+            return [Labels()]
+        return [] if shares.why_not(problem, watch.limits.memory) else [shares.Shares()]
 
 
 def _solve_part(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:
