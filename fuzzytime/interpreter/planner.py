@@ -150,7 +150,9 @@ def scheduled(
         hints = list(schedule.start_times)
         looser = loosened(interpretation, schedule.rejected)
         ran_out = share < 1 and until <= limits.clock() < over and not limits.stopped()
-        if looser is interpretation and not ran_out:
+        # Without time, what is rejected says no more of the order than that time was short.
+        in_vain = not left.seconds
+        if in_vain or (looser is interpretation and not ran_out):
             break
         interpretation, share = looser, 1.0
     problems = (*interpretation.problems, *_rejections(interpretation, schedule))

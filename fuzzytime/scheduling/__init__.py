@@ -10,6 +10,7 @@ says in which order to read.
 from fuzzytime.scheduling.auto import Auto
 from fuzzytime.scheduling.elsewhere import Alternative, elsewhere
 from fuzzytime.scheduling.exact.milp import Milp
+from fuzzytime.scheduling.exact.pauses import Pauses
 from fuzzytime.scheduling.exact.shares import Shares
 from fuzzytime.scheduling.exact.small import HeldKarp
 from fuzzytime.scheduling.exact.threshold import Labels
@@ -60,6 +61,7 @@ __all__ = [
     "Neighbour",
     "Objective",
     "OverTime",
+    "Pauses",
     "Replan",
     "Schedule",
     "Shares",

@@ -6,13 +6,14 @@ from typing import ClassVar
 
 from fuzzytime.scheduling.exact import shares, small
 from fuzzytime.scheduling.exact.milp import Milp
+from fuzzytime.scheduling.exact.pauses import Pauses
 from fuzzytime.scheduling.exact.threshold import CROWD, MANY, Labels, search_part
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.scheduling.search.stretches import Stretches
-from fuzzytime.scheduling.solver import Draft
+from fuzzytime.scheduling.solver import Draft, Solver
 
 EXACT_JOBS = 12
 """Up to so many skills Held-Karp is fast."""
@@ -20,13 +21,19 @@ EXACT_JOBS = 12
 KICKS, KICKS_A_PAIR = 200, 0.4
 """Of a local search where a gap is left, at most; what may change places are pairs of skills."""
 
+PAUSED_JOBS = 24
+"""Up to so many skills lags of any kind are heeded by a program of their own."""
+
+PAUSED_SHARE = 0.8
+"""Of the time left, for that program: what it cannot close is left to the mixed-integer one."""
+
 AGAIN = 2.0
 """How many times as long as the first a second search may take at least, to be worth its beginning."""
 
 
 @dataclass(frozen=True, slots=True)
 class Auto:
-    """Held-Karp for few skills, labels or shares for more; a mixed-integer program for what none knows."""
+    """Held-Karp for few skills, labels or shares for more, pauses for lags; else a mixed-integer program."""
 
     name: ClassVar[str] = "auto"
 
@@ -39,12 +46,13 @@ class Auto:
         spent = watch.seconds - since
         best = replace(begun, method=LocalSearch.name)
         few = len(problem.jobs) <= EXACT_JOBS and not small.why_not(problem, watch.limits.memory)
-        if few:
-            best = replace(small.HeldKarp().search(problem, watch, best), method=small.HeldKarp.name)
-        elif problem.agents == 1:
-            best = replace(Labels().search(problem, watch, best), method=Labels.name)
-        elif not shares.why_not(problem, watch.limits.memory):
-            best = replace(shares.Shares().search(problem, watch, best), method=shares.Shares.name)
+        paused = not problem.kept_by_order and len(problem.jobs) <= PAUSED_JOBS
+        for solver in self._exact(problem, watch, few=few, paused=paused):
+            share = watch.share(PAUSED_SHARE) if isinstance(solver, Pauses) else watch
+            found = solver.search(problem, share, best)
+            best = replace(found, lower_cost=max(best.lower_cost, found.lower_cost), method=solver.name)
+            if best.cost - best.lower_cost <= OPTIMAL_GAP * problem.weight:
+                break
         gave_up = best.cost >= begun.cost > best.lower_cost and sweeps < math.inf
         if gave_up and watch.remaining > AGAIN * spent:
             # Where the exact method gives up for want of memory, the time left is the search's.
@@ -61,6 +69,18 @@ class Auto:
             other = Milp().search(problem, watch, better)
             best = replace(other, lower_cost=max(best.lower_cost, other.lower_cost), method=Milp.name)
         return best
+
+    @staticmethod
+    def _exact(problem: Problem, watch: Stopwatch, *, few: bool, paused: bool) -> list[Solver]:
+        """Give the exact methods for a problem, in turn until one closes the gap."""
+        if paused:
+            # Of one agent sets alone often tell enough, and at once.
+            return [small.HeldKarp(), Pauses()] if few and problem.agents == 1 else [Pauses()]
+        if few:
+            return [small.HeldKarp()]
+        if problem.agents == 1:
+            return [Labels()]
+        return [] if shares.why_not(problem, watch.limits.memory) else [shares.Shares()]
 
 
 def _solve_part(part: Problem, _: list[int], watch: Stopwatch, warm: Draft) -> Draft:

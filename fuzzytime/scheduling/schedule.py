@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 
-from fuzzytime.skills import FuzzyTask, SpecificSkill
+from fuzzytime.skills import FuzzyTask, Precedence, SpecificSkill
 
 THRESHOLD = 0.001
 """ε, the paper's minimum satisfaction: a skill not placed above it is rejected, and counts as ε."""
@@ -15,6 +15,9 @@ TINY = 1e-300
 
 OPTIMAL_GAP = 1e-4
 """The gap in geometric-mean satisfaction up to which a schedule is called optimal."""
+
+ROUNDING = 1e-9
+"""Relative precision at which a lag is kept."""
 
 
 class Status(StrEnum):
@@ -90,9 +93,27 @@ class Schedule:
 
     @cached_property
     def satisfactions(self) -> tuple[float, ...]:
-        """ψ_i(t_i), not floored."""
+        """ψ_i(t_i), not floored; 0 where a skill starts later behind another than it may.
+
+        "Within five minutes after the bacon is fried" is not satisfied in an hour, nor where none is fried.
+        """
         pairs = zip(self.task.skills, self.start_times, strict=True)
-        return tuple(float(skill.satisfaction(start)) for skill, start in pairs)
+        found = [float(skill.satisfaction(start)) for skill, start in pairs]
+        closely = [entry for entry in self.task.precedences if entry.maximum_lag < math.inf]
+        late = [True]
+        while any(late):
+            late = [found[entry.second] > self.threshold and self._is_late(entry, found) for entry in closely]
+            for entry, is_late in zip(closely, late, strict=True):
+                if is_late:
+                    found[entry.second] = 0.0
+        return tuple(found)
+
+    def _is_late(self, entry: Precedence, found: list[float]) -> bool:
+        """Tell whether a skill starts too late behind another, or behind one that is rejected."""
+        start = self.start_times[entry.second]
+        pause = start - self.start_times[entry.first] - self.task.skills[entry.first].time_until_done
+        slack = ROUNDING * max(1.0, abs(start))
+        return found[entry.first] <= self.threshold or pause > entry.maximum_lag + slack
 
     @cached_property
     def rejected(self) -> tuple[bool, ...]:

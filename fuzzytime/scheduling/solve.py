@@ -112,11 +112,14 @@ def _scheduled(
     draft = rearranged(problem, task, draft, objectives, watch)
     starts, agents = [math.nan] * len(task.skills), [1] * len(task.skills)
     for job, start, agent in zip(problem.jobs, draft.starts.tolist(), draft.agents.tolist(), strict=True):
-        starts[job.position], agents[job.position] = start, agent
+        starts[job.position] = start
+        # What happens by itself is nobody's.
+        agents[job.position] = agent if agent <= task.agents else task.skills[job.position].agent or 1
     for job in problem.free:
         skill = task.skills[job.position]
         wanted = 0.0 if skill.preferred is None else skill.preferred
-        starts[job.position] = best_alone(task, job.position, wanted).nearest(wanted)
+        best = best_alone(task, job.position, wanted).nearest(wanted)
+        starts[job.position] = min(max(best, job.earliest), job.latest)
         agents[job.position] = skill.agent or 1
     place_rest(task, (*problem.jobs, *problem.apart), starts, agents)
     method = " + ".join(methods) or solver.name

@@ -105,7 +105,8 @@ def best_whole_cost(task: FuzzyTask, threshold: float, last: int) -> float:
     """Give the least cost over whole start times up to the last, by trying all.
 
     Where every ψ is a staircase whose steps, like all durations and lags, are whole numbers, no other times
-    are better: the times of a schedule can be rounded without breaking a difference of whole numbers.
+    are better: the times of a schedule can be rounded without breaking a difference of whole numbers. What
+    satisfies for ever, and need not follow anything closely, may be done later than the last time.
     """
     count = len(task.skills)
     order = _after_what_must_come_before(task)
@@ -115,7 +116,15 @@ def best_whole_cost(task: FuzzyTask, threshold: float, last: int) -> float:
         value = skill.satisfaction(times)
         with np.errstate(divide="ignore"):
             costs.append(np.where(value > threshold, -skill.priority * np.log(value), np.inf).tolist())
-    rejections = [-skill.priority * math.log(threshold) for skill in task.skills]
+    closely = {entry.second for entry in task.precedences if entry.maximum_lag < math.inf}
+    late = [
+        0.0 if index in closely else float(skill.satisfaction(math.inf))
+        for index, skill in enumerate(task.skills)
+    ]
+    rejections = [
+        -skill.priority * math.log(max(threshold, level))
+        for skill, level in zip(task.skills, late, strict=True)
+    ]
     least = [min(*mine, worst) for mine, worst in zip(costs, rejections, strict=True)]
     chosen: dict[int, tuple[int, int] | None] = {}
     best = math.fsum(rejections)
@@ -158,9 +167,9 @@ def _may(
         return False
     taken = [(entry.start, entry.end) for entry in task.busy if entry.agent in {None, agent}]
     for other, place in chosen.items():
-        if other != index and place is not None and place[1] == agent:
+        if other != index and place is not None and place[1] == agent and not task.skills[other].happens:
             taken.append((place[0], place[0] + task.skills[other].duration))
-    if any(start < high and low < start + skill.duration for low, high in taken):
+    if not skill.happens and any(start < high and low < start + skill.duration for low, high in taken):
         return False
     for entry in task.precedences:
         if entry.second == index:

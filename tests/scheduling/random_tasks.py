@@ -87,6 +87,22 @@ def random_task(seed: int, most: int = 5) -> FuzzyTask:
     return FuzzyTask(skills, precedences=precedences, busy=busy)
 
 
+def random_far_task(seed: int) -> tuple[FuzzyTask, list[FuzzyTask]]:
+    """Draw a task that lies on several days, up to three months apart; also what each day would be alone."""
+    generator = np.random.default_rng([seed, 8])
+    days = [random_task(int(generator.integers(10**6)), 3) for _ in range(generator.integers(2, 4))]
+    skills: list[FuzzySkill] = []
+    busy: list[Busy] = []
+    precedences: list[Precedence] = []
+    for number, day in enumerate(days):
+        by, past = float(number * generator.choice([5 * 3600, 7 * 86400, 30 * 86400])), len(skills)
+        for entry in day.precedences:
+            precedences.append(replace(entry, first=entry.first + past, second=entry.second + past))
+        skills += [replace(skill, satisfaction=skill.satisfaction.shifted(by)) for skill in day.skills]
+        busy += [Busy(entry.start + by, entry.end + by) for entry in day.busy]
+    return FuzzyTask(tuple(skills), precedences=tuple(precedences), busy=tuple(busy)), days
+
+
 def random_ready_task(seed: int, most: int = 6) -> FuzzyTask:
     """Draw a task for one agent that may begin with anything: being late is all that can be wrong."""
     generator = np.random.default_rng(seed)

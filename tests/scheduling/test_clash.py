@@ -10,6 +10,9 @@ from hypothesis import strategies as st
 from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Triangle
 from fuzzytime.scheduling import HillClimbing, Limits, Status, solve
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
+from scheduling.checks import wrong_if_strict
+from scheduling.random_closeness import random_endless_task
+from scheduling.random_tasks import LAST, random_bound_task
 
 
 def task_of(*skills: tuple[SatisfactionFunction, float], **given: object) -> FuzzyTask:
@@ -65,6 +68,13 @@ def test_a_lag_can_be_what_clashes() -> None:
     assert clash_of(task) == (0, 2)
 
 
+def test_an_event_during_work_clashes_with_nothing() -> None:
+    event = FuzzySkill("the bell rings", Rectangle(5, 5), 0, happens=True)
+    work = [FuzzySkill(f"skill {k}", Rectangle(0, 2), 10) for k in range(3)]
+    assert clash_of(FuzzyTask((event, work[0]), busy=(Busy(4, 6),))) == (1,)
+    assert clash_of(FuzzyTask((event, *work))) == (1, 2)
+
+
 def test_a_method_without_a_bound_still_proves_a_clash() -> None:
     task = task_of((Rectangle(10, 12), 5), (Rectangle(11, 13), 5))
     assert solve(task, solver=HillClimbing(), threshold=0).certificate.status is Status.INFEASIBLE
@@ -72,6 +82,12 @@ def test_a_method_without_a_bound_still_proves_a_clash() -> None:
 
 def test_what_touches_only_where_nothing_satisfies_clashes() -> None:
     assert clash_of(task_of((Triangle(0, 10, 20), 20), (Triangle(0, 10, 20), 20))) == (0, 1)
+
+
+@pytest.mark.parametrize("seed", [*range(20), 35, 41, 100])
+def test_of_random_tasks_a_clash_cannot_be_had_and_nothing_in_it_is_superfluous(seed: int) -> None:
+    for draw, last in ((random_bound_task, LAST), (random_endless_task, 40)):
+        assert not list(wrong_if_strict(draw(seed), last))
 
 
 def test_without_time_no_clash_is_claimed() -> None:

@@ -23,6 +23,11 @@ from scheduling.random_tasks import faults
         *(("several agents, shares", seed) for seed in range(16)),
         *(("several agents, program", seed) for seed in range(3)),
         *(("lags", seed) for seed in range(6)),
+        *(("lags, pauses", seed) for seed in range(12)),
+        *(("lags, program", seed) for seed in range(4)),
+        *(("curves and lags", seed) for seed in range(12)),
+        *(("events", seed) for seed in (15, 23, 30, 51, 135)),
+        *(("steps without end", seed) for seed in range(16)),
     ],
 )
 def test_no_random_task_is_solved_wrongly(name: str, seed: int) -> None:
@@ -144,6 +149,45 @@ def test_a_lag_is_kept_between_agents() -> None:
     schedule = solve(FuzzyTask((eggs, peel), 2, (Precedence(0, 1, 60, 300),)), solver=Milp())
     assert schedule.certificate.status is Status.OPTIMAL
     assert schedule.start_times == pytest.approx((0, 660))
+
+
+def test_what_must_end_shortly_before_dinner_is_not_done_in_the_morning() -> None:
+    # All but the roast may be done at any time of the day, and nothing is better than with all of them.
+    day = Trapezoid(0, 0, 56000, 56000)
+    roast = FuzzySkill("put in the roast", Trapezoid(27900, 28500, 29100, 29700), 60, elapsed=720)
+    others = [
+        ("carve", 300),
+        ("serve", 300),
+        ("pour the wine", 30),
+        ("call everybody", 600),
+        ("wash up", 180),
+    ]
+    boil = FuzzySkill("boil the potatoes", day, 180, elapsed=1500)
+    mash = FuzzySkill("mash them", day, 240)
+    skills = (roast, *(FuzzySkill(name, day, seconds) for name, seconds in others), boil, mash)
+    bonds = (
+        (0, 1, 0, 1200),
+        (1, 2, 0, 300),
+        (3, 2, 0, 600),
+        (4, 2, 0, 1500),
+        (2, 5, 0, 3600),
+        (6, 7, 0, 300),
+    )
+    order = tuple(Precedence(*bond) for bond in (*bonds, (7, 2, 0, 1500)))
+    schedule = solve(FuzzyTask(skills, precedences=order))
+    assert not faults(schedule)
+    assert schedule.certificate.status is Status.OPTIMAL
+    assert schedule.satisfaction == pytest.approx(1)
+
+
+def test_an_event_of_unknown_moment_takes_nobody_from_work() -> None:
+    arrive = FuzzySkill("the guests arrive", Triangle(0, 50, 100), 0, happens=True)
+    work = FuzzySkill("bake", Rectangle(0, 0), 100)
+    serve = FuzzySkill("serve", Rectangle(0, 1000), 10)
+    schedule = solve(FuzzyTask((arrive, work, serve), precedences=(Precedence(0, 2, 0, 60),)))
+    assert not faults(schedule)
+    assert schedule.start_times == pytest.approx((50, 0, 100))
+    assert schedule.certificate.status is Status.OPTIMAL
 
 
 def test_a_hundred_skills_for_two_agents_come_with_a_gap() -> None:

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid
+from fuzzytime.satisfaction import Rectangle, Sampled, SatisfactionFunction, Trapezoid
 from fuzzytime.scheduling.problem.grid import grid_of, step_for
 from fuzzytime.scheduling.problem.posing import problem_of
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask
@@ -40,6 +40,14 @@ def test_on_a_grid_of_corners_the_bound_touches_them() -> None:
     curve = grid.curves[0][0]
     at = np.array([200, 250, 300]) - grid.origin - curve.first
     assert np.allclose(curve.gains[at] + problem.jobs[0].rejection, 0, atol=2e-5)
+
+
+def test_at_a_jump_off_the_grid_the_better_side_keeps_its_cost() -> None:
+    steps = Sampled([12.0, 13.0, 13.0, 24.0], [0.8, 0.8, 0.6, 0.6])
+    problem = problem_of(FuzzyTask((FuzzySkill("a", steps, 6.0),)), 1e-3)
+    for step in (0.3, 0.07, 0.003):
+        curve = grid_of(problem, step).curves[0][0]
+        assert curve.gains.min() + problem.jobs[0].rejection == problem.jobs[0].least
 
 
 def test_an_instant_is_a_start_at_both_neighbouring_slots() -> None:

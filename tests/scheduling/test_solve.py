@@ -18,7 +18,7 @@ from fuzzytime.scheduling.schedule import THRESHOLD
 from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.skills import Busy, FuzzySkill, FuzzyTask, Precedence
 from scheduling.oracle import best_cost
-from scheduling.random_tasks import faults, random_task
+from scheduling.random_tasks import faults, random_far_task, random_task
 
 
 @pytest.mark.parametrize("block", range(6))
@@ -32,6 +32,19 @@ def test_random_tasks_are_solved_as_all_permutations_are(block: int) -> None:
         assert best - 1e-3 <= schedule.weighted_cost <= best + 1e-6, seed
         assert schedule.certificate.lower_cost <= best + 1e-9, seed
         assert schedule.certificate.status is Status.OPTIMAL, seed
+
+
+@pytest.mark.parametrize("block", range(3))
+def test_days_that_are_months_apart_are_solved_as_each_day_alone(block: int) -> None:
+    for seed in (*range(12 * block, 12 * block + 12), *((106, 117, 127) if not block else ())):
+        task, days = random_far_task(seed)
+        schedule = solve(task)
+        # Later days may also use what lies before their beginning.
+        best = math.fsum(best_cost(day, THRESHOLD) for day in days)
+        assert not faults(schedule), seed
+        assert schedule.certificate.status is Status.OPTIMAL, seed
+        assert schedule.weighted_cost <= best + 1e-4 * 2 * len(task.skills), seed
+        assert schedule.certificate.lower_cost <= best + 1e-9, seed
 
 
 def test_two_jobs_at_the_same_time_share_the_loss() -> None:
@@ -48,6 +61,33 @@ def test_a_skill_that_never_satisfies_is_rejected_and_the_rest_is_planned() -> N
     assert list(schedule.start_times) == [90, 60]
     assert schedule.satisfaction == pytest.approx(1e-3)
     assert schedule.certificate.status is Status.OPTIMAL
+
+
+def test_what_comes_too_late_behind_another_is_not_satisfied_however_long_it_would_be() -> None:
+    bacon = FuzzySkill("fry the bacon", Rectangle(0, 0), 60)
+    work = FuzzySkill("ring the bell", Rectangle(60, 60), 600, priority=2)
+    serve = FuzzySkill("serve it", ALWAYS, 60)
+    schedule = solve(FuzzyTask((bacon, work, serve), precedences=(Precedence(0, 2, 0, 300),)))
+    assert list(schedule.rejected) == [False, False, True]
+    assert list(schedule.satisfactions) == [1, 1, 0]
+    assert schedule.weighted_cost == pytest.approx(-math.log(THRESHOLD))
+    assert schedule.certificate.lower_cost == pytest.approx(-math.log(THRESHOLD))
+
+
+def test_what_must_follow_closely_what_is_rejected_is_not_satisfied_either() -> None:
+    bacon = FuzzySkill("fry the bacon", NEVER, 60)
+    serve = FuzzySkill("serve it", ALWAYS, 60)
+    eat = FuzzySkill("eat it", ALWAYS, 60)
+    order = (Precedence(0, 1, 0, 300), Precedence(1, 2, 0, 300))
+    schedule = solve(FuzzyTask((bacon, serve, eat), precedences=order))
+    assert list(schedule.rejected) == [True, True, True]
+    assert list(solve(FuzzyTask((bacon, serve), precedences=(Precedence(0, 1),))).rejected) == [True, False]
+
+
+def test_an_event_that_follows_another_is_when_it_must_be() -> None:
+    ring = FuzzySkill("the bell rings", Rectangle(2, 2), 0, happens=True)
+    stop = FuzzySkill("the music stops", ALWAYS, 0, happens=True)
+    assert solve(FuzzyTask((ring, stop), precedences=(Precedence(0, 1, 2, 2),))).start_times == (2, 4)
 
 
 def test_what_must_follow_a_rejected_skill_is_rejected() -> None:

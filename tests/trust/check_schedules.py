@@ -8,7 +8,8 @@ solves 300 tasks of each family and prints what was wrong. Exit code 1 if anythi
 import sys
 import time
 
-from scheduling.checks import FAMILIES, wrong
+from scheduling.checks import FAMILIES, wrong, wrong_if_strict
+from scheduling.random_tasks import LAST, random_bound_task
 
 
 def main(count: int, first: int) -> int:
@@ -22,6 +23,10 @@ def main(count: int, first: int) -> int:
                 bad += 1
         print(f"{name}: {count} tasks, {bad} wrong, {time.perf_counter() - begun:.0f} s", flush=True)
         total += bad
+    for seed in range(first, first + count):
+        for fault in wrong_if_strict(random_bound_task(seed), LAST):
+            print(f"strict: seed {seed}: {fault}", flush=True)
+            total += 1
     return 1 if total else 0
 
 

@@ -21,6 +21,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.problem.grid import Curve, Ints
@@ -41,13 +42,27 @@ class Arcs(NamedTuple):
         """Give some of the arcs, by a mask, by places, or a stretch of them."""
         return Arcs(self.job[keep], self.start[keep], self.end[keep], self.gain[keep])
 
+    @classmethod
+    def together(cls, *parts: "Arcs") -> "Arcs":
+        """Put arcs together."""
+        return cls(*(np.concatenate(columns) for columns in zip(*parts, strict=True)))
+
 
 def arcs_of(curves: Sequence[Curve], durations: Ints) -> Arcs:
     """Give every start in the curves' slots that is possible.
 
     Jobs that are shorter than a slot get no arcs: they can be visited without taking time.
     """
-    sizes = [curve.gains.size if duration else 0 for curve, duration in zip(curves, durations, strict=True)]
+    return _arcs_of(curves, durations, durations > 0)
+
+
+def instants_of(curves: Sequence[Curve], durations: Ints) -> Arcs:
+    """Give every possible start of the jobs that are shorter than a slot."""
+    return _arcs_of(curves, durations, durations == 0)
+
+
+def _arcs_of(curves: Sequence[Curve], durations: Ints, chosen: NDArray[np.bool_]) -> Arcs:
+    sizes = [curve.gains.size if takes_part else 0 for curve, takes_part in zip(curves, chosen, strict=True)]
     job = np.repeat(np.arange(len(curves)), sizes)
     pairs = [(curve, size) for curve, size in zip(curves, sizes, strict=True) if size]
     start = np.concatenate([np.empty(0, np.int64), *(curve.first + np.arange(size) for curve, size in pairs)])

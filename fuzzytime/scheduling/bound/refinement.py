@@ -15,7 +15,7 @@ import numpy as np
 from fuzzytime.satisfaction import Floats, cell_chord_errors
 from fuzzytime.scheduling.bound.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem.grid import Grid, Ints, grid_of, room_of, step_for
+from fuzzytime.scheduling.problem.grid import FINER, Grid, Ints, grid_of, room_of, step_for
 from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.solver import Draft
@@ -23,9 +23,6 @@ from fuzzytime.scheduling.timing.settle import settled
 
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
-
-FASTEST_REFINEMENT = 8
-"""How much finer at most: what one grid deletes, the next need not have."""
 
 MOST_SLOTS = 1 << 18
 """Slots of the finest grid."""
@@ -87,8 +84,16 @@ class GridSearch(ABC):
         A schedule to begin with.
     """
 
-    first_slots: ClassVar[int]
-    """Slots of the first grid, at least."""
+    @property
+    @abstractmethod
+    def first_slots(self) -> int:
+        """Slots of the first grid, at least."""
+
+    finer: ClassVar[float] = FINER
+    """How much finer that grid may be, so that durations are whole numbers of slots."""
+
+    fastest: ClassVar[float] = 8
+    """How much finer the next grid is at most: what one deletes, the next need not have."""
 
     enough: ClassVar[float]
     """The gap in cost, by the largest weight, that is left to the exact program."""
@@ -104,6 +109,14 @@ class GridSearch(ABC):
     def worth(self) -> float:
         """To what share the gap falls at least in a round of the search for prices, before a program runs."""
         return 0.9
+
+    @property
+    def closable(self) -> bool:
+        """Whether finer grids can close the gap.
+
+        Exact programs relax what takes no time, and what binds jobs otherwise than by order.
+        """
+        return self.problem.kept_by_order and all(job.duration > 0 for job in self.problem.jobs)
 
     def tightened(self, problem: Problem, step: float) -> Problem:  # noqa: ARG002 - others need the step
         """Give a problem with what else is known of schedules better than the best: here nothing.
@@ -141,10 +154,8 @@ class GridSearch(ABC):
         problem, watch = self.problem, self.watch
         if self.is_closed():
             return
-        # Exact programs relax what takes no time, and what binds jobs otherwise than by order.
-        closable = problem.kept_by_order and all(job.duration > 0 for job in problem.jobs)
         starts = min(MOST_STARTS, watch.limits.memory / BYTES_PER_START)
-        step, enough = step_for(problem, self.first_slots, starts=starts), self.left_over
+        step, enough = step_for(problem, self.first_slots, self.finer, starts), self.left_over
         if watch.is_over() or bytes_for(problem, step) > watch.limits.memory:
             return
         grid = grid_of(problem, step)
@@ -156,8 +167,8 @@ class GridSearch(ABC):
                 break
             self.left = relaxation.narrowed(self.left)
             finest = fine_enough(problem, self.best, step / REFINEMENT, self.goal / 2)
-            step = max(finest, step / FASTEST_REFINEMENT)
-            if not solved or not closable or bytes_for(self.left, step) > watch.limits.memory:
+            step = max(finest, step / self.fastest)
+            if not solved or not self.closable or bytes_for(self.left, step) > watch.limits.memory:
                 break
             relaxation = Relaxation(self.left, grid_of(self.left, step), self.best.cost, relaxation.prices)
             relaxation.improve(self.best.cost, STEPS // 4, enough, watch)

@@ -18,7 +18,7 @@ import numpy as np
 
 from fuzzytime.satisfaction import Floats, Interval
 from fuzzytime.scheduling.bound.multipliers import LITTLE_RISE, RISE, Multipliers
-from fuzzytime.scheduling.bound.paths import Arcs, Paths, arcs_of, ways_to_end
+from fuzzytime.scheduling.bound.paths import Arcs, Paths, arcs_of, instants_of, ways_to_end
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.grid import ROUNDING, Grid, Ints
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -61,6 +61,7 @@ class Relaxation:
         self.base = float(grid.rejections.sum()) + self._instant
         lanes = [[curves[lane] for curves in grid.curves] for lane in range(len(self.agents))]
         self.arcs = [arcs_of(curves, grid.durations) for curves in lanes]
+        self.instants = [instants_of(curves, grid.durations) for curves in lanes]
         self._paths = [Paths(arcs, grid.durations, grid.slots) for arcs in self.arcs]
         self._multipliers = Multipliers(self, np.clip(prices, 0.0, self.ceiling), upper)
 
@@ -135,6 +136,11 @@ class Relaxation:
             through = forward.without(arcs.start, arcs.job) + backward.without(arcs.end, arcs.job)
             found.append(value - forward.cost[-1] + through + arcs.gain + prices[arcs.job])
         return found
+
+    def everything_below(self, limit: float) -> list[Arcs]:
+        """Give the same, and all starts of the jobs that are shorter than a slot."""
+        pairs = zip(self.arcs_below(limit), self.instants, strict=True)
+        return [Arcs.together(*pair) for pair in pairs]
 
     def arcs_below(self, limit: float) -> list[Arcs]:
         """Give for each lane the arcs that a schedule which costs less than a limit may use."""

@@ -22,8 +22,7 @@ import numpy as np
 from fuzzytime.satisfaction import Floats
 from fuzzytime.scheduling.bound.paths import Arcs
 from fuzzytime.scheduling.limits import Stopwatch
-from fuzzytime.scheduling.problem.grid import ROUNDING, Grid, Ints
-from fuzzytime.scheduling.problem.jobs import Lag
+from fuzzytime.scheduling.problem.grid import Grid, Ints
 
 TOLERANCE = 1e-6
 """What the solver may take for whole, and for equal, relative to the values."""
@@ -47,16 +46,14 @@ class Flow:
     Parameters
     ----------
     grid
-        Durations and horizon.
+        Durations, lags and horizon.
     lanes
         For each lane its arcs, those of jobs shorter than a slot included.
     agents
         How many each lane has.
-    lags
-        All that bind the jobs.
     """
 
-    def __init__(self, grid: Grid, lanes: Sequence[Arcs], agents: Sequence[int], lags: Sequence[Lag]) -> None:
+    def __init__(self, grid: Grid, lanes: Sequence[Arcs], agents: Sequence[int]) -> None:
         self.arcs = Arcs(*(np.concatenate(columns) for columns in zip(*lanes, strict=True)))
         self.lane = np.repeat(np.arange(len(lanes)), [arcs.job.size for arcs in lanes])
         self._entries: list[tuple[Ints, Ints, Floats]] = []
@@ -68,15 +65,12 @@ class Flow:
             self._conserve(np.flatnonzero((self.lane == lane) & (self.arcs.end > self.arcs.start)), many)
         jobs, row = np.unique(self.arcs.job, return_inverse=True)
         self._add(row, np.arange(self.arcs.job.size), np.ones(row.size), -np.inf, np.ones(jobs.size))
-        step = grid.step
         steps: dict[int, tuple[Ints, int]] = {}
-        for lag in lags:
+        for lag in grid.lags:
             for job in (lag.first, lag.second):
                 if job not in steps:
                     steps[job] = self._staircase(job)
-            low = math.floor(lag.low / step + ROUNDING)
-            high = math.ceil(lag.high / step - ROUNDING) if lag.high < math.inf else None
-            self._bind(steps[lag.first], steps[lag.second], low, high)
+            self._bind(steps[lag.first], steps[lag.second], lag.low, lag.high)
 
     def _add(self, row: Ints, column: Ints, value: Floats, low: Floats | float, high: Floats) -> None:
         """Add rows, numbered from 0 here, with their bounds."""
@@ -127,7 +121,7 @@ class Flow:
         )
         return slots, int(variables[0])
 
-    def _bind(self, first: tuple[Ints, int], second: tuple[Ints, int], low: int, high: int | None) -> None:
+    def _bind(self, first: tuple[Ints, int], second: tuple[Ints, int], low: float, high: float) -> None:
         """Let the second start only when and if the first has."""
         slots, zero = second
         before, origin = first
@@ -141,7 +135,7 @@ class Flow:
         # Even where no slot asks for it, there is no second without a first.
         last, end = np.array([zero + slots.size]), np.array([origin + before.size])
         self._add(np.zeros(2, np.int64), np.append(last, end), np.array([1.0, -1.0]), -np.inf, np.zeros(1))
-        if high is not None:
+        if high < math.inf:
             sooner = origin + np.searchsorted(before, slots - high, "left")
             self._add(
                 np.tile(rows, 4),

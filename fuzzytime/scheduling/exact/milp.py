@@ -8,13 +8,11 @@ bound is one on the grid's costs, which lie below those in continuous time, it h
 Huangfu and Hall, Parallelizing the dual revised simplex method, Math. Program. Comput. 10 (2018) 119-142.
 """
 
-import math
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
-from fuzzytime.scheduling.bound.paths import Arcs
 from fuzzytime.scheduling.bound.refinement import bytes_for
 from fuzzytime.scheduling.bound.relaxation import Relaxation, prices_from
 from fuzzytime.scheduling.exact.flow import Flow
@@ -24,7 +22,7 @@ from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.schedule import OPTIMAL_GAP
 from fuzzytime.scheduling.search.local_search import LocalSearch
 from fuzzytime.scheduling.solver import Draft
-from fuzzytime.scheduling.timing.settle import settled
+from fuzzytime.scheduling.timing.settle import manned, settled
 
 FIRST_SLOTS = 200
 """Slots of the first grid, at least."""
@@ -98,10 +96,7 @@ class Milp:
         grid, upper = relaxation.grid, state.best.cost
         reduced = np.sort(np.concatenate(relaxation.reduced_costs()))
         threshold = upper if reduced.size <= self.arcs else min(upper, float(reduced[self.arcs]))
-        lanes = [
-            _joined(arcs, _instants(grid, lane)) for lane, arcs in enumerate(relaxation.arcs_below(threshold))
-        ]
-        program = Flow(grid, lanes, relaxation.agents, problem.lags)
+        program = Flow(grid, relaxation.everything_below(threshold), relaxation.agents)
         solved = program.solve(watch)
         proved = min(threshold, float(grid.rejections.sum()) + solved.bound)
         state.lower = max(state.lower, proved)
@@ -112,32 +107,10 @@ class Milp:
 
     def _timed(self, problem: Problem, grid: Grid, program: Flow, chosen: Ints) -> Draft:
         """Give each start an agent of its lane that is free, and the whole its best timing."""
-        hints, agents = np.full(len(problem.jobs), np.nan), np.ones(len(problem.jobs), np.int64)
-        free = {agent: -math.inf for lane in problem.lanes for agent in lane.agents}
-        arcs = program.arcs
-        for arc in chosen[np.lexsort((arcs.end[chosen], arcs.start[chosen]))].tolist():
-            team = problem.lanes[int(program.lane[arc])].agents
-            # The one who has waited least leaves the longest rest to the others.
-            ready = [agent for agent in team if free[agent] <= arcs.start[arc]] or list(team)
-            agent = max(ready, key=lambda name: free[name])
-            free[agent] = float(arcs.end[arc])
-            job = int(arcs.job[arc])
-            hints[job], agents[job] = grid.times(arcs.start[arc]), agent
-        return settled(problem, hints, agents, 2 * grid.step)
-
-
-def _instants(grid: Grid, lane: int) -> Arcs:
-    """Give the arcs of the jobs shorter than a slot, which take no time."""
-    parts = [
-        (job, curves[lane].first + np.flatnonzero(np.isfinite(curves[lane].gains)), curves[lane])
-        for job, curves in enumerate(grid.curves)
-        if not grid.durations[job]
-    ]
-    job = np.concatenate([np.empty(0, np.int64), *(np.full(slots.size, job) for job, slots, _ in parts)])
-    start = np.concatenate([np.empty(0, np.int64), *(slots for _, slots, _ in parts)])
-    gain = np.concatenate([np.empty(0), *(curve.gains[slots - curve.first] for _, slots, curve in parts)])
-    return Arcs(job, start, start, gain)
-
-
-def _joined(first: Arcs, second: Arcs) -> Arcs:
-    return Arcs(*(np.concatenate(columns) for columns in zip(first, second, strict=True)))
+        slots, lanes = np.full(len(problem.jobs), -1), np.zeros(len(problem.jobs), np.int64)
+        slots[program.arcs.job[chosen]], lanes[program.arcs.job[chosen]] = (
+            program.arcs.start[chosen],
+            program.lane[chosen],
+        )
+        agents = manned(problem, lanes, slots, slots + grid.durations)
+        return settled(problem, np.where(slots >= 0, grid.times(slots), np.nan), agents, 2 * grid.step)

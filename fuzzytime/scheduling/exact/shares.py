@@ -77,7 +77,7 @@ def why_not(problem: Problem, memory: float) -> str:
 class _Search(GridSearch):
     """Shares below a rising threshold."""
 
-    first_slots = 200
+    first_slots: ClassVar[int] = 200
     enough = 0.035
 
     def close(self, relaxation: Relaxation) -> bool:

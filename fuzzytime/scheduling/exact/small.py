@@ -20,6 +20,7 @@ import numpy as np
 
 from fuzzytime.errors import RefusedError
 from fuzzytime.satisfaction import Floats
+from fuzzytime.scheduling.bound.refinement import bytes_for
 from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.grid import Grid, Ints, grid_of, step_for
 from fuzzytime.scheduling.problem.jobs import Problem
@@ -38,9 +39,11 @@ FINER = 5
 REFINEMENT = 4
 """How much finer the next grid is, where the gap is too large."""
 
-
 NARROWED = 0.5
-"""The share of the gap that a finer grid may leave, where something is relaxed as well."""
+"""The share of the gap that a finer grid leaves, or it is not narrowed."""
+
+PATIENCE = 3
+"""So many grids may fail to narrow it, where nothing is relaxed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,8 +67,10 @@ class HeldKarp:
         if fault:
             raise RefusedError(f"Held-Karp {fault}")
         best, lower, open_before = warm or nothing(problem), 0.0, np.inf
+        # A gap that finer grids do not narrow comes of lags that are relaxed.
+        patience = PATIENCE if problem.kept_by_order else 1
         step = step_for(problem, FIRST_SLOTS, FINER)
-        while True:
+        while bytes_for(problem, step) <= watch.limits.memory:
             grid = grid_of(problem, step)
             if table_bytes(problem, grid) > watch.limits.memory:
                 break
@@ -79,9 +84,8 @@ class HeldKarp:
             draft = settled(problem, hints, agents, 2 * step)
             best = draft if draft.cost <= best.cost + 1e-9 else best
             still_open = best.cost - lower
-            # A gap that a finer grid does not narrow comes of lags that are relaxed.
-            is_stuck = not problem.kept_by_order and still_open > NARROWED * open_before
-            if still_open <= OPTIMAL_GAP * problem.weight or is_stuck or watch.is_over():
+            patience -= still_open > NARROWED * open_before
+            if still_open <= OPTIMAL_GAP * problem.weight or not patience or watch.is_over():
                 break
             open_before = still_open
             step /= REFINEMENT

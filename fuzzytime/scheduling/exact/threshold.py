@@ -104,7 +104,7 @@ class Labels:
 class _Search(GridSearch):
     """Labels below a rising threshold."""
 
-    first_slots = FIRST_SLOTS
+    first_slots: ClassVar[int] = FIRST_SLOTS
     enough = 0.3
 
     def __init__(self, problem: Problem, watch: Stopwatch, best: Draft) -> None:

@@ -15,7 +15,7 @@ from fuzzytime.scheduling.limits import Stopwatch
 from fuzzytime.scheduling.problem.posing import horizon_of
 from fuzzytime.scheduling.problem.windows import free_of, strictly_above
 from fuzzytime.scheduling.schedule import TINY
-from fuzzytime.skills import FuzzyTask
+from fuzzytime.skills import FuzzyTask, Precedence
 
 MOST_SETS = 100_000
 """How many sets of skills are tried by size."""
@@ -35,7 +35,7 @@ def clash_of(
     watch
         When it is over the smallest set so far is given; nothing where none is proved.
     """
-    if task.agents == 1 and all(_only_orders(task, place) for place in range(len(task.precedences))):
+    if task.agents == 1 and all(_only_orders(task, entry) for entry in task.precedences):
         found = _by_size(task, watch)
         if found is not None:
             return found
@@ -63,19 +63,21 @@ def _thinned(
     return members
 
 
-def _only_orders(task: FuzzyTask, place: int) -> bool:
-    """Tell whether on one agent a precedence only says which of two skills comes first."""
-    entry = task.precedences[place]
+def _only_orders(task: FuzzyTask, entry: Precedence) -> bool:
+    """Tell whether a precedence only says which of two skills comes first, on one agent who does both."""
     first, second = task.skills[entry.first], task.skills[entry.second]
     low = first.time_until_done + entry.minimum_lag
-    return -second.duration < low <= first.duration and entry.maximum_lag == math.inf
+    works = not (first.happens or second.happens)
+    return works and -second.duration < low <= first.duration and entry.maximum_lag == math.inf
 
 
 def _by_size(task: FuzzyTask, watch: Stopwatch) -> tuple[int, ...] | None:
     """Give a smallest impossible set, nothing where all is possible, None where there are too many sets."""
     windows = _windows(task)
     members = [
-        position for position, spans in enumerate(windows) if not _is_never_over(task, position, spans)
+        position
+        for position, spans in enumerate(windows)
+        if not (spans and task.skills[position].happens) and not _is_never_over(task, position, spans)
     ]
     before = {
         position: {entry.first for entry in task.precedences if entry.second == position}
@@ -109,7 +111,10 @@ def _windows(task: FuzzyTask) -> list[tuple[Interval, ...]]:
     horizon = horizon_of(task, TINY)
     taken = tuple(sorted((Interval(busy.start, busy.end) for busy in task.busy), key=lambda span: span.low))
     wanted = (strictly_above(skill.satisfaction, TINY, horizon) for skill in task.skills)
-    return [free_of(spans, taken, skill.duration) for spans, skill in zip(wanted, task.skills, strict=True)]
+    return [
+        spans if skill.happens else free_of(spans, taken, skill.duration)
+        for spans, skill in zip(wanted, task.skills, strict=True)
+    ]
 
 
 def _is_never_over(task: FuzzyTask, position: int, windows: Sequence[Interval]) -> bool:

@@ -18,12 +18,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from fuzzytime.satisfaction import Floats, Interval, cell_chord_errors
-from fuzzytime.scheduling.problem.jobs import Job, Problem
+from fuzzytime.scheduling.problem.jobs import Job, Lag, Problem
 
 Ints = NDArray[np.int64]
 
 ROUNDING = 1e-9
 """Shares of a slot that are rounding errors."""
+
+JUMP = 1e-6
+"""A cost that changes by more from a time to the next one jumps."""
 
 SLOTS_A_JOB = 8
 """Slots of a grid for each job, at least."""
@@ -74,6 +77,8 @@ class Grid:
         For each job, for each lane, its curve, which may be empty.
     slots
         The horizon: no job ends later.
+    lags
+        The problem's in whole slots, wider where they are not: what keeps them in time keeps them here.
     """
 
     step: float
@@ -82,6 +87,7 @@ class Grid:
     rejections: Floats
     curves: tuple[tuple[Curve, ...], ...]
     slots: int
+    lags: tuple[Lag, ...]
 
     def fairly_rounded(self, problem: Problem) -> "Grid":
         """Give the grid with durations rounded to the nearest: no bound's, but that of a plan which fits.
@@ -149,7 +155,8 @@ def grid_of(problem: Problem, step: float) -> Grid:
         for curve in lanes
     ]
     rejections = np.array([job.rejection for job in problem.jobs])
-    return Grid(step, origin, durations, rejections, curves, max([0, *ends]))
+    lags = tuple(_in_slots(lag, step) for lag in problem.lags)
+    return Grid(step, origin, durations, rejections, curves, max([0, *ends]), lags)
 
 
 def _curve(job: Job, windows: tuple[Interval, ...], step: float, begin: int, *, needed: bool) -> Curve:
@@ -183,6 +190,11 @@ def _last_cell(time: float, step: float) -> int:
     return math.ceil(time / step - ROUNDING) - 1
 
 
+def _in_slots(lag: Lag, step: float) -> Lag:
+    high = math.inf if lag.high == math.inf else _last_cell(lag.high, step) + 1
+    return replace(lag, low=_cell(lag.low, step), high=high)
+
+
 def _lines(job: Job, window: Interval, step: float) -> tuple[int, Floats, Floats]:
     """Give a window's first cell, and for each of its cells the values of a line below f at both ends."""
     first = _cell(window.low, step)
@@ -199,7 +211,8 @@ def _lines(job: Job, window: Interval, step: float) -> tuple[int, Floats, Floats
     least = np.minimum(cost[:-1], cost[1:])
     np.minimum.at(least, np.searchsorted(nodes, kinks, "right") - 1, job.costs(kinks))
     # The chord through the ends of the window's part, drawn on to the ends of the cell.
-    slope = np.diff(cost) / np.diff(nodes)
+    with np.errstate(invalid="ignore"):  # A window may end where rounding takes an edge to be.
+        slope = np.diff(cost) / np.diff(nodes)
     error = job.weight * cell_chord_errors(job.function, nodes)
     start = cost[:-1] + slope * (edges[:-1] - nodes[:-1]) - error
     end = cost[1:] + slope * (edges[1:] - nodes[1:]) - error
@@ -208,4 +221,8 @@ def _lines(job: Job, window: Interval, step: float) -> tuple[int, Floats, Floats
     loss_of_least = want[:-1] * (cost[:-1] - least) + want[1:] * (cost[1:] - least)
     loss_of_chord = want[:-1] * (cost[:-1] - start) + want[1:] * (cost[1:] - end)
     flat = ~(loss_of_chord < loss_of_least)
+    # At a jump no chord comes near to both ends, however fine the grid.
+    sides = np.stack([np.nextafter(kinks, -np.inf), np.nextafter(kinks, np.inf)])
+    jumps = np.ptp(np.vstack([job.costs(kinks), job.costs(sides)]), axis=0) > JUMP
+    flat[np.searchsorted(nodes, kinks[jumps], "right") - 1] = True
     return first, np.where(flat, least, start), np.where(flat, least, end)

@@ -6,7 +6,7 @@ done at any late time, as an instruction without time words, takes the first fre
 
 import bisect
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import Interval
@@ -19,13 +19,10 @@ ROOM = 1e-10
 
 
 class Rota:
-    """What each agent is taken by, appointments included."""
+    """What each agent is taken by."""
 
-    def __init__(self, task: FuzzyTask) -> None:
-        self._taken: dict[int, list[tuple[float, float]]] = {agent: [] for agent in range(1, task.agents + 1)}
-        for busy in task.busy:
-            for agent in self._taken if busy.agent is None else [busy.agent]:
-                self.take(agent, busy.start, busy.end)
+    def __init__(self, agents: Iterable[int]) -> None:
+        self._taken: dict[int, list[tuple[float, float]]] = {agent: [] for agent in agents}
 
     def take(self, agent: int, start: float, end: float) -> None:
         """Note that an agent is taken for a time."""
@@ -53,7 +50,11 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
     FuzzytimeError
         If no agent ever has time for a skill.
     """
-    rota = Rota(task)
+    everybody = range(1, task.agents + 1)
+    rota = Rota(everybody)
+    for busy in task.busy:
+        for agent in everybody if busy.agent is None else [busy.agent]:
+            rota.take(agent, busy.start, busy.end)
     for skill, start, agent in zip(task.skills, starts, agents, strict=True):
         if not math.isnan(start) and not skill.happens:
             rota.take(agent, start, start + skill.duration)
@@ -72,7 +73,7 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
         else:
             # What has no time at all waits for everything that has.
             wanted = (Interval(max(release, job.over or end_of_all), math.inf),)
-        allowed = [skill.agent] if skill.agent is not None else list(range(1, task.agents + 1))
+        allowed = [skill.agent] if skill.agent is not None else everybody
         start, agent = min((rota.earliest(agent, job.duration, wanted), agent) for agent in allowed)
         if start == math.inf:
             raise FuzzytimeError(

@@ -12,6 +12,7 @@ from fuzzytime.scheduling.problem.jobs import Problem
 from fuzzytime.scheduling.search.dynasearch import MOST_JOBS, Dynasearch, only_order_counts
 from fuzzytime.scheduling.search.kicks import kick
 from fuzzytime.scheduling.search.rough import Rough
+from fuzzytime.scheduling.search.warm import one_by_one
 from fuzzytime.scheduling.solver import Draft, nothing
 from fuzzytime.scheduling.timing.settle import settled
 
@@ -44,6 +45,9 @@ class LocalSearch:
         if len(problem.jobs) <= MOST_JOBS and only_order_counts(problem):
             return Dynasearch(self.seed, self.slots).search(problem, watch, warm)
         begin = warm or nothing(problem)
+        if problem.lags and all(lag.high == math.inf for lag in problem.lags):
+            # Where each waits for another, few can be put in at a time; no help where some follow closely.
+            begin = min(begin, one_by_one(problem), key=lambda draft: draft.cost)
         grid = grid_of(problem, step_for(problem, self.slots)).fairly_rounded(problem)
         plan = Rough(problem, grid, begin)
         try:

@@ -27,15 +27,6 @@ IMPROVEMENT = 1e-7
 """A change of order must gain more than this."""
 
 
-class _SlotLag(NamedTuple):
-    """slot(second) − slot(first) lies in [low, high]."""
-
-    first: int
-    second: int
-    low: float
-    high: float
-
-
 class State(NamedTuple):
     """Which jobs of a plan are placed, in which slots, by whom."""
 
@@ -72,15 +63,10 @@ class Rough:
         for job, start in enumerate(warm.starts.tolist()):
             if self.placed[job]:
                 self.slots[job] = round(start / grid.step) - grid.origin
-        self._lags: list[_SlotLag] = []
-        for lag in problem.lags:
-            low = math.floor(lag.low / grid.step + ROUNDING)
-            high = math.ceil(lag.high / grid.step - ROUNDING) if lag.high < math.inf else math.inf
-            self._lags.append(_SlotLag(lag.first, lag.second, low, high))
         self._lags_of: dict[int, list[int]] = {}
-        for index, bound in enumerate(self._lags):
-            self._lags_of.setdefault(bound.first, []).append(index)
-            self._lags_of.setdefault(bound.second, []).append(index)
+        for index, lag in enumerate(grid.lags):
+            self._lags_of.setdefault(lag.first, []).append(index)
+            self._lags_of.setdefault(lag.second, []).append(index)
 
     def improve(self, watch: Stopwatch, generator: np.random.Generator, sweeps: float) -> None:
         """Improve stretch after stretch until nothing more is gained, or the stopwatch is over."""
@@ -95,7 +81,7 @@ class Rough:
                 if done > 1 and watch.is_over():
                     break
             # A second look sees more only where jobs stood still, or waited for some not placed before.
-            if count <= STRETCH and not self._lags:
+            if count <= STRETCH and not self.grid.lags:
                 break
 
     def in_turn(self) -> list[int]:
@@ -129,7 +115,8 @@ class Rough:
         Whatever the second does within what these leave it, the lag is kept.
         """
         moving, drawn = set(members), {}
-        for index, (first, second, least, most) in enumerate(self._lags):
+        for index, lag in enumerate(self.grid.lags):
+            first, second, least, most = lag.first, lag.second, lag.low, lag.high
             if first in moving and second in moving and self.placed[first]:
                 early, late = -math.inf, float(self.slots[first])
                 if self.placed[second]:
@@ -147,7 +134,8 @@ class Rough:
         """Give the first and last slot at which a job keeps its lags to jobs that are placed."""
         low, high = -math.inf, math.inf
         for index in self._lags_of.get(job, ()):
-            first, second, least, most = self._lags[index]
+            lag = self.grid.lags[index]
+            first, second, least, most = lag.first, lag.second, lag.low, lag.high
             if index in splits:
                 early, late = splits[index]
             elif not self.placed[first if job == second else second]:

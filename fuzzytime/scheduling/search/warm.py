@@ -1,12 +1,17 @@
-"""A draft to begin with, from start times that were good for a similar problem."""
+"""A draft to begin with: start times that were good for a similar problem, or one job after the other."""
 
+import heapq
 import math
 from collections.abc import Sequence
 
 import numpy as np
 
-from fuzzytime.scheduling.problem.jobs import Problem
+from fuzzytime.satisfaction import Interval
+from fuzzytime.scheduling.problem.jobs import Lag, Problem
+from fuzzytime.scheduling.problem.placement import Rota
+from fuzzytime.scheduling.problem.windows import in_common
 from fuzzytime.scheduling.solver import Draft, draft_of
+from fuzzytime.scheduling.timing.settle import lanes_of_agents
 
 NEXT_TO = 1e-6
 """Seconds by which a hint may miss a window or overlap, for rounding."""
@@ -39,6 +44,51 @@ def remembered(problem: Problem, hints: Sequence[float]) -> Draft | None:
                 free[agent] = time + job.duration
                 break
     return None if np.isnan(starts).all() else draft_of(problem, starts, agents)
+
+
+def one_by_one(problem: Problem) -> Draft:
+    """Give the draft in which each job in turn starts as soon as it is best, or as it can.
+
+    Who must come before it had its turn: where each waits for another, all are planned at once.
+    """
+    count = len(problem.jobs)
+    starts, agents = np.full(count, np.nan), np.ones(count, np.int64)
+    leading: list[list[Lag]] = [[] for _ in problem.jobs]
+    following: list[list[int]] = [[] for _ in problem.jobs]
+    for lag in problem.lags:
+        leading[lag.second].append(lag)
+        following[lag.first].append(lag.second)
+    waiting = [len(lags) for lags in leading]
+    lane_of = lanes_of_agents(problem)
+    rota = Rota(lane_of)
+    ready = [(job.earliest, index) for index, job in enumerate(problem.jobs) if not waiting[index]]
+    heapq.heapify(ready)
+    while ready:
+        _, index = heapq.heappop(ready)
+        job = problem.jobs[index]
+        low = float(np.max([starts[lag.first] + lag.low for lag in leading[index]], initial=-math.inf))
+        high = float(np.min([starts[lag.first] + lag.high for lag in leading[index]], initial=math.inf))
+        # What must follow a job that found no place finds none either.
+        for soonest in () if math.isnan(low) else (max(low, job.function.best.low), low):
+            found = [
+                (
+                    rota.earliest(
+                        agent, job.duration, in_common(job.windows[lane], [Interval(soonest, high)])
+                    ),
+                    agent,
+                )
+                for agent, lane in lane_of.items()
+            ]
+            start, agent = min(found)
+            if start < math.inf:
+                starts[index], agents[index] = start, agent
+                rota.take(agent, start, start + job.duration)
+                break
+        for second in following[index]:
+            waiting[second] -= 1
+            if not waiting[second]:
+                heapq.heappush(ready, (problem.jobs[second].earliest, second))
+    return draft_of(problem, starts, agents)
 
 
 def _keeps_lags(problem: Problem, starts: np.ndarray, index: int, time: float) -> bool:

@@ -174,5 +174,8 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
         round_blocks(jobs, blocks)
         for block in blocks:
             if block.low <= block.start <= block.high:
-                rounded[[row[place] for place in block.members]] = block.start + np.array(block.offsets)
+                members = [row[place] for place in block.members]
+                ends = np.array([(windows[place].low, windows[place].high) for place in block.members])
+                # Rounding in long sums must not push a start out of its window.
+                rounded[members] = np.clip(block.start + np.array(block.offsets), *ends.T)
     return rounded

@@ -121,10 +121,15 @@ def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
         after = blocks[index + 1].start if index + 1 < len(blocks) else math.inf
         low, high = max(block.low, free), min(block.high, after - length)
         times = np.append(np.rint(block.start / ROUND) * ROUND, block.start)
-        cost = np.zeros(times.size)
+        slack = PRECISION * max(1.0, abs(block.start))
+        cost, known = np.zeros(times.size), 0.0
         for member, offset in zip(block.members, block.offsets, strict=True):
-            cost += jobs[member].costs(times + offset)
-        good = (cost <= cost[-1] + NEXT_TO_NOTHING) & (times >= low) & (times <= high)
+            # At a jump, what rounding has added to the start that is may seem to cost much.
+            nearly = block.start + np.array([-slack, 0.0, slack])
+            costs = jobs[member].costs(np.append(times, nearly) + offset)
+            cost += costs[: times.size]
+            known += float(costs[times.size :].min())
+        good = (cost <= known + NEXT_TO_NOTHING) & (times >= low) & (times <= high)
         good &= np.abs(times - block.start) <= NEAR
         good[-1] = True
         block.start = float(times[np.argmax(good)])

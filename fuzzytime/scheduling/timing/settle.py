@@ -10,13 +10,11 @@ import numpy as np
 from fuzzytime.satisfaction import Floats, Interval
 from fuzzytime.scheduling.problem.grid import Ints
 from fuzzytime.scheduling.problem.jobs import Job, Lag, Problem
+from fuzzytime.scheduling.schedule import ROUNDING
 from fuzzytime.scheduling.solver import Draft, draft_of
 from fuzzytime.scheduling.timing.candidates import searched
 from fuzzytime.scheduling.timing.chains import pooled
 from fuzzytime.scheduling.timing.coupled import coupled
-
-ROUNDING = 1e-9
-"""Relative precision at which a lag is kept."""
 
 
 def lanes_of_agents(problem: Problem) -> dict[int, int]:
@@ -34,6 +32,29 @@ def sequences(problem: Problem, starts: Floats, agents: Ints) -> dict[int, list[
     """Give the jobs of each agent in turn."""
     placed = in_turn(problem, starts)
     return {agent: [i for i in placed if agents[i] == agent] for agent in lanes_of_agents(problem)}
+
+
+def manned(problem: Problem, lanes: Ints, starts: Ints, ends: Ints) -> Ints:
+    """Give each job an agent of its lane that is free from its start to its end.
+
+    Parameters
+    ----------
+    problem
+        Whose lanes are meant.
+    lanes, starts, ends : arrays of shape (jobs,)
+        A lane by its place; slots of a grid, below 0 where a job is rejected.
+    """
+    agents = np.ones(starts.size, np.int64)
+    free = {agent: -math.inf for lane in problem.lanes for agent in lane.agents}
+    for job in np.lexsort((ends, starts)).tolist():
+        if starts[job] < 0:
+            continue
+        team = problem.lanes[int(lanes[job])].agents
+        # The one who has waited least leaves the longest rest to the others.
+        ready = [agent for agent in team if free[agent] <= starts[job]] or list(team)
+        agents[job] = max(ready, key=lambda name: free[name])
+        free[int(agents[job])] = float(ends[job])
+    return agents
 
 
 def settled(problem: Problem, hints: Floats, agents: Ints, radius: float) -> Draft:
