@@ -126,9 +126,11 @@ def on_the_stroke(clock: Clock, days: Calendar | None = None) -> Said:
     return Said(Wall(days, clock=replace(clock, bare=False, pair=False)), None, "at", ("exactly",))
 
 
-@grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)
+@grammar.rule(
+    "said", "at <clock>|<clock behind at> ,? <wall>", "at <clock>|<clock behind at> on|of <wall>", weight=0.8
+)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
-    """At 2.30 tomorrow."""
+    """At 2.30 tomorrow, at 2030 on friday."""
     time = joined(Wall(clock=clock), wall)
     return None if time is None else Said(time, None, "at")
 

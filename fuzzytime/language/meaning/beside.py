@@ -63,8 +63,11 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     # "The second on friday" is another thing's; "friday the second" is a day.
     if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:
         return None
-    # "The first twenty minutes" is no day at eight in the evening.
-    if (first.weak and second.bare) or (first.bare and second.weak):
+    # "The first twenty minutes" is no day at eight in the evening; but "14/3, 0830" is at half past eight.
+    if any(
+        one.weak and other.bare and other.clock is not None and other.clock.grain is not Unit.MINUTE
+        for one, other in ((first, second), (second, first))
+    ):
         return None
     days: Calendar | None = first.days or second.days
     if first.days is not None and second.days is not None:
