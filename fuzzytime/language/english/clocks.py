@@ -179,7 +179,7 @@ def with_minutes(hour: Integer, minute: Integer) -> Clock | None:
 
 
 @grammar.rule(
-    "clock", "<clock> in? the? <meridiem>", "<clock> . <meridiem>", "<hh.mm> <meridiem>", weight=0.2
+    "clock", "<clock> in? the? <meridiem>", "<clock> .|: <meridiem>", "<hh.mm> <meridiem>", weight=0.2
 )
 def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     """3 pm, 3:30 p.m., 3 in the AM, 8.30pm, 330 p.m."""
