@@ -206,7 +206,7 @@ def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""
     if said.preposition is None or len(said.hedges) > 1 or hedge in {"less than", "more than", "some"}:
         return None
-    if hedge == "at most" and isinstance(said.time, Wall):
-        # "Up to tomorrow at seven" is a bound: "at most" is said of lengths.
+    if hedge == "at most" and isinstance(said.time, Wall) and said.time.days is not None:
+        # "Up to tomorrow at seven": "up to" binds it.
         return None
     return replace(said, hedges=(hedge, *said.hedges))
