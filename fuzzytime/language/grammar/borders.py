@@ -120,7 +120,7 @@ class Borders:
     def _says_how(self, piece: Piece) -> bool:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""
         first = self.texts[piece.start]
-        return first in {"late", "early"} and self.around.before(piece) in self.beside.being_late
+        return first in self.beside.how_late and self.around.before(piece) in self.beside.being_late
 
     def _says_order(self, piece: Piece) -> bool:
         """Whether it begins with where something comes among others: "feed the cat first at six"."""

@@ -23,9 +23,6 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
-ORDINAL_ENDINGS = (["st"], ["nd"], ["rd"], ["th"])
-"""What stands behind the digits of ordinals."""
-
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
 
@@ -179,5 +176,6 @@ class Walls(Standing):
         """Whether an ordinal is at a place: a word, or a number and its ending."""
         if not 0 <= place < len(self.texts):
             return False
-        typed = self.words[place].is_digits and self.texts[place + 1 : place + 2] in ORDINAL_ENDINGS
+        behind = {*self.texts[place + 1 : place + 2]}
+        typed = self.words[place].is_digits and not behind.isdisjoint(self.beside.ordinal_endings)
         return typed or self.texts[place] in self.lexicon.ordinals
