@@ -83,6 +83,16 @@ def test_at_six_is_the_next_plausible_six(said: int, hour: int) -> None:
     assert found.hour == hour
 
 
+@pytest.mark.parametrize(
+    ("text", "day", "hour"), [("until ten", 4, 22), ("by eleven", 4, 23), ("by six", 5, 18)]
+)
+def test_a_deadline_that_can_be_kept_today_is_meant(text: str, day: int, hour: int) -> None:
+    evening = datetime(2026, 3, 4, 20, 10)  # noqa: DTZ001
+    latest = only(text, evening).latest
+    assert latest is not None
+    assert instant_after(evening, latest) == datetime(2026, 3, day, hour)  # noqa: DTZ001
+
+
 def test_hours_that_are_plausible_are_a_policy() -> None:
     early = replace(Policy(), plausible_from=time(3), plausible_to=time(12))
     assert at("at six", WEDNESDAY).hour == 18

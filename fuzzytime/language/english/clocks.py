@@ -13,6 +13,8 @@ grammar = Grammar()
 FULL_DIGITS = 4
 """Digits of hour and minute together: "1830"."""
 
+NOON_HOUR = 12
+
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
 
@@ -177,12 +179,15 @@ def with_minutes(hour: Integer, minute: Integer) -> Clock | None:
 
 
 @grammar.rule(
-    "clock", "<clock> in? the? <meridiem>", "<clock> . <meridiem>", "<hh.mm> <meridiem>", weight=0.2
+    "clock", "<clock> in? the? <meridiem>", "<clock> .|: <meridiem>", "<hh.mm> <meridiem>", weight=0.2
 )
 def with_half(clock: Clock | Typed, half: Half) -> Clock | None:
     """3 pm, 3:30 p.m., 3 in the AM, 8.30pm, 330 p.m."""
     found = typed(clock) if isinstance(clock, Typed) else clock
     if found is None or found.half is not None or (found.hour > 12 and half is Half.AM):
+        return None
+    if found.pair and found.hour > NOON_HOUR >= found.minute:
+        # "Saturday march 14 12 pm" is at noon.
         return None
     return replace(found, half=half, bare=False, pair=False, full_day=found.full_day and found.hour > 12)
 

@@ -14,8 +14,8 @@ grammar = Grammar()
 LAST_CLOCK_YEAR = 1959
 """The last past year that is written as a clock time is."""
 
-HUNDREDS = frozenset({2100, 2200, 2300})
-"""Numbers beyond it that are rather hours than years, too: "twenty-two hundred"."""
+LATE_HOURS = range(2100, 2400)
+"""Numbers beyond it that are rather hours and minutes than years, too: "friday, 2115"."""
 
 LONGEST_MONTH = 31
 
@@ -164,7 +164,13 @@ def short_year(number: Integer) -> int | None:
 @grammar.rule("date", "<date> ,? of|in? <year>", "<date> - <year>", weight=0.2)
 def with_year(date: Calendar, number: int) -> Fields | None:
     """March 3 2015, April 14, 2015, fourth of july 1995."""
-    return date.joined(Fields(year=number)) if isinstance(date, Fields) else None
+    if not isinstance(date, Fields) or _is_late_hour(number):
+        return None
+    return date.joined(Fields(year=number))
+
+
+def _is_late_hour(number: int) -> bool:
+    return number in LATE_HOURS and number % 100 < 60
 
 
 @grammar.rule("date", "<month day> - <month> - <integer>", "<month day> <month> of <integer>", weight=1.3)
@@ -174,15 +180,15 @@ def with_short_year(day: int, month: int, number: Integer) -> Fields | None:
 
 
 @grammar.rule("date", "<month> ,? of|in? <year>", "<month> / <year>", weight=0.2)
-def month_and_year(month: int, number: int) -> Fields:
+def month_and_year(month: int, number: int) -> Fields | None:
     """March 2015, june of 1992."""
-    return Fields(number, month)
+    return None if _is_late_hour(number) else Fields(number, month)
 
 
 @grammar.rule("date", "<year> -|/? <month>", weight=0.1)
-def year_and_month(number: int, month: int) -> Fields:
+def year_and_month(number: int, month: int) -> Fields | None:
     """2017 april."""
-    return Fields(number, month)
+    return None if _is_late_hour(number) else Fields(number, month)
 
 
 @grammar.rule("date", "<year> - <month> - <month day>", "<year> / <month> / <month day>", weight=2.5)
@@ -225,7 +231,7 @@ def month(number: int) -> Fields:
 @grammar.rule("weak date", "<year>", weight=-0.3)
 def year_alone(number: int) -> Fields | None:
     """2014: sure with a preposition; but 1730 is half past five."""
-    return Fields(year=number) if number > LAST_CLOCK_YEAR and number not in HUNDREDS else None
+    return Fields(year=number) if number > LAST_CLOCK_YEAR and not _is_late_hour(number) else None
 
 
 @grammar.rule("date", "<share> of? <year>", weight=0.3)

@@ -86,7 +86,7 @@ def _shortened(wall: Wall, duration: Duration, *, last: bool) -> Wall | None:
     ):
         return None
     start, end = (found.end - seconds, found.end) if last else (found.start, found.start + seconds)
-    return replace(wall, part=replace(found, start=start, end=end, late=None))
+    return replace(wall, part=replace(found, start=start, end=end, late=None), weak=False)
 
 
 @grammar.rule("wall", "outside of? the? <part>", weight=0.3)

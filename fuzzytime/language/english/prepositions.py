@@ -126,9 +126,15 @@ def on_the_stroke(clock: Clock, days: Calendar | None = None) -> Said:
     return Said(Wall(days, clock=replace(clock, bare=False, pair=False)), None, "at", ("exactly",))
 
 
-@grammar.rule("said", "at <clock behind at> <wall>", "at <clock behind at> on|of <wall>", weight=0.3)
+@grammar.rule("said", "at <clock>|<clock behind at> on|of the? <wall>", weight=0.8)
 def at_clock_on(clock: Clock, wall: Wall) -> Said | None:
-    """At 2.30 tomorrow."""
+    """At 2.30 on friday, at 2030 on friday, at seven on the 14th."""
+    return at_clock_beside(replace(clock, bare=False), wall)
+
+
+@grammar.rule("said", "at <clock>|<clock behind at> ,? <wall>", weight=0.8)
+def at_clock_beside(clock: Clock, wall: Wall) -> Said | None:
+    """At 2.30 tomorrow; but "at seven second helpings are served"."""
     time = joined(Wall(clock=clock), wall)
     return None if time is None else Said(time, None, "at")
 
@@ -204,7 +210,7 @@ def hedged_said(hedge: str, said: Said) -> Said | None:
     """Exactly at six, roughly in ten minutes."""
     if said.preposition is None or len(said.hedges) > 1 or hedge in {"less than", "more than", "some"}:
         return None
-    if hedge == "at most" and isinstance(said.time, Wall):
-        # "Up to tomorrow at seven" is a bound: "at most" is said of lengths.
+    if hedge == "at most" and isinstance(said.time, Wall) and said.time.days is not None:
+        # "Up to tomorrow at seven": "up to" binds it.
         return None
     return replace(said, hedges=(hedge, *said.hedges))

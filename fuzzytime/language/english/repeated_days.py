@@ -3,10 +3,10 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, Said, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.times_of_day import Clock, Part
 from fuzzytime.requirement import Constraint, Unit
 

@@ -9,6 +9,7 @@ from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import Duration, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.requirement import Unit
 
 grammar = Grammar()
 
@@ -32,6 +33,14 @@ def stacked_clock(first: Wall, second: Wall) -> Wall | None:
     # "The 19th at ten to six" is no range.
     minutes = second.clock.bare and second.clock.hour % ROUND == 0
     return joined(first, replace(second, clock=replace(second.clock, bare=False, minutes=minutes)))
+
+
+@grammar.rule("wall", "<wall> at|@ <clock>", "<wall> , at <clock>", weight=0.3)
+def stacked_digits(first: Wall, clock: Clock) -> Wall | None:
+    """Friday at 2030: no year."""
+    if first.clock is not None or not clock.bare or clock.grain is not Unit.MINUTE:
+        return None
+    return joined(first, Wall(clock=replace(clock, bare=False)))
 
 
 @grammar.rule("wall", "<date> t <clock> z?", weight=0.5)

@@ -60,6 +60,7 @@ class Borders:
             or self._is_named(piece)
             or self._says_how(piece)
             or self._says_order(piece)
+            or self._numbers_things(piece)
             or self._likens(piece)
             or self.titles.hold(piece)
             or self.cuts.make(piece)
@@ -134,7 +135,23 @@ class Borders:
     def _says_how(self, piece: Piece) -> bool:
         """Whether it begins with how somebody is: "don't be late tomorrow"."""
         first = self.texts[piece.start]
-        return first in {"late", "early"} and self.around.before(piece) in self.beside.being_late
+        return first in self.beside.how_late and self.around.before(piece) in self.beside.being_late
+
+    def _numbers_things(self, piece: Piece) -> bool:
+        """Whether it begins with the numbers of several things: "read chapters 5 to 7 tonight"."""
+        place = piece.start
+        if not (self._joins_numbers(place) or self.measures.is_number(place)):
+            return False
+        while place and (self._joins_numbers(place - 1) or self.measures.is_number(place - 1)):
+            place -= 1
+        named = self.texts[place - 1] if place else ""
+        singular = named.removesuffix("s")
+        return named != singular and singular in self.lexicon.measure_nouns
+
+    def _joins_numbers(self, place: int) -> bool:
+        """Whether a joint stands between two numbers: "5 to 7"."""
+        numbers = self.measures.is_number(place - 1) and self.measures.is_number(place + 1)
+        return numbers and self.texts[place] in self.closed.range_joints_or_and
 
     def _says_order(self, piece: Piece) -> bool:
         """Whether it begins with where something comes among others: "feed the cat first at six"."""
@@ -142,7 +159,10 @@ class Borders:
         wall = piece.value.time
         days = wall.days if isinstance(wall, Wall) and wall.clock is not None else None
         alone = isinstance(days, Fields) and days == Fields(day=days.day)
-        return ordinal and alone and self.around.before(piece) not in self.closed.sure_noun_openers
+        before = self.around.before(piece)
+        # "Open it by a third at seven"
+        led = before in self.closed.sure_noun_openers - self.closed.indefinite_determiners
+        return ordinal and alone and not led
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""

@@ -185,7 +185,7 @@ class Judge:
             if led or (piece.start and self.around.timely(piece.start - 1)) or not self.around.may_end(piece):
                 return False
         # "Most evenings": which, is not said.
-        some = self.around.before(piece) in {"most", "some", "many", "few"}
+        some = self.around.before(piece) in self.beside.which_is_not_said
         parted = any(wall.part is not None for wall in piece.value.time.walls)
         return not some and (parted or not self.measures.is_rate(piece))
 

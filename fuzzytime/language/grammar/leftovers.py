@@ -18,8 +18,6 @@ TELLING = frozenset(
 """Categories of pieces that look like time."""
 
 WEEKEND = "weekend"
-WEEKENDING = frozenset({"over", "during", "at", "on", "for", "by", "before", "after", "until", "till"})
-"""Prepositions behind which a weekend is when."""
 
 LONGEST_WEEKEND = 6
 """Words from such a preposition to the weekend at most: "over the early may bank holiday weekend"."""
@@ -96,7 +94,10 @@ def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings)
 
 def _binds(around: Surroundings, place: int) -> bool:
     """Whether a preposition that binds times, and an article, stand at a place."""
-    return around.texts[place] in WEEKENDING and around.texts[place + 1] in around.closed.noun_openers
+    return (
+        around.texts[place] in around.beside.before_weekends
+        and around.texts[place + 1] in around.closed.noun_openers
+    )
 
 
 def _is_share(piece: Piece, scanned: Scanned) -> bool:

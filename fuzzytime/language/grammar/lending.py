@@ -16,6 +16,9 @@ from fuzzytime.requirement import Constraint, Unit
 LENT = frozenset({Constraint.AFTER, Constraint.FOR})
 """How numbers bind that are no hours, and take a unit said before."""
 
+STOPS = frozenset({".", ";", "!", "?"})
+"""Marks behind which a number counts minutes again."""
+
 NOON = 12 * 3600
 
 
@@ -30,9 +33,18 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
         # "Every two hours, then every four"
         counted = _counted(said.time.every, again.terms[-1][1])
         return replace(phrase, said=replace(said, time=replace(said.time, every=counted)))
-    if not isinstance(length.time, Duration) or length.constraint is not Constraint.FOR:
+    if not isinstance(length.time, Duration):
         return phrase
     unit = length.time.terms[-1][1]
+    if "in" == said.preposition == length.preposition and isinstance(said.time, Duration):
+        # "Feed the cat in an hour and the dog in two"
+        near = not STOPS & {word.text for word in words[before.end : phrase.first]}
+        alone = said.time.bare_end and said.time.until is None and len(said.time.terms) == 1
+        hours = near and alone and said.time.terms[0][0] <= DAY_HOURS
+        counted = _counted(said.time, unit) if hours else said.time
+        return replace(phrase, said=replace(said, time=counted))
+    if length.constraint is not Constraint.FOR:
+        return phrase
     if isinstance(said.time, Duration) and said.time.bare_end and said.constraint in LENT:
         many = said.constraint is Constraint.FOR and said.time.terms[0][0] > DAY_HOURS
         # "Cool it for an hour and chill it for 40" minutes

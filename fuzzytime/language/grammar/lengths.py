@@ -34,8 +34,10 @@ class Lengths(Standing):
             # "Raise it to 20 an hour", "at 60 kilometres an hour"
             return False
         asked = {self.around.before(piece), self.texts[piece.start]}
-        if last.ordinal_end and alone and self.beside.no_length & asked:
-            # "Give me a second"
+        short = last.ordinal_end or last.terms in (((1, Unit.MINUTE),), ((1, Unit.SECOND),))
+        waits = self.around.before(piece) in self.lexicon.doing.waiting
+        if short and alone and self.beside.no_length & asked and not waits:
+            # "Give me a second", "just a minute"; but "wait just a minute"
             return False
         if last.ordinal_end or last.bare_end:
             # "An hour or two before the guests arrive"

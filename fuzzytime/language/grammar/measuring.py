@@ -14,9 +14,6 @@ AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 CLOCK_DIGITS = 4
 """Digits of a clock time without a colon, as in 1745: more than most amounts have."""
 
-SWITCHED = frozenset({"on", "off"})
-"""Particles of what is turned so, and not by how much."""
-
 NEARLY = frozenset({"around", "about"})
 
 
@@ -56,7 +53,9 @@ class Measures:
     def _switches(self, piece: Piece) -> bool:
         """Whether something is turned on or off, which is no amount: "turn off the lights around six"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
-        verbs = (self.lexicon.particles.get(word, frozenset()) for word in before if word in SWITCHED)
+        verbs = (
+            self.lexicon.particles.get(word, frozenset()) for word in before if word in self.beside.switched
+        )
         return any(not found.isdisjoint(before) for found in verbs)
 
     def _is_other_order(self, place: int) -> bool:

@@ -106,7 +106,7 @@ def _typed(words: Sequence[Word], start: int, lexicon: Lexicon) -> Iterator[Piec
     # A number that runs on ("650-650", "3.1.2", "1,000") is told by its whole shape, or is none of ours.
     yield Piece("integer", start, start + 1, value, 0.0, "digits")
     following = words[start + 1] if start + 1 < len(words) else None
-    if following is not None and following.glued and following.text in {"st", "nd", "rd", "th"}:
+    if following is not None and following.glued and following.text in lexicon.beside.ordinal_endings:
         yield Piece("ordinal", start, start + 2, value.value, 0.0, "digits")
     yield from _spaced(words, start)
     run, ends = _typed_together(words, start)

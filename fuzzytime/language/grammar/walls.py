@@ -23,9 +23,6 @@ UNBINDING = frozenset({None, "to", "at", "for", "of", "on", "in", "from", "start
 PRESENT = tuple(Deictic(Which.THIS, Cycle(unit)) for unit in (Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR))
 """Periods that "the week" and "the year" are, behind a preposition."""
 
-ORDINAL_ENDINGS = (["st"], ["nd"], ["rd"], ["th"])
-"""What stands behind the digits of ordinals."""
-
 THING = "thing"
 """The last word of a time that may be any thing: "first thing"."""
 
@@ -80,8 +77,20 @@ class Walls(Standing):
         if self.around.is_unit(piece.end) and isinstance(wall.days, Fields) and not wall.days.weekly:
             # "The 18th century table"
             return True
+        if self.around.is_unit(piece.end) and wall.days in PRESENT:
+            # "On the quarter hour"
+            return True
         if said.preposition == "of" and (self._is_ordinal(piece.end - 1) or isinstance(wall.days, Season)):
             # "Within a minute of the first", "within an hour of the fall"
+            return True
+        first = piece.start + (self.texts[piece.start] == "to")
+        if (
+            first
+            and self.texts[first - 1] == "to"
+            and self._is_ratio(first)
+            and not self.around.puts_off(piece)
+        ):
+            # "Fill the tub to 3/4 at eight"
             return True
         whole = wall.clock is not None and not wall.clock.shift
         if whole and said.preposition is None and self.measures.named(piece):
@@ -91,11 +100,19 @@ class Walls(Standing):
         place = wall.part is not None and wall.part.place
         return place and self.texts[piece.end - 2] in self.closed.noun_openers
 
+    def _is_ratio(self, place: int) -> bool:
+        """Whether two numbers at a place may be a part of a whole: "3/4"."""
+        marks = [text for text in self.texts[place + 1 : place + 4 : 2] if text == "/"]
+        return self.words[place].is_digits and self.texts[place + 1 : place + 2] == marks == ["/"]
+
     def _accepts_weak(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether words that alone are no sure time are one here: "in May", "before lunch"."""
         unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
         # "Ask about lunch": what a meal is asked about.
         bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
+        if said.preposition == "of" and isinstance(wall.days, Fields) and wall.days.is_day_of_month:
+            # "The corner of 5th and Main"
+            return self.texts[piece.start + 1] == "the"
         # "After the 10 o'clock feed"
         clocked = self.around.follower(piece) in self.beside.of_hours
         return bound and not clocked and self.around.may_end(piece)
@@ -179,5 +196,6 @@ class Walls(Standing):
         """Whether an ordinal is at a place: a word, or a number and its ending."""
         if not 0 <= place < len(self.texts):
             return False
-        typed = self.words[place].is_digits and self.texts[place + 1 : place + 2] in ORDINAL_ENDINGS
+        behind = {*self.texts[place + 1 : place + 2]}
+        typed = self.words[place].is_digits and not behind.isdisjoint(self.beside.ordinal_endings)
         return typed or self.texts[place] in self.lexicon.ordinals

@@ -85,6 +85,8 @@ class ClosedClasses:
     joints_of_consequence: Words
     subordinators_of_reason: Words
     denied_alternatives: Words
+    subordinators_of_precaution: Words
+    subordinators_of_questions: Words
     alternatives: Words
     subordinators_of_simultaneity: Words
     joints_of_orders: Words
@@ -123,13 +125,18 @@ class ClosedClasses:
 class BesideTimes:
     """Words around a time, and around its lengths, by what they make of it: ``beside_times``."""
 
+    before_weekends: Words
+    switched: Words
+    ordinal_endings: Words
     restricting: Words
     hedging_verbs: Words
     belonging: Words
+    which_is_not_said: Words
     first_of_repetitions: Words
     binding_ranges: Words
     behind_round: Words
     taking_along: Words
+    how_late: Words
     being_late: Words
     prefixes: Words
     greeting: Words
@@ -207,6 +214,8 @@ class Doing:
     continuing: Words
     settling: Words
     inquiring: Words
+    asking: Words
+    recalling: Words
     sure: Words
     unwanted: Words
     eating: Words

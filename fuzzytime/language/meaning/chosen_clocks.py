@@ -30,6 +30,9 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
     named = wall.days is not None
     plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
     chosen = (plausible or sorted(moments, key=lambda moment: _off_usual(here, moment)))[0]
+    if here.ends and not named and not here.usual and here.now.time() >= EARLY:
+        # "Until ten", said at eight in the evening: what can still be kept today.
+        chosen = next((moment for moment in moments if moment.date() == here.now.date()), chosen)
     if here.leads is not None and not named and not here.usual:
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))

@@ -1,8 +1,8 @@
 """What is on each day of a period: "at six for the rest of the week", "all week at noon"."""
 
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
 from fuzzytime.requirement import Constraint, Unit
 
 LONGER = frozenset({Unit.WEEK, Unit.MONTH, Unit.YEAR})

@@ -11,7 +11,6 @@ from fuzzytime.language.sentence.sketches.clause_ends import ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
 
-ASK = "ask"
 ASKED = 4
 """Words from "ask" on, before "if", at most: who is asked is one of them."""
 
@@ -61,7 +60,7 @@ class ClauseMarkers:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
         found = before[-2:] == ["find", "out"] or bool(self.lexicon.doing.inquiring & {*before[-1:]})
-        return found or ASK in before[-ASKED:]
+        return found or not self.lexicon.doing.asking.isdisjoint(before[-ASKED:])
 
     def _bounded(self, place: int) -> tuple[str, ...] | None:
         """Give the "of" of "within an hour of calling", "for the last hour of roasting" as what begins it."""

@@ -17,21 +17,11 @@ PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 """How tags begin of words in front of what is told, and of its first."""
 
-ASK = "ask"
 ASKED = 3
 """Words for who is asked, at most."""
 
-ASKING = frozenset({"if", "whether"})
-"""Words that begin what is asked."""
-
-IN_CASE = ("in", "case")
-"""What is provided for, and not waited for, stands behind it."""
-
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
-
-RECALLING = "remind"
-"""Somebody is reminded at the only time that is said, whatever it is of."""
 
 
 def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Lexicon) -> list[Phrase]:
@@ -40,7 +30,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
     told = _told_from(part, action, timed, lexicon)
     own = told is not None and any(place is None or place < told for place in starts.values())
-    if part.tree.nodes[action.place].lemma == RECALLING and not own:
+    if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = None
     found = _of_moved(part, phrases, action, lexicon)
     for phrase in phrases:
@@ -76,16 +66,14 @@ def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None
 
 def reason_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
     """Give the stretch that says why: "clear it by five because the painters come in overnight"."""
-    nodes = part.tree.nodes
+    nodes, closed = part.tree.nodes, part.tree.lexicon.closed
     for place in range(action.place + 1, len(nodes) - LEAST_CASE):
-        if (nodes[place].lower, nodes[place + 1].lower) == IN_CASE and nodes[place + 2].lower != "of":
+        opening = f"{nodes[place].lower} {nodes[place + 1].lower}"
+        if opening in closed.subordinators_of_precaution and nodes[place + 2].lower != "of":
             # "Take a coat in case it rains at noon"
             return nodes[place].start + part.offset, nodes[-1].end + part.offset
     for place in range(action.place + 1, len(nodes)):
-        if (
-            nodes[place].lower in part.tree.lexicon.closed.subordinators_of_reason
-            and nodes[place].relation == "mark"
-        ):
+        if nodes[place].lower in closed.subordinators_of_reason and nodes[place].relation == "mark":
             reach = part.tree.reach(nodes[place].head)
             start, end = nodes[place].start + part.offset, nodes[reach[1] - 1].end + part.offset
             if any(start <= phrase.span[0] < end for phrase in phrases):
@@ -122,10 +110,11 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
 
 def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:
     """Give the "if" or "whether" behind which is what somebody is asked: "ask Tom if he's free at six"."""
-    nodes = part.tree.nodes
+    nodes, lexicon = part.tree.nodes, part.tree.lexicon
+    asking = lexicon.closed.subordinators_of_questions
     behind = [place for place in range(action.place + 1, len(nodes)) if place not in timed]
-    found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in ASKING), None)
-    return found if nodes[action.place].lemma == ASK else None
+    found = next((place for place in behind[: ASKED + 1] if nodes[place].lower in asking), None)
+    return found if nodes[action.place].lemma in lexicon.doing.asking else None
 
 
 def _said_from(part: Part, first: int, timed: Collection[int], lexicon: Lexicon) -> int | None:

@@ -10,9 +10,6 @@ from fuzzytime.language.sentence.references.mentions import Mentions, undoes
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it
 
-HEAT = "heat"
-"""What is under the pan, and not what is in it."""
-
 
 def resolved_object(
     operation: Operation, own: Sequence[Operation | None], mentions: Mentions, first: int
@@ -77,7 +74,7 @@ def _is_setting(operation: Operation | None, lexicon: Lexicon) -> bool:
     """Whether an order changes how much there is of something, beside what is worked on: "lower the heat"."""
     if operation is None or operation.object is None or not _is_changing(operation, lexicon):
         return False
-    return operation.object.lower().split()[-1] in lexicon.amount_nouns | {HEAT}
+    return operation.object.lower().split()[-1] in lexicon.amount_nouns
 
 
 def thing_of_clause_in_front(sketch: Sketch, operation: Operation, anchors: Anchors) -> str | None:

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
-from fuzzytime.language.meaning.beside import names_day_of, told_apart
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -21,8 +20,10 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.intervals_on_days import on_days
+from fuzzytime.language.meaning.repeats_beside import names_day_of
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
 from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED

@@ -1,0 +1,38 @@
+"""Times said apart for the same thing to be done: one time of both."""
+
+from dataclasses import replace
+
+from fuzzytime.language.meaning.beside import joined, refined
+from fuzzytime.language.meaning.expressions import (
+    Offset,
+    Repeat,
+    Said,
+    Wall,
+)
+from fuzzytime.language.meaning.repeats_beside import MOMENTS, bounded_repeat, narrowed_repeat
+from fuzzytime.requirement import Constraint
+
+
+def told_apart(said: Said, frame: Said) -> Said | None:
+    """Give a time on the day, or in the repetition of days, that is said elsewhere for the same thing.
+
+    None where it has a day of its own, or does not go together with that one.
+    """
+    time, other = said.time, frame.time
+    if isinstance(other, Repeat):
+        moment = isinstance(time, Wall) and said.constraint in MOMENTS
+        found = (
+            narrowed_repeat(other, time) if isinstance(time, Wall) and moment else bounded_repeat(other, said)
+        )
+        if found is None:
+            return None
+        return Said(found, Constraint.EVERY, said.preposition, said.hedges, lasting=said.lasting)
+    if not isinstance(other, Wall):
+        return None
+    if isinstance(time, Offset) and isinstance(time.anchor, Wall):
+        anchor = joined(other, time.anchor)
+        return None if anchor is None else replace(said, time=replace(time, anchor=anchor))
+    if isinstance(time, Wall) and said.constraint in MOMENTS:
+        both = joined(other, time)
+        return None if both is None else replace(said, time=both)
+    return refined(said, other)
