@@ -5,7 +5,7 @@ from dataclasses import replace
 from fuzzytime.language.english.repetitions import SMALL
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
-from fuzzytime.language.meaning.beside import bounded_repeat, is_of_day, narrowed_repeat
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, is_of_day, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, Said, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth

@@ -1,7 +1,7 @@
 """What repeats beside a part of each day: "an hour after sunset each evening"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.beside import narrowed_repeat
+from fuzzytime.language.meaning.bounded_repeats import narrowed_repeat
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Part

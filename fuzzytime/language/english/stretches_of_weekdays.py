@@ -1,7 +1,7 @@
 """Hours and clock times on a stretch of weekdays: "monday to friday from 9 to 5", "mon-fri at noon"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.beside import narrowed_repeat, within_hours
+from fuzzytime.language.meaning.bounded_repeats import narrowed_repeat, within_hours
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Range, Repeat, Said, Wall
 from fuzzytime.requirement import Constraint

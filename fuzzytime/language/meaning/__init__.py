@@ -12,7 +12,7 @@ Values
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``; repetitions: ``series``.
-    Two times as one: ``beside``, ``first_times``, ``distances``, ``intervals_on_days``,
+    Two times as one: ``beside``, ``bounded_repeats``, ``first_times``, ``distances``, ``intervals_on_days``,
     ``throughout``.
     What is handed on: ``requirements``, ``decisions``.
 """

@@ -1,6 +1,6 @@
 """What is on each day of a period: "at six for the rest of the week", "all week at noon"."""
 
-from fuzzytime.language.meaning.beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.bounded_repeats import bounded_repeat, narrowed_repeat
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
 from fuzzytime.requirement import Constraint, Unit

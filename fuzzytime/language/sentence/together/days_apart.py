@@ -8,7 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from fuzzytime.language.grammar.lexicon import Entry, Lexicon
-from fuzzytime.language.meaning.beside import names_day_of, told_apart
+from fuzzytime.language.meaning.beside import told_apart
+from fuzzytime.language.meaning.bounded_repeats import names_day_of
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,

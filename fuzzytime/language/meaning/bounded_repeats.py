@@ -1,0 +1,201 @@
+"""Repetitions within bounds, and at times of day: "every weekday from 9 to 5", "twice a week at noon"."""
+
+from dataclasses import replace
+from typing import TypeGuard
+
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.expressions import (
+    Coming,
+    Duration,
+    Edge,
+    Ending,
+    HourMark,
+    Offset,
+    Range,
+    Repeat,
+    Rest,
+    Said,
+    Time,
+    Wall,
+)
+from fuzzytime.language.meaning.feasts import Season
+from fuzzytime.language.meaning.first_times import closing_of, first_time, in_the_end, is_release
+from fuzzytime.language.meaning.instants import halved
+from fuzzytime.language.meaning.nested import Share
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Part
+from fuzzytime.language.policy import Policy
+from fuzzytime.requirement import Constraint, Unit
+
+PLAUSIBLE = Policy().plausible_from
+"""From when on the hours of a day are that a repetition is bound to."""
+
+MOMENTS = frozenset({None, Constraint.AT})
+"""How a time binds that says when."""
+
+
+def _named_days(repeat: Repeat, wall: Wall) -> Calendar | None:
+    """Give the day that a period is said to have: every year on the 4th of july, every week on friday."""
+    days = wall.days
+    yearly = isinstance(days, Share) and isinstance(days.of, Season)
+    if yearly and len(repeat.walls) == 1 and repeat.walls[0].days == Cycle(Unit.YEAR) and repeat.skip == 1:
+        return days
+    if len(repeat.walls) != 1 or not isinstance(days, Fields) or days.fixed or wall.weak:
+        return None
+    period = repeat.walls[0].days
+    if repeat.skip != 1 and period != Cycle(Unit.WEEK):
+        return None
+    if period == Cycle(Unit.YEAR) and days.month is not None:
+        return days
+    if period == Cycle(Unit.MONTH) and days == Fields(day=days.day) and days.day is not None:
+        return days
+    return days if period == Cycle(Unit.WEEK) and days.weekly else None
+
+
+def names_day_of(repeat: Repeat, wall: Wall) -> bool:
+    """Whether it is the day that a period is said to have."""
+    return _named_days(repeat, wall) is not None
+
+
+def narrowed_repeat(repeat: Repeat, wall: Wall) -> Repeat | None:
+    """Give a repetition at a time of day, in a part of the day, or within days that are said beside it."""
+    days = _named_days(repeat, wall)
+    if days is not None:
+        return replace(repeat, every=None, walls=(replace(wall, days=days),))
+    if wall.days is not None and wall.clock is None and wall.part is None:
+        if repeat.until is not None or repeat.starting is not None:
+            return None
+        return replace(repeat, starting=wall, until=wall)
+    if wall.days is not None or not repeat.walls:
+        return None
+    walls = []
+    for old in repeat.walls:
+        if old.clock and wall.clock:
+            return None
+        late = old.part is not None and old.part.half.is_late and wall.clock is not None
+        if old.part and wall.part and not late and not _is_inside(wall.part, old.part):
+            return None
+        clock = replace(wall.clock, bare=False, pair=False) if wall.clock else old.clock
+        walls.append(replace(old, clock=clock, part=wall.part or old.part))
+    return replace(repeat, walls=tuple(walls))
+
+
+def _is_inside(inner: Part, outer: Part) -> bool:
+    """Whether hours, or a part of the day, are in a part: "every morning between seven and eight" too."""
+    if not inner.name:
+        return outer.is_near(inner.start)
+    return outer.start <= inner.start < outer.end
+
+
+def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give a repetition with its bounds, or within hours of each day: every weekday from 9 to 5."""
+    marked = isinstance(repeat.starting, HourMark) and repeat.until is None
+    shared = _in_share(repeat, said)
+    if shared is not None:
+        return shared
+    return _bounded_mark(repeat, said) if marked else _bounded(repeat, said)
+
+
+def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
+    time = said.time
+    if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
+        return None
+    if isinstance(time, Duration):
+        # "Twice a day for two minutes" says how long each lasts.
+        step = repeat.every.seconds if repeat.every is not None else DAY_SECONDS
+        lasting = said.constraint is Constraint.FOR and time.seconds >= step
+        bound = lasting or said.constraint is Constraint.BEFORE
+        return replace(repeat, until=Offset(time)) if bound else None
+    if (closing := closing_of(said)) is not None:
+        return in_the_end(repeat, closing)
+    if isinstance(time, (Coming, Rest)):
+        return replace(repeat, until=_end_of(time))
+    if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
+        return within_hours(repeat, time.first, time.last)
+    if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
+        return _on_side(repeat, time.clock, said.constraint)
+    if not repeat.walls and isinstance(time, Wall) and time.clock is None and said.constraint in MOMENTS:
+        # "Every two hours tonight"
+        return replace(repeat, starting=time, until=time)
+    part = time.part if isinstance(time, Wall) and time.days is None and repeat.walls else None
+    if part is not None and said.constraint in {Constraint.BEFORE, Constraint.AFTER}:
+        # "Before school on tuesdays"
+        before = said.constraint is Constraint.BEFORE
+        hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
+        return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
+    if said.constraint is Constraint.BEFORE:
+        # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
+        return None if repeat.apart else replace(repeat, until=time)
+    if is_release(said):
+        first = first_time(said)
+        return None if first is None else replace(repeat, starting=first)
+    if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
+        return replace(repeat, starting=time.first, until=time.last)
+    return None
+
+
+def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what is done so often in some days the time of day of each: "twice a week at noon"."""
+    longer = repeat.shared and repeat.every is not None and repeat.every.seconds > DAY_SECONDS
+    time, side = said.time, said.constraint
+    if not longer or repeat.at is not None or not isinstance(time, Wall) or not is_of_day(time):
+        return None
+    if side in MOMENTS:
+        return None if time.bare and said.preposition is None else replace(repeat, at=time)
+    clocked = _on_side(Repeat(walls=(Wall(Cycle(Unit.DAY)),)), time.clock, side) if time.clock else None
+    return None if clocked is None else replace(repeat, at=Wall(part=clocked.walls[0].part))
+
+
+def _end_of(stretch: Coming | Rest) -> Time | None:
+    """Give where a stretch from now on is over: "every day for the rest of the week"."""
+    if isinstance(stretch, Coming):
+        return Offset(stretch.duration)
+    return None if stretch.of.days is None else Ending(Edge.END, stretch.of.days)
+
+
+def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what is done at a mark of each hour, and when: "every hour on the hour overnight"."""
+    time, mark = said.time, repeat.starting
+    if not isinstance(time, Wall) or time.part is None or not isinstance(mark, HourMark):
+        return None
+    first = time.part.start + (mark.minute * 60 - time.part.start) % 3600
+    within = replace(time, part=replace(time.part, start=first))
+    return _bounded(replace(repeat, starting=None), replace(said, time=within))
+
+
+def is_of_day(time: Time) -> TypeGuard[Wall]:
+    """Whether it is a clock time or a part of any day."""
+    said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
+    return said and isinstance(time, Wall) and time.days is None
+
+
+def within_hours(repeat: Repeat, first: Wall, last: Wall) -> Repeat | None:
+    """Give a repetition within hours of the day: every weekday from 9 to 5, every night from dusk on."""
+    if first.clock is not None:
+        clock = first.clock if first.part is None else halved(first.clock, first.part.half)
+        begins = _hour_of(repeat, clock)
+    elif first.part is not None:
+        # "Between lunch and five": from its end.
+        begins = (first.part.end if first.part.meal else first.part.start) % DAY_SECONDS
+    else:
+        return None
+    known = last.clock.candidates() if last.clock is not None else ()
+    known = (last.part.start,) if not known and last.part is not None else known
+    length = min(((end - begins) % DAY_SECONDS for end in known), default=0)
+    hours = Part("", begins, begins + length, Half.EITHER)
+    return narrowed_repeat(repeat, Wall(part=hours)) if length else None
+
+
+def _hour_of(repeat: Repeat, clock: Clock) -> int:
+    """Give the seconds since midnight that a clock time of a repetition means: "every evening from nine"."""
+    parts = {wall.part for wall in repeat.walls}
+    (part,) = parts if len(parts) == 1 else (None,)
+    return (clock if part is None else halved(clock, part.half)).first_from(PLAUSIBLE)
+
+
+def _on_side(repeat: Repeat, clock: Clock, side: Constraint | None) -> Repeat | None:
+    """Give a repetition on one side of a clock time of its days: every monday before seven."""
+    moment = _hour_of(repeat, clock)
+    hours = {Constraint.BEFORE: (0, moment), Constraint.AFTER: (moment, DAY_SECONDS)}.get(
+        side or Constraint.AT
+    )
+    return None if hours is None else narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
