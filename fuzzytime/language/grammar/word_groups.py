@@ -221,4 +221,5 @@ class Doing:
     remembering: Words
     needing: Words
     hesitating: Words
+    watching: Words
     past_alike: Words

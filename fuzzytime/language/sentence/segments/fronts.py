@@ -74,7 +74,7 @@ def fronts_of(
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
+        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and is_order(order):
             led[attempt.one] = attempt.front
     return led
 
@@ -88,11 +88,11 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        bare = _is_bare(node, lexicon)
+        bare = is_bare(node, lexicon)
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
-        if here in timed or _is_counted(tree, here) or _binds(tree, here - 1, lexicon):
+        if here in timed or _is_counted(tree, here) or binds(tree, here - 1, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
@@ -114,7 +114,7 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
             yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
 
 
-def _is_bare(node: Node, lexicon: Lexicon) -> bool:
+def is_bare(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
     known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
     return node.lower == node.lemma.lower() or known
@@ -132,11 +132,11 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    bare = _is_bare(node, lexicon)
+    bare = is_bare(node, lexicon)
     if not place or not node.may_act or not bare or _is_counted(tree, place):
         return False
     before = tree.nodes[place - 1]
-    if _binds(tree, place - 1, lexicon):
+    if binds(tree, place - 1, lexicon):
         return False
     if not behind:
         # "When the battery is low dock, charge and wait"
@@ -155,15 +155,18 @@ def _is_counted(tree: Tree, place: int) -> bool:
     return tree.nodes[place - 1].tag == "CD" and tree.nodes[place].tag == "NN" and behind not in OPENING
 
 
-def _is_order(tree: Tree) -> bool:
+def is_order(tree: Tree) -> bool:
     """Whether words begin with what is to be done."""
     return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
-def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
     node = tree.nodes[place]
     apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    if node.tag == "DT" and node.head < place and node.relation != "det":
+        # "When you're done with that do the stairs"
+        return False
     # "If the parcel hasn't come"
     helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
     return helps or (node.tag in BINDING and not apart)
@@ -172,7 +175,7 @@ def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     root = tree.root
-    if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
+    if root is None or binds(tree, len(tree.nodes) - 1, lexicon):
         return False
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]

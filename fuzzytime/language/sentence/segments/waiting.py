@@ -156,6 +156,14 @@ class Waiting:
             led = self.segment
         yield Waiting(self.position, self.source, led, main)
 
+    def cut_before(self, start: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+        """Give what stands before an order that nothing joins, and that order."""
+        first, end = self.segment.span
+        kept = first + len(JOINT.sub("", self.source.scanned.text[first:start]))
+        for span, segment in (((first, kept), self.segment), ((start, end), Segment((start, end)))):
+            part = replace(segment, span=span, addressee=self.segment.addressee)
+            yield Waiting.of(self.position, self.source, part, lexicon)
+
     @property
     def _phrases(self) -> list[Phrase]:
         first, end = self.segment.span
