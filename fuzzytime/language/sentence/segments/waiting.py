@@ -120,14 +120,15 @@ class Waiting:
         return IF.ljust(len(first)) + text[len(first) :] if inverted else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
-        """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
+        """Give the markers of clauses in front: at its start without a comma, or behind a joint."""
         words = self.source.scanned.words
         for position, place in enumerate(self.source.places(*self.segment.span)):
-            before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
+            before = words[place - 1].text if place else ""
             leads = (
                 self.main == self.segment.span[0]
                 if position == 0
-                else not lexicon.closed.joints_of_conditions.isdisjoint(before[-1:])
+                # "Melt the butter, as soon as that's done mix them"
+                else before in lexicon.closed.joints_of_conditions | {","}
             )
             leads = leads and (position == 0 or words[place].start >= self.main)
             end = self.segment.span[1]

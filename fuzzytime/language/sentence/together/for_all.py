@@ -31,6 +31,9 @@ from fuzzytime.requirement import Constraint
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
 
+IF = "if"
+"""The kind of clauses that hold for what has a time of its own, too."""
+
 STEPS = JOINED | {"first", "then"}
 """Connectives of steps, which a deadline may be for."""
 
@@ -60,6 +63,11 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             # "By five, wash the car, then mow the lawn"
             due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
             found.append(sketch.under(due))
+            continue
+        conditions = tuple(clause for clause in clauses if clause.kind == IF)
+        if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
+            # "If it rains, bring in the chairs and call mum at six"
+            found.append(sketch.under((), conditions))
             continue
         found.append(sketch)
         if sketch.operation is not None and sketch.asks:
