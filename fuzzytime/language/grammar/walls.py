@@ -37,6 +37,7 @@ class Walls(Standing):
         """Whether a day, a part of the day or a clock time is one here."""
         counted = self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall)
         counted = counted or self._goes_on(piece, wall) or self._is_of_event(piece, wall)
+        counted = counted or self._counts_several(piece, wall)
         if counted or self._is_thing(piece, wall) or self._is_part_of_noun(piece, said, wall):
             return False
         if wall.bare:
@@ -150,6 +151,14 @@ class Walls(Standing):
         # "Pick up the kids three fifteen": it is no number that is picked.
         alone = not (bound or self.around.is_unit(piece.end)) and self._ends_behind_object(piece)
         return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
+
+    def _counts_several(self, piece: Piece, wall: Wall) -> bool:
+        """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""
+        if wall.days is None or wall.clock is None or not self.measures.is_number(piece.end - 1):
+            return False
+        follower, led = self.around.follower(piece), self.texts[piece.end - 2]
+        several = follower.endswith("s") and follower not in self.lexicon.function_words
+        return several and follower.isalpha() and led not in self.closed.prepositions_of_points
 
     def _ends_behind_object(self, piece: Piece) -> bool:
         """Whether it ends an order with a person, an animal or a call: "meet me five thirty"."""

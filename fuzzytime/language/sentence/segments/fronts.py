@@ -146,7 +146,9 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     further = tree.nodes[place + 2 : place + 3]
     about = behind[0].tag == "IN" and bool(further) and further[0].lower in lexicon.closed.object_pronouns
     named = behind[0].tag.startswith("NN") and (node.is_verb or before.tag in ENDING)
-    return led or carried or about or named
+    # "When the bell rings go to the gate, open it"
+    goes = node.lower in lexicon.intransitive and behind[0].tag in {"IN", "TO"}
+    return led or carried or about or named or goes
 
 
 def _is_counted(tree: Tree, place: int) -> bool:
