@@ -111,7 +111,9 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
         start = node.start + one.segment.span[0]
         if start > first and here not in timed and _may_begin(front, here, lexicon):
             clause = source.sound[first:start].strip(" ,")
-            yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+            # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
+            order = source.sound[start:end].partition(",")[0]
+            yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
 
 
 def is_bare(node: Node, lexicon: Lexicon) -> bool:
