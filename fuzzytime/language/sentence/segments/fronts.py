@@ -94,6 +94,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         timed = one.timed(tree)
         if here in timed or _is_counted(tree, here) or binds(tree, here - 1, lexicon):
             continue
+        if _is_event_before_order(tree, here, lexicon):
+            continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
         yield _Try(place, kind, Front(marker.start, start), clause, source.sound[start:end])
@@ -114,6 +116,13 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
             # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
             order = source.sound[start:end].partition(",")[0]
             yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
+
+
+def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb names an event, with an order behind: "the school run drop it off"."""
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    named = node.lower in lexicon.lasting | lexicon.happening | lexicon.taken
+    return named and bool(behind) and behind[0].may_act and is_bare(behind[0], lexicon)
 
 
 def is_bare(node: Node, lexicon: Lexicon) -> bool:

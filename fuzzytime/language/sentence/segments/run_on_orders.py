@@ -5,6 +5,7 @@ wherever a bare verb governs something and nothing joins it to what stands befor
 """
 
 from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
@@ -63,7 +64,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         return
     source, end, timed = one.source, one.segment.span[1], one.timed(tree)
     for here in range(LEAST, len(tree.nodes) - 1):
-        if here in timed or here + 1 in timed or not _may_begin(tree, here, lexicon):
+        if here in timed or not _may_begin(tree, here, timed, lexicon):
             continue
         led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
         if tree.nodes[led].lower in lexicon.closed.joints_of_orders:
@@ -79,7 +80,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         )
 
 
-def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
     """Whether a bare verb with an object stands behind a word that does not lead to it."""
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
     if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
@@ -91,6 +92,9 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return False
     if tree.children(place, "aux", "mark") or not before.text[-1].isalnum():
         return False
+    if place + 1 in timed:
+        # "Open the hatch wait ten seconds and close it"
+        return node.lower in lexicon.doing.waiting
     led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns | {"her"}
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
@@ -109,7 +113,7 @@ def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
 
 def _governs(tree: Tree) -> bool:
     """Whether an order has an object, with which nobody does another thing: "cake mix the shop sells"."""
-    objects = tree.children(0, "dobj", "dative", "ccomp")
+    objects = tree.children(0, "dobj", "dative", "ccomp", "npadvmod")
     described = any(tree.children(place, "relcl") for place in objects)
     described = described or any(tree.nodes[place].tag in FINITE for place in tree.children(0, "ccomp"))
     return is_order(tree) and bool(objects) and not described
