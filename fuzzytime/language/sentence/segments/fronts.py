@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import being, happening
+from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -26,6 +26,8 @@ OPENING = frozenset({"DT", "PRP", "PRP$"})
 
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
+
+OTHERWISE = "otherwise"
 
 ENDING = frozenset({"JJ", "VBN", "RP"})
 """Tags of words that end what is said of something, and behind which no thing stands: "the pan is hot"."""
@@ -98,7 +100,8 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
-        yield _Try(place, kind, Front(marker.start, start), clause, source.sound[start:end])
+        order = source.sound[start:end].partition(f" {OTHERWISE} ")[0]
+        yield _Try(place, kind, Front(marker.start, start), clause, order)
 
 
 def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iterator[_Try]:
@@ -133,8 +136,12 @@ def is_bare(node: Node, lexicon: Lexicon) -> bool:
 
 def _as_event(attempt: _Try) -> str:
     """Give a clause to be parsed; one word that may be an event as one: "after work"."""
-    alone = attempt.kind in EVENTFUL and attempt.clause.isalpha()
-    return f"the {attempt.clause}" if alone else attempt.clause
+    clause = attempt.clause
+    if attempt.kind in EVENTFUL and clause.isalpha():
+        return f"the {clause}"
+    # "If its above 40 open the vent"
+    first, space, rest = clause.partition(" ")
+    return f"it is {rest}" if space and first.lower() == ITS else clause
 
 
 def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.sentence.segments.fronts import CARRIER, binds, is_bare, is_order
+from fuzzytime.language.sentence.segments.orders_in_front import denied_from
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
@@ -20,6 +21,8 @@ LEAST = 2
 OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
 """What an order governs that is whole."""
 
+
+OTHERWISE = "otherwise"
 
 FINITE = frozenset({"VBZ", "VBD"})
 """Tags of what somebody does, or did."""
@@ -70,14 +73,15 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if tree.nodes[led].lower in lexicon.closed.joints_of_orders:
             # "Set the table, and by seven have the soup ready"
             continue
-        start = tree.nodes[here].start + one.main
+        turned = lexicon.beside.turning | {OTHERWISE}
+        first = here - (tree.nodes[here - 1].lower in turned)
+        start, verb = (tree.nodes[at].start + one.main for at in (first, here))
         words = source.places(one.main, start)
         if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
             # "Stir it when the chef asks the waiter": what is in a clause.
             return
-        yield _Try(
-            place, start, here - 1 in timed, source.sound[one.main : start].strip(), source.sound[start:end]
-        )
+        before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
+        yield _Try(place, start, here - 1 in timed, before, behind)
 
 
 def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
@@ -85,7 +89,8 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
     if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
         return False
-    if before.lower in lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}:
+    joints = (lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}) - {OTHERWISE}
+    if before.lower in joints:
         return False
     if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
         # "…, I need it at nine"
@@ -103,11 +108,14 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
 
 def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
     """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
-    if not is_order(tree) or not is_bare(tree.nodes[0], lexicon):
+    # "Don't boil the milk just warm it"
+    denied = tree.root is not None and denied_from(tree, tree.root) == 0
+    if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
         return False
-    doing, lemma = lexicon.doing, tree.nodes[0].lemma
+    verb = tree.root if denied and tree.root is not None else 0
+    doing, lemma = lexicon.doing, tree.nodes[verb].lemma
     leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
-    named = any(tree.nodes[place].tag != "CD" for place in tree.children(0, *OBJECTS))
+    named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
     return (timed or not leads) and named
 
 
