@@ -89,6 +89,10 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
     if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
         return False
+    where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
+    if node.tag in {"IN", "RP", "TO"} or node.lower in where:
+        # "Walk him round the block", "put it back the way it was"
+        return False
     joints = (lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}) - {OTHERWISE}
     if before.lower in joints:
         return False
