@@ -711,3 +711,9 @@ def test_a_time_ends_where_the_sentence_goes_on(text: str, times: list[str]) -> 
 def test_days_share_the_clock_time_of_the_first() -> None:
     done = language().read("vacuum downstairs at eleven on tuesday and thursday", now=NOW).instructions
     assert [[r.earliest for r in i.requirements] for i in done] == [[525600.0], [93600.0]]
+
+
+def test_otherwise_denies_the_condition_before_it() -> None:
+    first, second = language().read("if the pan is hot flip it, otherwise heat the pan", now=NOW).instructions
+    said = [i.requirements[0].condition for i in (first, second)]
+    assert [condition is not None and condition.negated for condition in said] == [False, True]

@@ -212,7 +212,8 @@ def named(part: Part) -> Clock:
 @grammar.rule("clock", "<integer> o'clock? <moment part>", weight=0.3)
 def named_twice(hour: Integer, part: Part) -> Clock | None:
     """Twelve noon, 12 midnight, 1 o'clock midnight."""
-    if hour.value > 12:
+    if hour.value > 12 or (part.start == NOON and hour.value != NOON // 3600):
+        # "Give him pills at eight noon and six": three times.
         return None
     return Clock(hour.value % 12 or 12, half=part.half, midnight=not part.start and hour.value == 12)
 

@@ -90,6 +90,8 @@ class Borders:
         if self.texts[piece.end - 1] not in {"before", "after"} or not begun or not follower[:1].isalnum():
             return False
         further = self.around.timely(piece.end) or self.measures.is_number(piece.end)
+        # "In an hour and | before bed"
+        further = further or self.around.is_part_or_meal(piece.end)
         return further or not (follower in self.closed.further_clause or self.around.opens(piece.start))
 
     def _hedges_what_follows(self, piece: Piece) -> bool:

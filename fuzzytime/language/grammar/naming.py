@@ -30,7 +30,7 @@ class Naming(Standing):
             return True
         if wall.clock is not None and self._is_called(piece, said, wall):
             return True
-        if said.preposition is None and self._is_next_in_row(piece, wall):
+        if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
         if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
             # "Move the 3 pm to five"
@@ -68,9 +68,13 @@ class Naming(Standing):
     def _is_next_in_row(self, piece: Piece, wall: Wall) -> bool:
         """Whether an ordinal counts things and no days: "the first piece at nine and the second at ten"."""
         days, begin = wall.days, piece.start - (self.around.before(piece) == "the")
-        if not isinstance(days, Fields) or days != Fields(day=days.day) or self.texts[begin] != "the":
+        if not isinstance(days, Fields) or days != Fields(day=days.day):
             return False
+        if wall.clock is not None and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "Spray the first coat at noon, the second an hour later"
+            begin = piece.end - 2
         joined = begin > 0 and self.texts[begin - 1] in {"and", ","}
+        joined = joined and self.texts[begin] == "the"
         return joined and any(text in self.lexicon.ordinals for text in self.texts[:begin])
 
     def _is_called(self, piece: Piece, said: Said, wall: Wall) -> bool:

@@ -54,7 +54,19 @@ class Surroundings:
             return True
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
-        return follower in self.lexicon.function_words or self._is_in_front(piece) or self.timely(piece.end)
+        known = follower in self.lexicon.function_words or self.timely(piece.end)
+        return known or self._is_in_front(piece) or self._is_before_order(piece)
+
+    def _is_before_order(self, piece: Piece) -> bool:
+        """Whether one thing to be done follows behind several: "feed the baby at six bath her after"."""
+        last, follower = self.texts[piece.end - 1], self.follower(piece)
+        several = last in self.lexicon.numbers and last not in self.closed.singular_determiners
+        several = several or self.words[piece.end - 1].is_digits
+        led = self.texts[piece.start] in self.closed.prepositions_of_points and follower.isalpha()
+        one = not follower.endswith("s") and follower not in self.beside.plurals
+        behind = self.texts[piece.end + 1 : piece.end + 2]
+        opened = bool(behind) and behind[0] in self.closed.noun_openers | self.closed.object_pronouns
+        return several and led and one and opened
 
     def _is_in_front(self, piece: Piece) -> bool:
         """Whether what is to be done follows: "by six finish the slides", not "after two beers"."""

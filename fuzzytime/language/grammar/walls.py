@@ -41,7 +41,7 @@ class Walls(Standing):
         """Whether a day, a part of the day or a clock time is one here."""
         if self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall):
             return False
-        if self._goes_on(piece, wall) or self._is_of_event(piece, wall):
+        if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_several(piece, wall):
             return False
         if self._is_thing(piece, wall) or self.naming.hold(piece, said, wall):
             return False
@@ -176,6 +176,14 @@ class Walls(Standing):
     def _is_unbound(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it names a period that no preposition makes a time: "check the year on the coin"."""
         return said.preposition is None and wall.days in PRESENT and self.texts[piece.start] == "the"
+
+    def _counts_several(self, piece: Piece, wall: Wall) -> bool:
+        """Whether its last number counts what is behind it: "paint it tomorrow, two coats"."""
+        if wall.days is None or wall.clock is None or not self.measures.is_number(piece.end - 1):
+            return False
+        follower, led = self.around.follower(piece), self.texts[piece.end - 2]
+        several = follower.endswith("s") and follower not in self.lexicon.function_words
+        return several and follower.isalpha() and led not in self.closed.prepositions_of_points
 
     def _is_thing(self, piece: Piece, wall: Wall) -> bool:
         """Whether it is served, described, wished: "with tea", "the first thing you see", "good morning"."""

@@ -108,6 +108,7 @@ class ClosedClasses:
     prepositions_of_time: Words
     prepositions_of_times_taken: Words
     prepositions_of_length: Words
+    prepositions_of_way: Words
     prepositions_of_points: Words
     particles_of_shifts: Words
     rates: Words
@@ -234,4 +235,5 @@ class Doing:
     remembering: Words
     needing: Words
     hesitating: Words
+    watching: Words
     past_alike: Words

@@ -63,6 +63,9 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     if clock is not None and part is not None and clock.full_day and not part.is_near(clock.seconds):
         # "At sunup, noon and sundown" are three.
         return None
+    if clock is not None and part is not None and part.is_point and part.start not in clock.candidates():
+        # "At eight noon and six"; but "12 noon"
+        return None
     if days is not None and days.grain in LONG and (clock is not None or part is not None):
         # "Call April at five", "on a clear night in May"
         return None

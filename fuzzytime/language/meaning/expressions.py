@@ -197,7 +197,8 @@ class Repeat:
     or so long ``every`` time after the one before. ``apart`` says that how often is said elsewhere: "two
     tablets, six hours apart". ``closing`` is how much of the end of something else it is in: "every twenty
     minutes for the last hour". ``within`` are the days that an interval is on: "every five minutes on
-    weekdays". ``lent`` says that the bounds are other instructions' times, and told of there.
+    weekdays". ``at`` is the time of day of each on its day: "twice a week at noon". ``lent`` says that the
+    bounds are other instructions' times, and told of there.
     """
 
     every: Duration | None = None
@@ -210,6 +211,7 @@ class Repeat:
     apart: bool = False
     closing: Duration | None = None
     within: "Repeat | None" = None
+    at: Wall | None = None
     lent: bool = False
 
 

@@ -89,6 +89,9 @@ def _is_inside(inner: Part, outer: Part) -> bool:
 def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     """Give a repetition with its bounds, or within hours of each day: every weekday from 9 to 5."""
     marked = isinstance(repeat.starting, HourMark) and repeat.until is None
+    shared = _in_share(repeat, said)
+    if shared is not None:
+        return shared
     return _bounded_mark(repeat, said) if marked else _bounded(repeat, said)
 
 
@@ -128,6 +131,18 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what is done so often in some days the time of day of each: "twice a week at noon"."""
+    longer = repeat.shared and repeat.every is not None and repeat.every.seconds > DAY_SECONDS
+    time, side = said.time, said.constraint
+    if not longer or repeat.at is not None or not isinstance(time, Wall) or not is_of_day(time):
+        return None
+    if side in MOMENTS:
+        return None if time.bare and said.preposition is None else replace(repeat, at=time)
+    clocked = _on_side(Repeat(walls=(Wall(Cycle(Unit.DAY)),)), time.clock, side) if time.clock else None
+    return None if clocked is None else replace(repeat, at=Wall(part=clocked.walls[0].part))
 
 
 def _end_of(stretch: Coming | Rest) -> Time | None:

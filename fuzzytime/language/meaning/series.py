@@ -1,7 +1,9 @@
 """From a repetition as said to its occurrences."""
 
 import math
+from dataclasses import replace
 
+from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Repeat, Time, TimeWord, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError
@@ -9,6 +11,10 @@ from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
+from fuzzytime.requirement import Unit
+
+WEEK = 7
+"""Days."""
 
 Series = EvenRecurrence | CalendarRecurrence | ClosingRecurrence | RecurrenceOnDays
 """The kinds of repetitions."""
@@ -29,6 +35,8 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         step = repeat.every.seconds
         days = _on_calendar(repeat.within, moment)
         return RecurrenceOnDays(days=days, step=step, offset=mark, length=step if repeat.shared else 0.0)
+    if repeat.at is not None and repeat.every is not None:
+        return _on_calendar(_on_days(repeat, repeat.at, repeat.every.seconds / DAY_SECONDS, moment), moment)
     if repeat.walls and not _is_even(repeat):
         return _on_calendar(repeat, moment)
     first = _bound(repeat.starting, moment, last=False)
@@ -65,6 +73,19 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         # "Every hour from dawn till dusk", said in the morning: it goes on already.
         start = 0.0
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
+
+
+def _on_days(repeat: Repeat, at: Wall, days: float, moment: Moment) -> Repeat:
+    """Give the days, so many apart, of what has a time of day; those of a week begin today."""
+    turns = WEEK / days
+    if not math.isclose(turns, round(turns)):
+        return replace(
+            repeat, every=None, at=None, walls=(replace(at, days=Cycle(Unit.DAY)),), skip=round(days)
+        )
+    today = moment.grounding().now.weekday()
+    weekdays = [(today + math.ceil(turn * days)) % WEEK for turn in range(round(turns))]
+    walls = tuple(replace(at, days=Fields(weekday=weekday)) for weekday in weekdays)
+    return replace(repeat, every=None, at=None, walls=walls)
 
 
 def _on_calendar(repeat: Repeat, moment: Moment) -> CalendarRecurrence:

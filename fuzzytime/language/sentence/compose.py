@@ -44,7 +44,7 @@ from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, 
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.contradictions import contradictions
 from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
-from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
+from fuzzytime.language.sentence.sketches.negations import awaiting, since_before, without_denial
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
@@ -67,7 +67,7 @@ from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 
 
 def composed(
@@ -220,6 +220,10 @@ class _Composer:
         operation, requirements, duration = without_denial(
             sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}", self.lexicon
         )
+        if before is not None and self.first < position == before + 1 and not sketch.denial:
+            lasts = self.made[-1].duration is not None
+            begun = Anchor(text=said, target=before, edge=Edge.START if lasts else Edge.END)
+            requirements = since_before(requirements, begun)
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)

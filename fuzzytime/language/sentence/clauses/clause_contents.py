@@ -7,7 +7,7 @@ from fuzzytime.english import REFLEXIVE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.conditions import being, condition_of, happening, state
+from fuzzytime.language.sentence.clauses.conditions import ITS, being, condition_of, happening, state
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -48,7 +48,10 @@ class Contents:
             condition = condition or state(self.tree, nodes, said)
             if condition is not None:
                 return replace(clause, condition=condition)
-        return self.event(clause, nodes)
+        # "While its cooking"
+        its = clause.kind == "while" and self.tree.nodes[nodes[0]].lower == ITS
+        goes_on = being(self.tree, nodes, said) if its else None
+        return self.event(clause, nodes) if goes_on is None else replace(clause, condition=goes_on)
 
     def _verb(self, clause: Clause, nodes: Sequence[int]) -> int | None:
         """Give the clause's own verb: the highest in it."""

@@ -6,7 +6,8 @@ Lines and sentences
 Further orders of one sentence
     Segments ``waiting`` for their trees (``mended_trees``, ``leading_markers``), and ``cuts`` once they
     have one: ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
-    ``orders_beside_times``, ``verbs_left_out``, ``fronts``.
+    ``orders_beside_times``, ``verbs_left_out``, ``fronts``,
+    ``run_on_orders``.
 Times that belong to something
     ``named_events``, ``event_edges``, ``in_between``, ``instances``, ``gaps``, ``told_lengths``.
 """

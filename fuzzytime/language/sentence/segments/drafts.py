@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.instances import NONE, Instances, inst
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
+from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.segment import Segment, segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
@@ -175,10 +176,16 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             break
         found, fronts = _trees(waiting, trees, lexicon), _uncapitalised([one.front for one in waiting], trees)
         led = {} if last_round else fronts_of(waiting, found, fronts, trees, lexicon)
+        alone = [place for place in range(len(waiting)) if place not in led and not last_round]
+        joined = [waiting[place] for place in alone], [found[place] for place in alone]
+        runs_on = {alone[at]: start for at, start in run_on_orders(*joined, trees, lexicon).items()}
         following: list[Waiting] = []
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
+                continue
+            if place in runs_on:
+                following += one.cut_before(runs_on[place], lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut: list[Segment] = []

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.sentence.clauses.conditions import being, happening
+from fuzzytime.language.sentence.clauses.conditions import ITS, being, happening
 from fuzzytime.language.sentence.segments.waiting import Waiting
 from fuzzytime.language.sentence.trees.tags import DETERMINERS, SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Node, Tree, Trees
@@ -26,6 +26,8 @@ OPENING = frozenset({"DT", "PRP", "PRP$"})
 
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
+
+OTHERWISE = "otherwise"
 
 ENDING = frozenset({"JJ", "VBN", "RP"})
 """Tags of words that end what is said of something, and behind which no thing stands: "the pan is hot"."""
@@ -74,7 +76,7 @@ def fronts_of(
     led: dict[int, Front] = {}
     for attempt, clause, carried in zip(tries, clauses, orders, strict=True):
         order = carried.without_carrier(CARRIER, attempt.order, 0)
-        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and _is_order(order):
+        if attempt.one not in led and _is_clause(clause, attempt.kind, lexicon) and is_order(order):
             led[attempt.one] = attempt.front
     return led
 
@@ -88,15 +90,18 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
     first, end = words[marker.end].start, one.segment.span[1]
     for here, node in enumerate(tree.nodes):
         start = node.start + one.main
-        bare = _is_bare(node, lexicon)
+        bare = is_bare(node, lexicon)
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
-        if here in timed or _is_counted(tree, here) or _binds(tree, here - 1, lexicon):
+        if here in timed or _is_counted(tree, here) or binds(tree, here - 1, lexicon):
+            continue
+        if _is_event_before_order(tree, here, lexicon):
             continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
-        yield _Try(place, kind, Front(marker.start, start), clause, source.sound[start:end])
+        order = source.sound[start:end].partition(f" {OTHERWISE} ")[0]
+        yield _Try(place, kind, Front(marker.start, start), clause, order)
 
 
 def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iterator[_Try]:
@@ -111,10 +116,19 @@ def _with_order(place: int, one: Waiting, front: Tree, lexicon: Lexicon) -> Iter
         start = node.start + one.segment.span[0]
         if start > first and here not in timed and _may_begin(front, here, lexicon):
             clause = source.sound[first:start].strip(" ,")
-            yield _Try(place, marker.kind, Front(marker.start, start), clause, source.sound[start:end])
+            # "If the pan is hot flip it, otherwise heat it": what is behind the comma goes its own way.
+            order = source.sound[start:end].partition(",")[0]
+            yield _Try(place, marker.kind, Front(marker.start, start), clause, order)
 
 
-def _is_bare(node: Node, lexicon: Lexicon) -> bool:
+def _is_event_before_order(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether what may be a verb names an event, with an order behind: "the school run drop it off"."""
+    node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    named = node.lower in lexicon.lasting | lexicon.happening | lexicon.taken
+    return named and bool(behind) and behind[0].may_act and is_bare(behind[0], lexicon)
+
+
+def is_bare(node: Node, lexicon: Lexicon) -> bool:
     """Whether a word may be a verb's bare form, whatever it was taken for: "lower", "lay"."""
     known = node.tag in COMPARED or node.lower in lexicon.doing.past_alike
     return node.lower == node.lemma.lower() or known
@@ -122,8 +136,12 @@ def _is_bare(node: Node, lexicon: Lexicon) -> bool:
 
 def _as_event(attempt: _Try) -> str:
     """Give a clause to be parsed; one word that may be an event as one: "after work"."""
-    alone = attempt.kind in EVENTFUL and attempt.clause.isalpha()
-    return f"the {attempt.clause}" if alone else attempt.clause
+    clause = attempt.clause
+    if attempt.kind in EVENTFUL and clause.isalpha():
+        return f"the {clause}"
+    # "If its above 40 open the vent"
+    first, space, rest = clause.partition(" ")
+    return f"it is {rest}" if space and first.lower() == ITS else clause
 
 
 def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
@@ -132,11 +150,11 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     "The flight pack the bags", "the rice is done turn off the heat", "the pan is hot add butter".
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
-    bare = _is_bare(node, lexicon)
+    bare = is_bare(node, lexicon)
     if not place or not node.may_act or not bare or _is_counted(tree, place):
         return False
     before = tree.nodes[place - 1]
-    if _binds(tree, place - 1, lexicon):
+    if binds(tree, place - 1, lexicon):
         return False
     if not behind:
         # "When the battery is low dock, charge and wait"
@@ -146,7 +164,9 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     further = tree.nodes[place + 2 : place + 3]
     about = behind[0].tag == "IN" and bool(further) and further[0].lower in lexicon.closed.object_pronouns
     named = behind[0].tag.startswith("NN") and (node.is_verb or before.tag in ENDING)
-    return led or carried or about or named
+    # "When the bell rings go to the gate, open it"
+    goes = node.lower in lexicon.intransitive and behind[0].tag in {"IN", "TO"}
+    return led or carried or about or named or goes
 
 
 def _is_counted(tree: Tree, place: int) -> bool:
@@ -155,15 +175,18 @@ def _is_counted(tree: Tree, place: int) -> bool:
     return tree.nodes[place - 1].tag == "CD" and tree.nodes[place].tag == "NN" and behind not in OPENING
 
 
-def _is_order(tree: Tree) -> bool:
+def is_order(tree: Tree) -> bool:
     """Whether words begin with what is to be done."""
     return tree.root == 0 and not is_doubtful(tree) and not tree.children(0, *SUBJECTS)
 
 
-def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+def binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """Whether a word needs others behind it; a particle needs none: "when the kettle clicks off"."""
     node = tree.nodes[place]
     apart = node.lower in lexicon.particles and all(below < place for below in tree.children(place))
+    if node.tag == "DT" and node.head < place and node.relation != "det":
+        # "When you're done with that do the stairs"
+        return False
     # "If the parcel hasn't come"
     helps = node.relation in {"aux", "auxpass", "neg"} and node.head > place
     return helps or (node.tag in BINDING and not apart)
@@ -172,7 +195,7 @@ def _binds(tree: Tree, place: int, lexicon: Lexicon) -> bool:
 def _is_clause(tree: Tree, kind: str, lexicon: Lexicon) -> bool:
     """Whether words say all that a clause says: that something is so, or done, or an event."""
     root = tree.root
-    if root is None or _binds(tree, len(tree.nodes) - 1, lexicon):
+    if root is None or binds(tree, len(tree.nodes) - 1, lexicon):
         return False
     tree = as_statement(tree, frozenset(range(len(tree.nodes))), lexicon.travelling)
     node = tree.nodes[root]

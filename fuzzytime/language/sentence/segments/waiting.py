@@ -120,14 +120,15 @@ class Waiting:
         return IF.ljust(len(first)) + text[len(first) :] if inverted else text
 
     def markers(self, lexicon: Lexicon) -> Iterator[Marker]:
-        """Give the markers of clauses in front: at its start if no comma ends the clause, or behind "and"."""
+        """Give the markers of clauses in front: at its start without a comma, or behind a joint."""
         words = self.source.scanned.words
         for position, place in enumerate(self.source.places(*self.segment.span)):
-            before = [word.text for word in words[max(0, place - 2) : place] if word.text != ","]
+            before = words[place - 1].text if place else ""
             leads = (
                 self.main == self.segment.span[0]
                 if position == 0
-                else not lexicon.closed.joints_of_conditions.isdisjoint(before[-1:])
+                # "Melt the butter, as soon as that's done mix them"
+                else before in lexicon.closed.joints_of_conditions | {","}
             )
             leads = leads and (position == 0 or words[place].start >= self.main)
             end = self.segment.span[1]
@@ -155,6 +156,14 @@ class Waiting:
         else:
             led = self.segment
         yield Waiting(self.position, self.source, led, main)
+
+    def cut_before(self, start: int, lexicon: Lexicon) -> Iterator["Waiting"]:
+        """Give what stands before an order that nothing joins, and that order."""
+        first, end = self.segment.span
+        kept = first + len(JOINT.sub("", self.source.scanned.text[first:start]))
+        for span, segment in (((first, kept), self.segment), ((start, end), Segment((start, end)))):
+            part = replace(segment, span=span, addressee=self.segment.addressee)
+            yield Waiting.of(self.position, self.source, part, lexicon)
 
     @property
     def _phrases(self) -> list[Phrase]:

@@ -1,12 +1,12 @@
 """What negations ask for: "don't open it before six" is not before six, "don't … until" when it is so."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
 TURNED = {
     Constraint.BEFORE: Constraint.AFTER,
@@ -65,6 +65,24 @@ def without_denial(
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
     turned = [_turned(r, duration) if r.span in denied else r for r in requirements]
     return replace(operation, negated=False), turned, duration if lasting else None
+
+
+def since_before(requirements: Sequence[TimeRequirement], anchor: Anchor) -> list[TimeRequirement]:
+    """Count how long something is not to be done from what is asked for right before it.
+
+    "Put the pie in at six and don't open the door for half an hour"; ``anchor`` says from where.
+    """
+    return [_since(one, anchor) if _is_length_denied(one) else one for one in requirements]
+
+
+def _is_length_denied(requirement: TimeRequirement) -> bool:
+    lasting = requirement.text.lower().startswith("for ") and requirement.constraint is Constraint.AFTER
+    return requirement.denied and lasting and requirement.anchor is None and requirement.t_spec is not None
+
+
+def _since(requirement: TimeRequirement, anchor: Anchor) -> TimeRequirement:
+    counted = replace(anchor, text=requirement.text, lag=requirement.t_spec or 0.0)
+    return replace(requirement, anchor=counted, t_spec=None, earliest=None, latest=None, grain=None)
 
 
 def _denied_times(

@@ -31,6 +31,11 @@ from fuzzytime.requirement import Constraint
 HELD = frozenset({"when", "if", "after", "before"})
 """Kinds of clauses that hold for all that is joined."""
 
+IF = "if"
+"""The kind of clauses that hold for what has a time of its own, too."""
+
+OTHERWISE = "otherwise"
+
 STEPS = JOINED | {"first", "then"}
 """Connectives of steps, which a deadline may be for."""
 
@@ -53,6 +58,9 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     for sketch in sketches:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
+        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text):
+            found.append(sketch.under((), _denied(found[-1].clauses)))
+            continue
         if (phrases or clauses) and _is_bare(sketch, JOINED):
             found.append(sketch.under(phrases, clauses))
             continue
@@ -61,12 +69,33 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
             due = tuple(phrase for phrase in phrases if phrase.said.constraint is Constraint.BEFORE)
             found.append(sketch.under(due))
             continue
+        conditions = tuple(clause for clause in clauses if clause.kind == IF)
+        if conditions and sketch.asks and sketch.part.segment.connective in JOINED and not sketch.clauses:
+            # "If it rains, bring in the chairs and call mum at six"
+            found.append(sketch.under((), conditions))
+            continue
         found.append(sketch)
         if sketch.operation is not None and sketch.asks:
             begin = sketch.operation.span[0]
             phrases = tuple(h for p in sketch.phrases if p.span[1] <= begin for h in _handed_on(p))
             clauses = tuple(c for c in sketch.clauses if c.span[1] <= begin and c.kind in HELD)
     return found
+
+
+def _is_otherwise(before: Sketch, sketch: Sketch, text: str) -> bool:
+    """Whether it is what is done where the condition of the one before is not so: "…, otherwise go on"."""
+    first, end = sketch.part.segment.span
+    said = f"{text_between(before, sketch, text)} {text[first:end]}".lower().split()
+    return OTHERWISE in said[:3] and any(clause.condition is not None for clause in before.clauses)
+
+
+def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:
+    """Give conditions as those of what is done where they are not so."""
+    return tuple(
+        replace(clause, condition=replace(clause.condition, negated=not clause.condition.negated))
+        for clause in clauses
+        if clause.condition is not None
+    )
 
 
 def _held_behind(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:

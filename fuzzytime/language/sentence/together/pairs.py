@@ -6,6 +6,7 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.sentence.references.mentions import undoes
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
@@ -21,7 +22,22 @@ def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     if [p.span for p in sketches[place].phrases] == [p.span for p in sketches[place + 1].phrases]:
         # "Close the garage and lock it by seven": one time of both
         return None
-    return _clock_of(sketches[place + 1]) if follows_on(sketches, place + 1, text) else None
+    following = place + 1 if follows_on(sketches, place + 1, text) else _undone_at(sketches, place, text)
+    return None if following is None else _clock_of(sketches[following])
+
+
+def _undone_at(sketches: Sequence[Sketch], place: int, text: str) -> int | None:
+    """Give where the same sentence undoes it: "unlock it at eight, hand out the keys and lock it at five"."""
+    opening = sketches[place].operation
+    for later in range(place + 1, len(sketches)):
+        closing = sketches[later].operation
+        if ENDS & set(text_between(sketches[later - 1], sketches[later], text)):
+            break
+        if opening is None or closing is None or closing.object != opening.object:
+            continue
+        if undoes(closing, opening, sketches[place].part.tree.lexicon):
+            return later
+    return None
 
 
 def follows_on(sketches: Sequence[Sketch], place: int, text: str) -> bool:

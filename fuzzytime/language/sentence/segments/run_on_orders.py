@@ -1,0 +1,131 @@
+"""Orders one behind the other without a comma: "feed the baby at six bath her at seven".
+
+One tree of them all mostly goes wrong, as it does for clauses in front (``fronts``). So it is tried:
+wherever a bare verb governs something and nothing joins it to what stands before, both parts are parsed.
+"""
+
+from collections.abc import Iterator, Sequence
+from collections.abc import Set as AbstractSet
+from dataclasses import dataclass
+
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
+from fuzzytime.language.sentence.segments.fronts import CARRIER, binds, is_bare, is_order
+from fuzzytime.language.sentence.segments.orders_in_front import denied_from
+from fuzzytime.language.sentence.segments.waiting import Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Tree, Trees
+
+LEAST = 2
+"""Words of an order that another may stand behind, at least."""
+
+OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
+"""What an order governs that is whole."""
+
+
+OTHERWISE = "otherwise"
+
+FINITE = frozenset({"VBZ", "VBD"})
+"""Tags of what somebody does, or did."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Try:
+    """A place at which a further order may begin, with both parts; ``timed`` where a time ends the first."""
+
+    one: int
+    start: int
+    timed: bool
+    before: str
+    behind: str
+
+
+def run_on_orders(
+    waiting: Sequence[Waiting], found: Sequence[Tree], trees: Trees, lexicon: Lexicon
+) -> dict[int, int]:
+    """Give where the second of two orders begins without a joint, by the places of those that wait.
+
+    ``found`` are their trees.
+    """
+    tries = [
+        attempt
+        for place, (one, tree) in enumerate(zip(waiting, found, strict=True))
+        for attempt in _tries(place, one, tree, lexicon)
+    ]
+    before = trees([CARRIER + attempt.before for attempt in tries])
+    behind = trees([CARRIER + attempt.behind for attempt in tries])
+    cut: dict[int, int] = {}
+    for attempt, first, second in zip(tries, before, behind, strict=True):
+        one = first.without_carrier(CARRIER, attempt.before, 0)
+        other = second.without_carrier(CARRIER, attempt.behind, 0)
+        if attempt.one not in cut and _is_whole(one, lexicon, timed=attempt.timed) and _governs(other):
+            cut[attempt.one] = attempt.start
+    return cut
+
+
+def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_Try]:
+    if not tree.nodes or not tree.nodes[0].may_act:
+        return
+    source, end, timed = one.source, one.segment.span[1], one.timed(tree)
+    for here in range(LEAST, len(tree.nodes) - 1):
+        if here in timed or not _may_begin(tree, here, timed, lexicon):
+            continue
+        led = next((place for place in range(here - 1, -1, -1) if place not in timed), 0)
+        if tree.nodes[led].lower in lexicon.closed.joints_of_orders:
+            # "Set the table, and by seven have the soup ready"
+            continue
+        turned = lexicon.beside.turning | {OTHERWISE}
+        first = here - (tree.nodes[here - 1].lower in turned)
+        start, verb = (tree.nodes[at].start + one.main for at in (first, here))
+        words = source.places(one.main, start)
+        if any(longest_match(source.scanned.words, word, lexicon.clauses) is not None for word in words):
+            # "Stir it when the chef asks the waiter": what is in a clause.
+            return
+        before, behind = source.sound[one.main : start].strip(), source.sound[verb:end]
+        yield _Try(place, start, here - 1 in timed, before, behind)
+
+
+def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon) -> bool:
+    """Whether a bare verb with an object stands behind a word that does not lead to it."""
+    node, before, behind = tree.nodes[place - 1 : place + 2][1], tree.nodes[place - 1], tree.nodes[place + 1]
+    if not node.may_act or not is_bare(node, lexicon) or binds(tree, place - 1, lexicon):
+        return False
+    where = lexicon.places | lexicon.particles.keys() | lexicon.closed.prepositions_of_way
+    if node.tag in {"IN", "RP", "TO"} or node.lower in where:
+        # "Walk him round the block", "put it back the way it was"
+        return False
+    joints = (lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}) - {OTHERWISE}
+    if before.lower in joints:
+        return False
+    if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
+        # "…, I need it at nine"
+        return False
+    if tree.children(place, "aux", "mark") or not before.text[-1].isalnum():
+        return False
+    if place + 1 in timed:
+        # "Open the hatch wait ten seconds and close it"
+        return node.lower in lexicon.doing.waiting
+    led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns | {"her"}
+    further = tree.nodes[place + 2 : place + 3]
+    carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
+    return led or (carried and further[0].tag in DETERMINERS)
+
+
+def _is_whole(tree: Tree, lexicon: Lexicon, *, timed: bool) -> bool:
+    """Whether an order is said to its end, and is none that leads to what others do: "let the kids"."""
+    # "Don't boil the milk just warm it"
+    denied = tree.root is not None and denied_from(tree, tree.root) == 0
+    if not denied and (not is_order(tree) or not is_bare(tree.nodes[0], lexicon)):
+        return False
+    verb = tree.root if denied and tree.root is not None else 0
+    doing, lemma = lexicon.doing, tree.nodes[verb].lemma
+    leads = lemma in lexicon.letting | lexicon.causing | lexicon.wanting | lexicon.addressing | doing.watching
+    named = any(tree.nodes[place].tag != "CD" for place in tree.children(verb, *OBJECTS))
+    return (timed or not leads) and named
+
+
+def _governs(tree: Tree) -> bool:
+    """Whether an order has an object, with which nobody does another thing: "cake mix the shop sells"."""
+    objects = tree.children(0, "dobj", "dative", "ccomp", "npadvmod")
+    described = any(tree.children(place, "relcl") for place in objects)
+    described = described or any(tree.nodes[place].tag in FINITE for place in tree.children(0, "ccomp"))
+    return is_order(tree) and bool(objects) and not described
