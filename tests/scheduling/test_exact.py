@@ -174,7 +174,7 @@ def test_what_must_end_shortly_before_dinner_is_not_done_in_the_morning() -> Non
         (6, 7, 0, 300),
     )
     order = tuple(Precedence(*bond) for bond in (*bonds, (7, 2, 0, 1500)))
-    schedule = solve(FuzzyTask(skills, precedences=order))
+    schedule = solve(FuzzyTask(skills, precedences=order), limits=Limits(seconds=60))
     assert not faults(schedule)
     assert schedule.certificate.status is Status.OPTIMAL
     assert schedule.satisfaction == pytest.approx(1)
