@@ -5,14 +5,14 @@ way.
 
 Understanding (``interpreter``)
     Values: ``request``, ``interpretation``.
-    Wishes in turn, each made into skills: ``gathering``, ``making``, ``remarks``, ``joining``.
+    Wishes in turn, each made into skills: ``gathering``, ``making``, ``how_long``, ``remarks``, ``joining``.
     In other words: ``retold``, ``told_anew``, ``lasting``, ``waits``.
     Repeated beside something else: ``inside``, ``behind``.
     Who, and how far ahead: ``asked``, ``horizon``.
 
 What binds skills
-    References: ``references``, ``circles``.
-    Order: ``in_order``, ``loosening``.
+    References: ``references``, ``ties``, ``circles``.
+    Order: ``in_order`` by ``steps``, ``loosening``.
 
 Planning (``planner``)
     What happens by itself, and what has begun: ``happening``, ``started``.

@@ -222,7 +222,7 @@ class Gathering:
         operation = self.skills[meant[0]].operation
         if operation is not None and operation.lemma in self.maker.lexicon.doing.leaving:
             # "We leave at six, the drive takes an hour"
-            self.skills[meant[0]] = self.maker.lasting(self.skills[meant[0]], instruction.way)
+            self.skills[meant[0]] = self.maker.how_long.lasting(self.skills[meant[0]], instruction.way)
             return
         self._add([self.maker.way(wish, reading, instruction, self.skills[meant[0]], target)])
 
@@ -241,7 +241,9 @@ class Gathering:
             return range(0)
         meant = self.links.skills_of(told.target)
         for place in meant:
-            self.skills[place] = self.maker.lasting(self.skills[place], length, alone=instruction.alone)
+            self.skills[place] = self.maker.how_long.lasting(
+                self.skills[place], length, alone=instruction.alone
+            )
         return meant
 
 

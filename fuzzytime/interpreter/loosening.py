@@ -3,9 +3,10 @@
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
-from fuzzytime.interpreter.in_order import OWN_TIME, without
+from fuzzytime.interpreter.in_order import without
 from fuzzytime.interpreter.interpretation import Interpretation, Interpreted, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
+from fuzzytime.interpreter.steps import OWN_TIME
 from fuzzytime.requirement import Constraint
 from fuzzytime.skills import Precedence
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 
 from fuzzytime.interpreter.behind import Behind
+from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
@@ -20,9 +21,6 @@ from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import seconds_between
 
-ATTEND = "attend"
-"""The row of durations for what happens, by its name."""
-
 MAX_OCCURRENCES = 100
 """How many occurrences of one repetition are planned at most."""
 
@@ -35,10 +33,15 @@ class Maker:
     lexicon: Lexicon
     request: Request
 
+    @property
+    def how_long(self) -> HowLong:
+        """What tells how long things take."""
+        return HowLong(self.rulebook, self.lexicon)
+
     def direct(self, wish: DirectWish) -> Interpreted:
         """Make the skill of a wish without words."""
         given = seconds_between(self.request.now, wish.given)
-        duration = self._given_duration(wish, None)
+        duration = self.how_long.given(wish, None)
         function = wish.satisfaction.shifted(given) if given else wish.satisfaction
         function, preferred = self._moved(wish, function, None)
         skill = replace(self._skill(wish, wish.name, function, duration), preferred=preferred)
@@ -70,7 +73,7 @@ class Maker:
         repeated = next((part for part in said if part.recurrence is not None), None)
         if repeated is None or repeated.recurrence is None:
             return [self._interpreted(wish, reading, instruction, once)]
-        recurrence = repeated.recurrence.spaced(self._duration(wish, instruction).hands_on)
+        recurrence = repeated.recurrence.spaced(self.how_long.of(wish, instruction).hands_on)
         passed = seconds_between(self.request.now, wish.given)
         ahead = WITHOUT_END if recurrence.endless else MAX_HORIZON
         until = (self.request.horizon or ahead) - passed
@@ -107,7 +110,7 @@ class Maker:
         requirements: tuple[TimeRequirement, ...],
     ) -> Interpreted:
         operation = instruction.operation
-        duration = self._duration(wish, instruction)
+        duration = self.how_long.of(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
         function, preferred = self._moved(
@@ -202,70 +205,6 @@ class Maker:
             agent=wish.agent,
         )
 
-    def _duration(self, wish: Wish, instruction: Instruction) -> OperationDuration:
-        """Take what is given, else what is said ("for eight minutes"), else the table's.
-
-        What is said is how long it goes on; the table knows whether that needs hands: eggs that boil for
-        eight minutes leave the cook free.
-        """
-        if wish.hands_on is not None or wish.elapsed is not None:
-            return self._given_duration(wish, instruction.operation)
-        return self._said(instruction, instruction.duration)
-
-    def _said(self, instruction: Instruction, length: float | None) -> OperationDuration:
-        """Give the durations of an instruction that goes on for a length, the table's where none is said."""
-        operation = instruction.operation
-        table = self._table_duration(operation)
-        if operation is not None and operation.stated:
-            # What happens by itself needs nobody's hands: "the guests arrive at six".
-            if length is not None:
-                return OperationDuration(hands_on=0.0, elapsed=length, source="said", assumed=False)
-            if operation.lemma in self.lexicon.doing.ending:
-                # "The shift ends at two": that is a moment.
-                return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
-            known = self._happening(operation) or (table if table.known else None)
-            if known is None:
-                return OperationDuration(hands_on=0.0, elapsed=0.0, source="said", assumed=False)
-            return replace(known, hands_on=0.0)
-        if length is None:
-            return table
-        if instruction.alone:
-            # "Paint the door and give it an hour"
-            whole = table.hands_on + length
-            return OperationDuration(hands_on=table.hands_on, elapsed=whole, source="said", assumed=False)
-        unattended = table.known and table.elapsed > table.hands_on
-        hands_on = min(table.hands_on, length) if unattended else length
-        if operation is not None and operation.object is not None:
-            # "Leave the dough for an hour"; but who leaves for an hour is away.
-            alone = self.rulebook.left_alone(table, length, operation.phrase)
-            hands_on = hands_on if alone is None else min(hands_on, alone)
-        return OperationDuration(hands_on=hands_on, elapsed=length, source="said", assumed=False)
-
-    def _happening(self, operation: Operation) -> OperationDuration | None:
-        """Give how long something that happens takes by the table; None where it is not in it.
-
-        What who speaks takes part in takes as long as anything that is attended.
-        """
-        anything = self.rulebook.duration_of(ATTEND)
-        found = self.rulebook.duration_of(ATTEND, operation.object)
-        return found if operation.attended or found != anything else None
-
-    def lasting(self, made: Interpreted, length: float, *, alone: bool = False) -> Interpreted:
-        """Let a skill go on for as long as was told of it afterwards.
-
-        What is only begun by hand ("put the bread in the oven") goes on by itself, and so does what is left
-        ``alone`` ("give it an hour").
-        """
-        if made.wish.hands_on is not None or made.wish.elapsed is not None or made.instruction is None:
-            return made
-        table = self._table_duration(made.instruction.operation)
-        duration = self._said(replace(made.instruction, alone=alone), length)
-        begun = self.rulebook.left_alone(table, length)
-        if begun is not None:
-            duration = replace(duration, hands_on=min(duration.hands_on, begun))
-        skill = replace(made.skill, duration=duration.hands_on, elapsed=duration.elapsed)
-        return replace(made, skill=skill, duration=duration)
-
     def way(
         self, wish: SpokenWish, reading: Reading, instruction: Instruction, to: Interpreted, target: int
     ) -> Interpreted:
@@ -284,20 +223,6 @@ class Maker:
         again = self._interpreted(wish, reading, instruction, (*made.requirements, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
-
-    def _given_duration(self, wish: Wish, operation: Operation | None) -> OperationDuration:
-        """Take what the wish gives; of hands-on and elapsed time, the one not given follows the table."""
-        table = self._table_duration(operation)
-        elapsed = wish.elapsed if wish.elapsed is not None else max(table.elapsed, wish.hands_on or 0.0)
-        hands_on = wish.hands_on if wish.hands_on is not None else min(table.hands_on, elapsed)
-        if operation is None and wish.elapsed is None:
-            elapsed = hands_on
-        return OperationDuration(hands_on=hands_on, elapsed=elapsed, source="given", assumed=False)
-
-    def _table_duration(self, operation: Operation | None) -> OperationDuration:
-        if operation is None:
-            return self.rulebook.duration_of(None)
-        return self.rulebook.duration_of(operation.phrase, operation.object)
 
 
 def _is_attended(one: Interpreted) -> bool:

@@ -1,0 +1,104 @@
+"""Steps of a list, and what follows what among them."""
+
+from dataclasses import dataclass, field
+
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.language import shares_thing
+from fuzzytime.requirement import Constraint, Edge, TimeRequirement
+from fuzzytime.skills import Precedence
+
+OWN_TIME = frozenset({Constraint.AT, Constraint.BETWEEN, Constraint.VAGUE})
+"""What says when a step is, and not only when it is at the latest or at the earliest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """A step: the position of its skill, what is known of it, and in a list the ``place`` of its words."""
+
+    position: int
+    interpreted: Interpreted
+    place: int | None = None
+
+    @property
+    def timed(self) -> bool:
+        """Whether it has a time of its own."""
+        return any(
+            part.constraint in OWN_TIME and not is_anchored(part) for part in self.interpreted.requirements
+        )
+
+    @property
+    def times(self) -> set[tuple[float | None, float | None]]:
+        """When it is to be done: "Saturday" for all that is asked for below it."""
+        own = (part for part in self.interpreted.requirements if part.constraint in OWN_TIME)
+        return {(part.earliest, part.latest) for part in own}
+
+    def is_apart(self, other: "Step") -> bool:
+        """Whether its time and that of another say which comes first: the same time for both does not."""
+        return self.timed and other.timed and self.times != other.times
+
+    @property
+    def ordered(self) -> bool:
+        """Whether its words leave it where it stands: not beside, before, or at a distance of another.
+
+        Before what comes later in its list it is anyhow.
+        """
+        return all(
+            not is_anchored(part)
+            or (part.constraint is Constraint.AFTER and part.anchor is not None and _is_behind(part))
+            or self._comes_before(part)
+            for part in self.interpreted.requirements
+        )
+
+    def _comes_before(self, part: TimeRequirement) -> bool:
+        target = None if part.anchor is None or part.anchor.exact else part.anchor.target
+        later = self.place is not None and target is not None and target > self.place
+        return later and part.constraint is Constraint.BEFORE
+
+    def precedence(self, following: "Step") -> Precedence:
+        """Let another follow: once this is done, or once hands are free where it goes on for others."""
+        skill = self.interpreted.skill
+        waits = skill.time_until_done - skill.duration if self._leaves(following) else 0.0
+        return Precedence(self.position, following.position, -waits)
+
+    def _leaves(self, following: "Step") -> bool:
+        needed = self.interpreted.duration.needed_for
+        operation, other = self.interpreted.operation, following.interpreted.operation
+        if not needed or operation is None or other is None:
+            return False
+        return other.lemma not in needed and not shares_thing(operation, other)
+
+
+@dataclass(slots=True)
+class Row:
+    """The steps of one list that nothing follows yet, and those that may be needed later than by the next."""
+
+    needed: list[Step] = field(default_factory=list)
+    last: list[Step] = field(default_factory=list)
+    precedences: list[Precedence] = field(default_factory=list)
+
+    def add(self, step: Step) -> None:
+        """Add a step, behind those that nothing follows."""
+        left: list[Step] = []
+        open_ends = {before.position for before in self.last}
+        for before in self.last:
+            if not step.ordered or step.is_apart(before):
+                left.append(before)
+            else:
+                self.precedences.append(before.precedence(step))
+        if step.ordered:
+            # What goes on meanwhile may be needed later than by the next: "preheat the oven".
+            self.precedences += [
+                before.precedence(step) for before in self.needed if before.position not in open_ends
+            ]
+        if step.interpreted.duration.needed_for:
+            self.needed.append(step)
+        self.last = [*left, step]
+
+
+def is_anchored(part: TimeRequirement) -> bool:
+    """Whether a time counts from another instruction."""
+    return part.anchor is not None and part.anchor.target is not None
+
+
+def _is_behind(part: TimeRequirement) -> bool:
+    return part.anchor is not None and part.anchor.edge is Edge.END and not part.anchor.exact
