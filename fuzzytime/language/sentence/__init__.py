@@ -1,9 +1,9 @@
 """What stands around the times of a text, by the dependency tree: operations, clauses, references.
 
 Two passes read a text. The first cuts it into parts and gives each a tree, and each part is sketched; the
-second, ``compose``, grounds the sketches, takes what each asks for (``asked_for``), and resolves what they
-say of each other. A construction is a module, named after what it reads, in the room of its kind. From the
-ground:
+second, ``compose``, grounds the sketches, takes what each asks for (``asked_for``) and when that is
+``required``, and resolves what they say of each other. A construction is a module, named after what it
+reads, in the room of its kind. From the ground:
 
 ``trees``
     The dependency tree, where it comes from, and the words that it holds; ``tokens`` gives them labels.

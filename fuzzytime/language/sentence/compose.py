@@ -1,6 +1,6 @@
 """The second pass: sketches grounded, their references resolved, put together as a reading."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.finding import Times, ground_all
@@ -14,35 +14,21 @@ from fuzzytime.language.instruction import (
     Remark,
     Span,
 )
-from fuzzytime.language.meaning.first_times import opening_of
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.asked_for import asked_of
-from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.references.anchors import Anchors
 from fuzzytime.language.sentence.references.mentions import Mentions
-from fuzzytime.language.sentence.references.phrase_anchors import (
-    ORDERING,
-    counts_from_nothing,
-    of_nothing,
-    of_phrase,
-    of_the_beginning,
-)
 from fuzzytime.language.sentence.references.told import Told
+from fuzzytime.language.sentence.required import required_of
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.connectives import (
-    agreeing,
     anchored_by_connective,
-    follows_nothing,
     led_by_denial,
     led_by_nothing,
-    within_after,
 )
-from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
-from fuzzytime.language.sentence.sketches.at_events import at_events
-from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
+from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
-from fuzzytime.language.sentence.sketches.contradictions import contradictions
 from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
 from fuzzytime.language.sentence.sketches.negations import awaiting, since_before, without_denial
 from fuzzytime.language.sentence.sketches.prepared import due_of
@@ -67,7 +53,7 @@ from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
-from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Edge
 
 
 def composed(
@@ -212,7 +198,9 @@ class _Composer:
         if before is None:
             led = led_by_denial if position else led_by_nothing
             self.remarks += led(segment, self.draft.text)
-        requirements = self._required(sketch, times, anchors, connected)
+        requirements, remarks = required_of(sketch, times, anchors, connected, self.draft)
+        self.remarks += remarks
+        self.explained += [] if connected is None else [connected.span]
         said = self.draft.text[slice(*segment.span)].strip()
         lengths = [one for one in times.found if one.duration is not None]
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
@@ -248,65 +236,6 @@ class _Composer:
         given = (*self.mentions.operations[: self.first], *(made.operation for made in self.made))
         asked = (p for p in range(position - 1, -1, -1) if (one := given[p]) is None or not one.negated)
         return next(asked, None)
-
-    def _required(
-        self, sketch: Sketch, times: Times, anchors: Anchors, connected: TimeRequirement | None
-    ) -> list[TimeRequirement]:
-        """Give what times, clauses, events and the word that joins it require of an instruction, in order."""
-        requirements = self._of_phrases(sketch, times, anchors)
-        for clause in sketch.clauses:
-            required, remarks = of_clause(clause, anchors, sketch, self.draft)
-            self.remarks += remarks
-            requirements.append(required)
-        events, remarks = at_events(sketch, self.draft.scanned.words, self.draft.text, anchors)
-        self.remarks += remarks
-        requirements += [*events, *self._headed(sketch, anchors)]
-        connected = agreeing(connected, requirements)
-        if connected is not None:
-            requirements.append(connected)
-            self.explained.append(connected.span)
-        requirements = within_after(requirements)
-        requirements.sort(key=lambda requirement: requirement.span)
-        self.remarks += contradictions(requirements)
-        return requirements
-
-    def _of_phrases(self, sketch: Sketch, times: Times, anchors: Anchors) -> list[TimeRequirement]:
-        """Give what a sketch's times require, each about the end of it that its verb or its words name."""
-        said = {
-            phrase.span: (phrase, reference)
-            for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
-        }
-        requirements = []
-        lasts = any(grounded.duration is not None for grounded in times.found)
-        for grounded in times.found:
-            requirement = grounded.requirement
-            phrase, reference = said[requirement.span]
-            if lasts and opening_of(phrase.said) is not None:
-                self.remarks.append(of_the_beginning(requirement))
-                continue
-            if phrase.rule == HEADED and self.draft.heading is not None:
-                requirement = replace(requirement, text=self.draft.heading.name)
-            requirement = of_phrase(anchors, phrase, requirement, sketch.clauses)
-            requirements.append(referred(requirement, reference))
-            waits = any(clause.marker == OF for clause in sketch.clauses)
-            if not waits and counts_from_nothing(
-                requirement, phrase.said, sketch.operation, anchors.position
-            ):
-                self.remarks.append(of_nothing(requirement, phrase.said))
-            if requirement.word in ORDERING:
-                self.remarks.append(follows_nothing(requirement.text, requirement.span))
-        return requirements
-
-    def _headed(self, sketch: Sketch, anchors: Anchors) -> Iterator[TimeRequirement]:
-        """Give what the clauses of a line above require of an instruction."""
-        heading = self.draft.heading
-        if heading is None:
-            return
-        above = replace(self.draft, text=heading.text, scanned=heading.scanned)
-        for clause in sketch.headed:
-            required, remarks = of_clause(clause, anchors, sketch, above)
-            self.remarks += (replace(remark, span=sketch.part.segment.span) for remark in remarks)
-            yield replace(required, span=(0, 0))
 
     def _remember(self, times: Times) -> None:
         """Remember the last clock time said: the next is hardly before it."""

@@ -17,8 +17,6 @@ from fuzzytime.language.sentence.references.mentions import (
     best_of,
     comes,
     is_done_with,
-    shares_thing,
-    undoes,
 )
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words
@@ -144,16 +142,6 @@ class Anchors:
         coming = (place for place, happening in self.just_before() if comes(happening, self.lexicon))
         return next(coming, None)
 
-    def counted_from(self) -> int:
-        """Give what a distance behind counts from: what it undoes, or else the instruction before it."""
-        operation = self.operation_at(self.position)
-        if operation is not None and operation.again:
-            for place, earlier in self.just_before():
-                if earlier.object == operation.object and undoes(operation, earlier, self.lexicon):
-                    # "Put the cake in, whip the cream and take it out after half an hour"
-                    return place
-        return self.position - 1
-
     def just_before(self) -> Iterator[tuple[int, Operation]]:
         """Give the instructions before it, the latest first, that are not long ago."""
         for place in range(self.position - 1, max(-1, self.position - NEAR), -1):
@@ -246,13 +234,6 @@ class Anchors:
         operation = self.operation_at(target)
         return operation is not None and not operation.stated
 
-    def is_about_the_same(self, target: int) -> bool:
-        """Whether it is about what another is about, or names nothing else."""
-        own, other = self.operation_at(self.position), self.operation_at(target)
-        if own is None or other is None:
-            return False
-        return own.object is None or own.object == other.object or shares_thing(other, own)
-
     def is_same_as_before(self, operation: Operation) -> bool:
         """Whether the instruction before asks for the very same."""
         before = self.operation_at(self.position - 1) if self.position else None
@@ -300,7 +281,7 @@ class Anchors:
         return self.position - 1 if self.position > self.first or not before else before[-1]
 
 
-def counted_from(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
+def only_counted(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:
     """Give a requirement that counts from another instruction alone."""
     return replace(
         requirement, constraint=constraint, anchor=anchor, t_spec=None, earliest=None, latest=None, grain=None

@@ -23,9 +23,14 @@ from fuzzytime.language.meaning.first_times import closing_of, opening_of
 from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.sentence.clauses.before_markers import OF
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.references.anchors import Anchors, counted_from
+from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
 from fuzzytime.language.sentence.references.mentions import waits_for
-from fuzzytime.language.sentence.references.same_thing import since_the_same, tells_length_of
+from fuzzytime.language.sentence.references.same_thing import (
+    counted_from,
+    is_about_the_same,
+    since_the_same,
+    tells_length_of,
+)
 from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 
@@ -96,11 +101,11 @@ def _at_the_beginning(anchors: Anchors, said: Said, requirement: TimeRequirement
         return None
     anchor = Anchor(text=requirement.text, target=target, edge=Edge.START)
     if opening_of(said) is not None and requirement.latest is not None:
-        return counted_from(requirement, replace(anchor, lag=requirement.latest), Constraint.BETWEEN)
+        return only_counted(requirement, replace(anchor, lag=requirement.latest), Constraint.BETWEEN)
     time = said.time
     turns = isinstance(time, Repeat) and time.every is not None and time.starting is None
     ends = turns and isinstance(time, Repeat) and isinstance(time.until, Offset) and time.until.anchor is None
-    return replace(requirement, anchor=anchor) if ends and anchors.is_about_the_same(target) else None
+    return replace(requirement, anchor=anchor) if ends and is_about_the_same(anchors, target) else None
 
 
 def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -111,7 +116,7 @@ def _upon_arrival(anchors: Anchors, requirement: TimeRequirement) -> TimeRequire
     for place, happening in anchors.just_before():
         if waits_for(operation, happening, anchors.lexicon):
             anchor = Anchor(text=requirement.text, target=place, lag=requirement.t_spec)
-            return counted_from(requirement, anchor, Constraint.BETWEEN)
+            return only_counted(requirement, anchor, Constraint.BETWEEN)
     return None
 
 
@@ -148,7 +153,7 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     anchor = Anchor(
         text=part.name, object=part.name, target=target, edge=edge, lag=lag, exact=lag != 0 or just
     )
-    return counted_from(requirement, anchor, constraint)
+    return only_counted(requirement, anchor, constraint)
 
 
 def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> TimeRequirement | None:
@@ -162,14 +167,14 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
         anchor = Anchor(text=requirement.text, target=target, edge=edge)
-        return counted_from(replace(requirement, word=None), anchor, constraint)
+        return only_counted(replace(requirement, word=None), anchor, constraint)
     if phrase.said.preposition == HALFWAY and anchors.position > 0:
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
-        return counted_from(requirement, anchor, Constraint.AFTER)
+        return only_counted(requirement, anchor, Constraint.AFTER)
     side = COUNTED.get(phrase.said.preposition) if isinstance(time, Offset) and time.anchor is None else None
     before = anchors.before_list() if phrase.said.preposition == INTO else anchors.position - 1
     if phrase.said.preposition == LATER:
-        before = anchors.counted_from()
+        before = counted_from(anchors)
     if side is None or before < 0:
         return None
     edge = Edge.START if side is Constraint.BEFORE or phrase.said.preposition == INTO else Edge.END
@@ -179,7 +184,7 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         edge = Edge.FREE
     bounded = phrase.said.constraint in {Constraint.BEFORE, Constraint.AFTER}
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=lag, exact=not bounded)
-    return counted_from(requirement, anchor, requirement.constraint if bounded else side)
+    return only_counted(requirement, anchor, requirement.constraint if bounded else side)
 
 
 def of_nothing(requirement: TimeRequirement, said: Said) -> Remark:
@@ -216,4 +221,4 @@ def _in_the_end(
     anchor = Anchor(text=requirement.text, target=target, edge=Edge.END, lag=lag, exact=True)
     if requirement.recurrence is not None:
         return replace(requirement, anchor=anchor)
-    return counted_from(requirement, anchor, Constraint.AFTER)
+    return only_counted(requirement, anchor, Constraint.AFTER)

@@ -1,7 +1,8 @@
 """Times that count from what was asked for of the same thing before: "take it out after forty minutes"."""
 
 from fuzzytime.language.meaning.expressions import Duration, Offset, Said
-from fuzzytime.language.sentence.references.anchors import Anchors, counted_from
+from fuzzytime.language.sentence.references.anchors import Anchors, only_counted
+from fuzzytime.language.sentence.references.mentions import shares_thing, undoes
 from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.times import seconds_between
 
@@ -32,7 +33,7 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
         # "Roast it for an hour. Turn it after ten minutes"
         edge = Edge.START
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=distance, exact=True)
-    return counted_from(requirement, anchor, Constraint.AFTER)
+    return only_counted(requirement, anchor, Constraint.AFTER)
 
 
 def tells_length_of(anchors: Anchors, target: int) -> bool:
@@ -45,6 +46,25 @@ def tells_length_of(anchors: Anchors, target: int) -> bool:
     if own is None or other is None or own.stated or other.stated or own.lemma == other.lemma:
         return False
     return _is_of_the_same(anchors, target) and target not in anchors.told_so_far().lasting
+
+
+def counted_from(anchors: Anchors) -> int:
+    """Give what so long "later" counts from: what is undone then, or else the instruction before it."""
+    operation = anchors.operation_at(anchors.position)
+    if operation is not None and operation.again:
+        for place, earlier in anchors.just_before():
+            if earlier.object == operation.object and undoes(operation, earlier, anchors.lexicon):
+                # "Put the cake in, whip the cream and take it out after half an hour"
+                return place
+    return anchors.position - 1
+
+
+def is_about_the_same(anchors: Anchors, target: int) -> bool:
+    """Whether an instruction is about what another is about, or names nothing else."""
+    own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)
+    if own is None or other is None:
+        return False
+    return own.object is None or own.object == other.object or shares_thing(other, own)
 
 
 def _asked_before(anchors: Anchors) -> int | None:

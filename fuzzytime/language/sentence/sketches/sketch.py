@@ -17,11 +17,11 @@ from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_tim
 from fuzzytime.language.sentence.verbs.actions import (
     Action,
     action_of,
-    reference_of,
     says_how_things_are,
 )
 from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
+from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
 from fuzzytime.requirement import Constraint, Reference
 

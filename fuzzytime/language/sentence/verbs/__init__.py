@@ -1,8 +1,8 @@
 """What verbs say: what is to be done, and what happens by itself.
 
 What is to be done
-    The verb that is meant (``actions``), also in ``small_clauses``; its object and the rest (``operations``),
-    ``places``, ``amounts``.
+    The verb that is meant (``actions``), also in ``small_clauses``; which of its ``moments`` is; its object
+    and the rest (``operations``), ``places``, ``amounts``.
 What is only told
     ``statements``, with their ``statement_trees``; who is ``called`` and acts; who is ``stated`` to do it;
     ``happenings`` without a verb.

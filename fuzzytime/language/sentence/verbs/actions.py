@@ -1,18 +1,17 @@
-"""The verb that is meant, below "I want to" and "don't forget to", and which moment of it a time is about."""
+"""The verb that is meant, below "I want to" and "don't forget to"."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.trees.tree import Tree
+from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.small_clauses import small_clause
 from fuzzytime.requirement import Reference
 
 COMPLEMENTS = ("xcomp", "ccomp")
 PRESENT = frozenset({"VBZ", "VBP"})
 FINITE = PRESENT | {"VBD"}
-RESULTS = frozenset({"JJ", "VBN"})
 
 DEEPEST = 4
 """How many verbs stand at most above the one that is meant: "I'd like to try to remember to call"."""
@@ -280,36 +279,3 @@ def _is_negated(tree: Tree, place: int) -> bool:
         if tree.nodes[p].lower in tree.lexicon.closed.negators
     )
     return any(p <= place + 1 for p in denying)
-
-
-def reference_of(tree: Tree, place: int, lexicon: Lexicon) -> Reference | None:
-    """Give which moment of an operation its verb, or what it results in, says that its times are about."""
-    lemma = tree.nodes[place].lemma
-    named = lexicon.indicators.get(lemma) or lexicon.indicators.get(tree.nodes[place].lower)
-    if named is not None:
-        return Reference(named)
-    node = tree.nodes[place]
-    if node.lower in lexicon.results and node.tag in RESULTS and tree.children(place, "auxpass", "aux"):
-        return Reference.FINISH
-    if lemma == "be" and any(tree.nodes[p].lower in lexicon.results for p in tree.children(place, "acomp")):
-        # "Charge it so that it is ready by noon"
-        return Reference.FINISH
-    if lemma in lexicon.causing and any(
-        tree.nodes[p].lower in lexicon.results for p in _results(tree, place)
-    ):
-        return Reference.FINISH
-    brought = small_clause(tree, place, lexicon) if lemma in lexicon.causing else None
-    # "Make the soup hot by six"; but "have the robot mop the floor" is what it does.
-    return Reference.FINISH if brought and tree.nodes[brought.predicate].tag in RESULTS else None
-
-
-def _results(tree: Tree, place: int) -> Iterator[int]:
-    """Give what a verb brings about: "have the rice ready", "make sure that it is done"."""
-    nouns = tree.children(place, "dobj")
-    modifying = (p for noun in nouns for p in tree.children(noun, "amod", "acl") if p > noun)
-    for below in (
-        *tree.children(place, "acomp", "oprd", "ccomp", "attr", "xcomp", "advcl", "conj"),
-        *modifying,
-    ):
-        yield below
-        yield from _results(tree, below)

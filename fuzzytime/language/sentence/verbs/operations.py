@@ -18,7 +18,6 @@ NAMING = ("NN", "DT", "PRP$")
 
 
 IF, FIND = "if", "find"
-MUST, MUST_BE, NEEDS = "must", "must be", "needs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,15 +80,6 @@ class Reader(Stated):
             # "The coffee should be ready by then"
             return subject, direct
         return direct, complement
-
-    def _must(self, verb: int) -> str:
-        """Give the words between what must do something, or be done with, and its verb."""
-        tag = self.tree.nodes[verb].tag
-        if tag == "VBG":
-            # "The lawn needs mowing"
-            return NEEDS
-        passive = tag == "VBN" or self.tree.children(verb, "auxpass")
-        return MUST_BE if passive else MUST
 
     def _takes(self, verb: int) -> bool:
         """Whether a verb says how long something takes, and of nothing that is done."""

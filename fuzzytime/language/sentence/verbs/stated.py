@@ -12,6 +12,7 @@ STATED_OF = ("dobj", "acomp", "oprd", "xcomp", "ccomp")
 IT = "it"
 BE = "be"
 ON = "on"
+MUST, MUST_BE, NEEDS = "must", "must be", "needs"
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,15 @@ class Stated(Places):
         helping |= {self.tree.nodes[v].lower for v in verbs[1:]}
         due = not helping.isdisjoint(self.lexicon.closed.verbs_of_obligation)
         return {"it": "it", "they": "them"}.get(subjects[0]) if subjects and due else None
+
+    def _must(self, verb: int) -> str:
+        """Give the words between what must do something, or be done with, and its verb."""
+        tag = self.tree.nodes[verb].tag
+        if tag == "VBG":
+            # "The lawn needs mowing"
+            return NEEDS
+        passive = tag == "VBN" or self.tree.children(verb, "auxpass")
+        return MUST_BE if passive else MUST
 
     def _is_attended(self, verb: int) -> bool:
         """Whether it is said where somebody is, or what they have, and that takes them: "I'm out at noon"."""
