@@ -65,6 +65,14 @@ def test_so_long_after_counts_from_what_was_asked_for_of_the_same_thing(lines: l
 
 
 @pytest.mark.parametrize(
+    ("do", "undo"), [("put the pie in", "take the pie out"), ("open the windows", "close the windows")]
+)
+def test_what_is_undone_after_so_long_counts_from_when_it_was_done(do: str, undo: str) -> None:
+    times = told(["wipe the table", do, f"{undo} after forty minutes"]).schedule
+    assert times.start_times[2] - times.start_times[1] == times.skills[1].duration + 40 * MINUTE
+
+
+@pytest.mark.parametrize(
     "lines",
     [
         ["feed the cat at noon", "feed the cat after forty minutes"],

@@ -12,8 +12,9 @@ AFTER, IN = "after", "in"
 def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -> TimeRequirement | None:
     """Count so long "after" from what was asked for of the same thing before; None where it counts from now.
 
-    "In an hour" counts from now, and so does what names its thing anew, unless that would be before the same
-    thing's own time: "put the lasagne in at six and take it out in forty minutes".
+    "In an hour" counts from now, and so does what names its thing anew, unless it undoes what was done ("take
+    the pie out after an hour"), or would be before the same thing's own time: "put the lasagne in at six and
+    take it out in forty minutes".
     """
     own, distance = anchors.operation_at(anchors.position), requirement.t_spec
     bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
@@ -26,7 +27,10 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     start = told.starts.get(target)
     begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
     too_early = begun is not None and distance < begun
-    if not (own.again or too_early if said.preposition == AFTER else own.again and too_early):
+    other = anchors.operation_at(target)
+    undone = other is not None and undoes(own, other, anchors.lexicon)
+    after = said.preposition == AFTER and (own.again or undone or too_early)
+    if not after and not (own.again and too_early):
         return None
     edge = Edge.FREE if tells_length_of(anchors, target) else Edge.END
     if distance < told.lasting.get(target, 0.0):
