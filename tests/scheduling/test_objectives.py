@@ -19,7 +19,7 @@ from fuzzytime.scheduling import (
     Schedule,
     solve,
 )
-from fuzzytime.skills import FuzzySkill, FuzzyTask
+from fuzzytime.skills import FuzzySkill, FuzzyTask, Precedence
 from scheduling.random_tasks import faults, random_task
 
 MEETING = OverTime((0, 100, 100, 200, 200, 300), (0, 0, 1, 1, 0, 0))
@@ -135,3 +135,49 @@ def test_two_agents_each_have_their_last_skill() -> None:
     schedule = solve(FuzzyTask(skills, agents=2), objectives=(Makespan(),))
     assert not faults(schedule)
     assert schedule.satisfaction == 1
+
+
+@pytest.mark.parametrize("wished", [150.0, 200.0, 260.0])
+@pytest.mark.parametrize("named", [None, 500.0])
+def test_a_wished_lag_is_kept_to_wherever_the_other_is(wished: float, named: float | None) -> None:
+    soak = FuzzySkill("soak", Rectangle(0, 900), 30, preferred=named)
+    task = FuzzyTask(
+        (skill("weld", 0, 10, 60), soak, skill("drain", 0, 2000)),
+        precedences=(Precedence(1, 2, 100, 300, wished),),
+    )
+    found = solve(task).skills
+    assert found[2].start - found[1].done == pytest.approx(wished)
+    assert found[1].start == (named or 60)
+
+
+def test_what_is_named_says_when_what_it_comes_before_is() -> None:
+    dinner = FuzzySkill("dinner", Rectangle(3000, 5000), 20, preferred=4000.0)
+    task = FuzzyTask((skill("chill", 0, 4500), dinner), precedences=(Precedence(0, 1, 0, 2000, 600),))
+    first, second = solve(task).skills
+    assert (second.start, second.start - first.done) == (4000, 600)
+
+
+@given(
+    st.lists(st.floats(0, 400), min_size=3, max_size=3),
+    st.floats(-200, 200),
+    st.floats(0, 300),
+    st.floats(0, 1),
+)
+@settings(max_examples=60, deadline=None)
+def test_wishing_for_a_lag_costs_no_satisfaction(
+    peaks: list[float], low: float, width: float, share: float
+) -> None:
+    skills = tuple(
+        FuzzySkill(f"s{place}", Trapezoid(peak - 120, peak - 60, peak + 60, peak + 120), 40)
+        for place, peak in enumerate(peaks)
+    )
+    plain = FuzzyTask(skills, precedences=(Precedence(0, 2, low, low + width),))
+    wished = FuzzyTask(skills, precedences=(Precedence(0, 2, low, low + width, low + share * width),))
+    one, other = solve(plain), solve(wished)
+    assert other.satisfaction == pytest.approx(one.satisfaction, abs=1e-9)
+    assert not faults(other)
+
+
+def test_a_wished_lag_lies_between_the_others() -> None:
+    with pytest.raises(FuzzytimeError, match="wished lag must lie between"):
+        Precedence(0, 1, 10, 20, 30)
