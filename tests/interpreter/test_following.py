@@ -3,7 +3,7 @@
 import pytest
 
 from fuzzytime.times import MINUTE
-from interpreter.telling import notes, starts, told
+from interpreter.telling import SEVEN, notes, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -85,6 +85,19 @@ def test_what_is_undone_after_so_long_counts_from_when_it_was_done(do: str, undo
 )
 def test_so_long_from_now_counts_from_now_elsewhere(lines: list[str]) -> None:
     assert "07:40" in starts(told(lines)).values()
+
+
+def test_it_is_what_was_set_going_whatever_is_done_with_it_later() -> None:
+    made = told(
+        ["put the pie in at noon", "take it out after forty minutes", "make the salad while it bakes"]
+    )
+    assert starts(made)["s3"] == "12:01"
+
+
+def test_a_deadline_on_a_day_is_in_the_hours_of_people() -> None:
+    assert (
+        "07:00" <= starts(told(["call mum tomorrow before ten"], now=SEVEN.replace(hour=17)))["s1"] < "10:00"
+    )
 
 
 @pytest.mark.parametrize("clause", ["the pie is baking", "it bakes", "the pie is in the oven"])

@@ -1,7 +1,7 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
-from datetime import timedelta
+from datetime import datetime, timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.decisions import Deciding
@@ -238,9 +238,16 @@ class _Grounder:
         return self.moment.seconds(start, zone), self.moment.seconds(end, zone)
 
     def _begin_of(self, within: Wall, end: float, zone: str | None) -> float:
-        """Give the seconds to when that begins in which a deadline lies: the day, where its part is later."""
-        walls = (within, replace(within, part=None))
-        starts = (self.moment.grounding(zone).instants(wall).start for wall in walls)
+        """Give the seconds to when that begins in which a deadline lies.
+
+        It is the part of the day; of a day, or where that part is later, the hours at which people do things;
+        or where these are later, too, the day.
+        """
+        grounding = self.moment.grounding(zone)
+        day = grounding.instants(replace(within, part=None)).start
+        starts = [datetime.combine(day, self.moment.policy.plausible_from), day]
+        if within.part is not None:
+            starts.insert(0, grounding.instants(within).start)
         return next((begin for start in starts if (begin := self.moment.seconds(start, zone)) < end), end)
 
     def _has_begun(self, time: Time, found: Instants, zone: str | None) -> bool:

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind
+from fuzzytime.language.instruction import Operation, Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -109,11 +109,15 @@ def _of_condition(clause: Clause, said: Condition, anchors: Anchors, sketch: Ske
 def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int | None:
     """Give the instruction that sets going what a clause says: "put it in the oven, … while it bakes"."""
     about = anchors.done_with(condition.subject)
-    before = anchors.operation_at(anchors.position - 1) if anchors.position else None
-    if about is not None or said.subject not in anchors.lexicon.closed.singular_anaphors or before is None:
+    if about is not None or said.subject not in anchors.lexicon.closed.singular_anaphors:
         return about
-    left = before.lemma in anchors.lexicon.doing.putting and not before.negated and not before.stated
-    return anchors.position - 1 if left else None
+    putting = anchors.lexicon.doing.putting
+    left = (place for place, one in anchors.just_before() if one.lemma in putting and _is_asked(one))
+    return next(left, None)
+
+
+def _is_asked(operation: Operation) -> bool:
+    return not operation.negated and not operation.stated
 
 
 def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:
