@@ -39,6 +39,9 @@ NEXT_TO_NOTHING = 1e-11
 NEAR = 0.5
 """How far away it may be, in seconds."""
 
+JUMP = 1e-3
+"""Costs that differ by more within the precision of times do so at a jump."""
+
 
 @dataclass(slots=True)
 class Block:
@@ -124,11 +127,12 @@ def round_blocks(jobs: Sequence[Job], blocks: Sequence[Block]) -> None:
         slack = PRECISION * max(1.0, abs(block.start))
         cost, known = np.zeros(times.size), 0.0
         for member, offset in zip(block.members, block.offsets, strict=True):
-            # At a jump, what rounding has added to the start that is may seem to cost much.
-            nearly = block.start + np.array([-slack, 0.0, slack])
+            nearly = block.start + np.array([-slack, slack])
             costs = jobs[member].costs(np.append(times, nearly) + offset)
             cost += costs[: times.size]
-            known += float(costs[times.size :].min())
+            here, beside = float(costs[times.size - 1]), float(costs[times.size :].min())
+            # At a jump, what rounding has added to the start that is may seem to cost much.
+            known += beside if here > beside + JUMP else here
         good = (cost <= known + NEXT_TO_NOTHING) & (times >= low) & (times <= high)
         good &= np.abs(times - block.start) <= NEAR
         good[-1] = True
