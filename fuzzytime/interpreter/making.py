@@ -219,8 +219,14 @@ class Maker:
             return made
         since = seconds_between(wish.given, given)
         finish = Reference.FINISH
-        more = (replace(p.shifted(since), reference=finish, reference_said=True) for p in told.requirements)
-        again = self._interpreted(wish, reading, instruction, (*made.requirements, *more))
+        more = [replace(p.shifted(since), reference=finish, reference_said=True) for p in told.requirements]
+        said = {part.text for part in more}
+        before = (
+            part
+            for part in made.requirements
+            if part.text not in said or part.constraint is not Constraint.BEFORE
+        )
+        again = self._interpreted(wish, reading, instruction, (*before, *more))
         skill = replace(again.skill, duration=made.skill.duration, elapsed=made.skill.elapsed)
         return replace(again, skill=skill, duration=made.duration)
 

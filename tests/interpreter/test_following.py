@@ -124,6 +124,27 @@ def test_what_is_done_is_named_by_its_noun() -> None:
     assert starts(made)["s2"] > starts(made)["s1"] == "19:00"
 
 
+@pytest.mark.parametrize(
+    ("lines", "due"),
+    [
+        (["charge the drill", "it needs to be full by noon"], "by noon"),
+        (["charge the drill, it must be charged by noon"], "by noon"),
+        (["paint the door. It has to be dry by noon"], "by noon"),
+    ],
+)
+def test_what_must_be_so_by_then_is_due_then(lines: list[str], due: str) -> None:
+    (skill,) = told(lines).skills
+    assert [part.text for part in skill.requirements] == [due]
+    assert skill.requirements[0].reference.value == "finish"
+
+
+@pytest.mark.parametrize(
+    "lines", [["mow the lawn", "it must be sunny by noon"], ["call Ann", "she has to be at work by noon"]]
+)
+def test_what_must_be_so_by_itself_is_no_deadline_of_what_was_asked_for(lines: list[str]) -> None:
+    assert not told(lines).skills[0].requirements
+
+
 @pytest.mark.parametrize("word", ["then", "after that,", "afterwards"])
 def test_what_goes_on_telling_goes_on_from_what_was_last_planned(word: str) -> None:
     made = told(["simmer the soup for 20 minutes, stirring occasionally", f"{word} serve the soup"])

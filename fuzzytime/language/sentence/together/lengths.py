@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.requirements import Grounded
 from fuzzytime.language.sentence.references.anchors import Anchors
+from fuzzytime.language.sentence.references.mentions import BE
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.requirement import Anchor, Constraint, Reference, TimeRequirement
 
@@ -72,7 +73,7 @@ def time_of(
         return None
     said = " ".join(filter(None, (operation.verb, operation.object, operation.complement))).lower().split()
     words = text.lower().split()
-    if anchors.lexicon.results.isdisjoint(said):
+    if anchors.lexicon.results.isdisjoint(said) and not _must_be_so(operation, words, anchors):
         return None
     if (
         words[0] in closed.wholes
@@ -89,6 +90,18 @@ def time_of(
     if target is None or target >= anchors.position or not anchors.is_asked(target):
         return None
     return Anchor(text=text, object=operation.object, target=target)
+
+
+def _must_be_so(operation: Operation, words: Sequence[str], anchors: Anchors) -> bool:
+    """Whether what was asked for before must make it so, or be done: "paint it, it has to be dry by six"."""
+    closed = anchors.lexicon.closed
+    before = anchors.operation_at(anchors.position - 1) if anchors.position else None
+    obliged = words[0] in closed.anaphors and closed.verbs_of_obligation.issuperset(words[1:2])
+    if before is None or before.stated or before.negated or not obliged:
+        return False
+    is_so = operation.lemma == BE and operation.place is None and operation.object is not None
+    impersonal = anchors.lexicon.impersonal.issuperset((operation.object or "").lower().split())
+    return before.lemma == operation.lemma or (is_so and not impersonal)
 
 
 def _is_needed(operation: Operation | None, text: str, lexicon: Lexicon) -> bool:
