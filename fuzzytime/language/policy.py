@@ -39,6 +39,8 @@ class Policy:
         A clock time without am or pm is its next occurrence within these hours of the day.
     ahead_from
         On a day to come that is named, the hours from this time of day on are plausible too.
+    hours_before
+        What is due at a time of a day may begin on it at ``plausible_from``, or so many hours before.
     workday_from
         A clock time without am or pm that is repeated on all working days is its first from this time of day
         on; any other that is repeated, its first from ``plausible_from`` on.
@@ -61,6 +63,7 @@ class Policy:
     plausible_from: time = time(7)
     plausible_to: time = time(22)
     ahead_from: time = time(6)
+    hours_before: int = 2
     workday_from: time = time(6)
     same_weekday: SameWeekday = SameWeekday.NEXT
     midnight: Midnight = Midnight.END
@@ -70,3 +73,8 @@ class Policy:
     date_order: DateOrder = DateOrder.MONTH_DAY
     bare_pair_from: int = 8
     ask: bool = True
+
+    def begin_before(self, deadline: float) -> int:
+        """Give from when on, in seconds of its day, what is due at a time of that day may begin."""
+        opens = self.plausible_from.hour * 3600 + self.plausible_from.minute * 60
+        return max(0, min(opens, int(deadline) - self.hours_before * 3600))

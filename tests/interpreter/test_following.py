@@ -1,5 +1,7 @@
 """Times that count from the lines before: inside what goes on, and on the day after."""
 
+from datetime import datetime
+
 import pytest
 
 from fuzzytime.times import MINUTE
@@ -252,3 +254,8 @@ def test_before_they_get_here_is_before_the_latest_who_come() -> None:
 def test_while_somebody_is_asleep_is_not_while_something_else_is() -> None:
     made = told(["lunch is at noon", "mop the hall while he is asleep"])
     assert list(starts(made)) == ["s1"]
+
+
+def test_what_begins_beyond_the_last_year_is_read_all_the_same() -> None:
+    last = datetime(9999, 12, 30, 23, 59)  # noqa: DTZ001 - the tests' moment is of no zone
+    assert told(["boil the eggs in 84 hours", "peel them after ten minutes"], now=last).skills

@@ -253,7 +253,10 @@ class Said:
         time = self.time
         if isinstance(time, Repeat):
             timed = any(wall.clock is not None for wall in time.walls)
-            return bool(time.walls) and not timed and time.starting is None and time.until is None
+            bounds = (bound for bound in (time.starting, time.until) if bound is not None)
+            # "Every day this week"
+            whole = all(isinstance(b, Wall) and b.clock is None and b.part is None for b in bounds)
+            return bool(time.walls) and not timed and whole
         # "On the 12th" is one, where "the 12th" alone may be something else.
         sure = isinstance(time, Wall) and (not time.weak or self.preposition is not None)
         return isinstance(time, Wall) and time.clock is None and sure and self.constraint in ON

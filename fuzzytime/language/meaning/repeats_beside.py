@@ -26,8 +26,8 @@ from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock, Half, Pa
 from fuzzytime.language.policy import Policy
 from fuzzytime.requirement import Constraint, Unit
 
-PLAUSIBLE = Policy().plausible_from
-"""From when on the hours of a day are that a repetition is bound to."""
+POLICY = Policy()
+"""What the hours of a day are that a repetition is bound to."""
 
 MOMENTS = frozenset({None, Constraint.AT})
 """How a time binds that says when."""
@@ -97,6 +97,8 @@ def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
 
 def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     time = said.time
+    if repeat.walls and _is_in_day(time):
+        return _in_hours(repeat, said)
     if repeat.starting is not None or repeat.until is not None or isinstance(time, Repeat):
         return None
     if isinstance(time, Duration):
@@ -109,19 +111,9 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         return in_the_end(repeat, closing)
     if isinstance(time, (Coming, Rest)):
         return replace(repeat, until=_end_of(time))
-    if repeat.walls and isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
-        return within_hours(repeat, time.first, time.last)
-    if repeat.walls and isinstance(time, Wall) and time.clock is not None and time.days is None:
-        return _on_side(repeat, time.clock, said.constraint)
     if not repeat.walls and isinstance(time, Wall) and time.clock is None and said.constraint in MOMENTS:
         # "Every two hours tonight"
         return replace(repeat, starting=time, until=time)
-    part = time.part if isinstance(time, Wall) and time.days is None and repeat.walls else None
-    if part is not None and said.constraint in {Constraint.BEFORE, Constraint.AFTER}:
-        # "Before school on tuesdays"
-        before = said.constraint is Constraint.BEFORE
-        hours = (0, part.start) if before else (part.end % DAY_SECONDS, DAY_SECONDS)
-        return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
     if said.constraint is Constraint.BEFORE:
         # "Three alarms ten minutes apart before seven": how many is said, and any of them may be then.
         return None if repeat.apart else replace(repeat, until=time)
@@ -131,6 +123,30 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _is_in_day(time: object) -> bool:
+    """Whether it is hours of any day, or one side of a time of any day."""
+    if isinstance(time, Range):
+        return is_of_day(time.first) and is_of_day(time.last)
+    return isinstance(time, Wall) and is_of_day(time)
+
+
+def _in_hours(repeat: Repeat, said: Said) -> Repeat | None:
+    """Give what is done on days within hours of each of them, whatever bounds the days have."""
+    time, side = said.time, said.constraint
+    if isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
+        return within_hours(repeat, time.first, time.last)
+    if not isinstance(time, Wall):
+        return None
+    if time.clock is not None:
+        return _on_side(repeat, time.clock, side)
+    if time.part is None or side not in {Constraint.BEFORE, Constraint.AFTER}:
+        return None
+    # "Before school on tuesdays"
+    first, last = time.part.start, time.part.end % DAY_SECONDS
+    hours = (POLICY.begin_before(first), first) if side is Constraint.BEFORE else (last, DAY_SECONDS)
+    return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
 
 
 def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
@@ -189,13 +205,13 @@ def _hour_of(repeat: Repeat, clock: Clock) -> int:
     """Give the seconds since midnight that a clock time of a repetition means: "every evening from nine"."""
     parts = {wall.part for wall in repeat.walls}
     (part,) = parts if len(parts) == 1 else (None,)
-    return (clock if part is None else halved(clock, part.half)).first_from(PLAUSIBLE)
+    return (clock if part is None else halved(clock, part.half)).first_from(POLICY.plausible_from)
 
 
 def _on_side(repeat: Repeat, clock: Clock, side: Constraint | None) -> Repeat | None:
     """Give a repetition on one side of a clock time of its days: every monday before seven."""
     moment = _hour_of(repeat, clock)
-    hours = {Constraint.BEFORE: (0, moment), Constraint.AFTER: (moment, DAY_SECONDS)}.get(
-        side or Constraint.AT
-    )
-    return None if hours is None else narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
+    if side not in {Constraint.BEFORE, Constraint.AFTER}:
+        return None
+    hours = (POLICY.begin_before(moment), moment) if side is Constraint.BEFORE else (moment, DAY_SECONDS)
+    return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))

@@ -1,7 +1,7 @@
 """From a phrase to the time requirement that the rest of the program works with."""
 
 from dataclasses import dataclass, replace
-from datetime import datetime, timedelta
+from datetime import timedelta
 
 from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.decisions import Deciding
@@ -240,15 +240,16 @@ class _Grounder:
     def _begin_of(self, within: Wall, end: float, zone: str | None) -> float:
         """Give the seconds to when that begins in which a deadline lies.
 
-        It is the part of the day; of a day, or where that part is later, the hours at which people do things;
-        or where these are later, too, the day.
+        It is the part of the day; of a day, or where that part is later, the hours at which people do things,
+        or some before the deadline.
         """
         grounding = self.moment.grounding(zone)
         day = grounding.instants(replace(within, part=None)).start
-        starts = [datetime.combine(day, self.moment.policy.plausible_from), day]
-        if within.part is not None:
-            starts.insert(0, grounding.instants(within).start)
-        return next((begin for start in starts if (begin := self.moment.seconds(start, zone)) < end), end)
+        part = self.moment.seconds(grounding.instants(within).start, zone)
+        if within.part is not None and part < end:
+            return part
+        opens = self.moment.policy.begin_before(end - self.moment.seconds(day, zone))
+        return min(end, self.moment.seconds(day + timedelta(seconds=opens), zone))
 
     def _has_begun(self, time: Time, found: Instants, zone: str | None) -> bool:
         """Whether a deadline is at the start of a stretch that is running: "before dinner", said at dinner.

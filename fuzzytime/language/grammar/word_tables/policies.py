@@ -37,6 +37,7 @@ def read_policy(tables: Tables) -> Policy:
     names = (
         "plausible",
         "ahead_from",
+        "hours_before",
         "workday_from",
         "same_weekday",
         "midnight",
@@ -59,6 +60,7 @@ def read_policy(tables: Tables) -> Policy:
         plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
         plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
         ahead_from=_time(tables, fields["ahead_from"], "policy.ahead_from"),
+        hours_before=reader.whole(fields["hours_before"], "policy.hours_before", 0, 24),
         workday_from=_time(tables, fields["workday_from"], "policy.workday_from"),
         same_weekday=SameWeekday(
             reader.choice(fields["same_weekday"], "policy.same_weekday", tuple(SameWeekday))

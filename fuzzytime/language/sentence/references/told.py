@@ -39,4 +39,7 @@ def start_of(instruction: Instruction, now: datetime | None) -> datetime | None:
     """Give when something begins, at the earliest, where its words say when it is."""
     said = (part.earliest for part in instruction.requirements if part.constraint in WHEN)
     first = next((seconds for seconds in said if seconds is not None), None)
-    return None if first is None or now is None else now + timedelta(seconds=first)
+    try:
+        return None if first is None or now is None else now + timedelta(seconds=first)
+    except OverflowError:  # beyond the year 9999
+        return None
