@@ -177,6 +177,14 @@ def test_a_day_that_is_none_is_said_and_not_guessed(text: str) -> None:
     assert [remark.kind for remark in found.remarks] == [RemarkKind.NOT_UNDERSTOOD]
 
 
+def test_nothing_is_before_the_first_year() -> None:
+    first = datetime(1, 1, 2)  # noqa: DTZ001
+    text = "5291-2379-66946134616-as soon as possible-4-921-the preceding-mid morning-midnight-3-58"
+    assert all(
+        part.earliest is None or part.earliest > -86401 for part in find_times(text, first).requirements
+    )
+
+
 @given(st.sampled_from(sorted(available_timezones())), DECADES)
 def test_the_next_noon_is_noon_within_a_day_in_every_zone(zone: str, moment: datetime) -> None:
     now = moment.replace(microsecond=0, tzinfo=ZoneInfo(zone))

@@ -54,7 +54,10 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
     UngroundedError
         If its words name no time.
     """
-    first = _Grounder(phrase, text, moment).result()
+    try:
+        first = _Grounder(phrase, text, moment).result()
+    except OverflowError as error:
+        raise UngroundedError("a time must lie in the years 1 to 9999") from error
     if phrase.said.lasting is None:
         return (first,)
     length = phrase.said.lasting
