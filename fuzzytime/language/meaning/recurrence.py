@@ -194,7 +194,9 @@ class CalendarRecurrence(PlainRecurrence):
                 moment += over_at_midnight(wall, self.moment.policy)
             return moment, moment
         if wall.part is not None:
-            return begins + timedelta(seconds=wall.part.start), begins + timedelta(seconds=wall.part.end)
+            start, end = wall.part.start, wall.part.end
+            start = self.moment.policy.begin_before(end) if wall.part.due else start
+            return begins + timedelta(seconds=start), begins + timedelta(seconds=end)
         return begins, midnight(days.end)
 
     def time_of_day(self, wall: Wall, clock: Clock) -> int:

@@ -137,16 +137,32 @@ def _in_hours(repeat: Repeat, said: Said) -> Repeat | None:
     time, side = said.time, said.constraint
     if isinstance(time, Range) and is_of_day(time.first) and is_of_day(time.last):
         return within_hours(repeat, time.first, time.last)
-    if not isinstance(time, Wall):
+    walls = [_on_side(wall, time, side) for wall in repeat.walls] if isinstance(time, Wall) else []
+    kept = tuple(wall for wall in walls if wall is not None)
+    return replace(repeat, walls=kept) if kept and len(kept) == len(walls) else None
+
+
+def _on_side(day: Wall, time: Wall, side: Constraint | None) -> Wall | None:
+    """Give one side of a time of day on a day, or in its part: "every monday before seven"."""
+    if day.clock is not None or side not in {Constraint.BEFORE, Constraint.AFTER}:
         return None
+    within = day.part
     if time.clock is not None:
-        return _on_side(repeat, time.clock, side)
-    if time.part is None or side not in {Constraint.BEFORE, Constraint.AFTER}:
+        within = time.part or within
+        clock = time.clock if within is None else halved(time.clock, within.half)
+        first = last = clock.first_from(POLICY.plausible_from)
+    elif time.part is not None:
+        # "Before school on tuesdays"
+        first, last = time.part.start, time.part.end % DAY_SECONDS
+    else:
         return None
-    # "Before school on tuesdays"
-    first, last = time.part.start, time.part.end % DAY_SECONDS
-    hours = (POLICY.begin_before(first), first) if side is Constraint.BEFORE else (last, DAY_SECONDS)
-    return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))
+    if side is Constraint.AFTER:
+        closes = within.end if within is not None and last < within.end else DAY_SECONDS
+        return replace(day, part=Part("", last, closes, Half.EITHER))
+    if within is not None and within.start < first:
+        # "Every evening before nine"
+        return replace(day, part=Part("", within.start, first, Half.EITHER))
+    return replace(day, part=Part("", POLICY.begin_before(first), first, Half.EITHER, due=True))
 
 
 def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
@@ -157,8 +173,8 @@ def _in_share(repeat: Repeat, said: Said) -> Repeat | None:
         return None
     if side in MOMENTS:
         return None if time.bare and said.preposition is None else replace(repeat, at=time)
-    clocked = _on_side(Repeat(walls=(Wall(Cycle(Unit.DAY)),)), time.clock, side) if time.clock else None
-    return None if clocked is None else replace(repeat, at=Wall(part=clocked.walls[0].part))
+    bounded = _on_side(Wall(), time, side)
+    return None if bounded is None else replace(repeat, at=bounded)
 
 
 def _end_of(stretch: Coming | Rest) -> Time | None:
@@ -206,12 +222,3 @@ def _hour_of(repeat: Repeat, clock: Clock) -> int:
     parts = {wall.part for wall in repeat.walls}
     (part,) = parts if len(parts) == 1 else (None,)
     return (clock if part is None else halved(clock, part.half)).first_from(POLICY.plausible_from)
-
-
-def _on_side(repeat: Repeat, clock: Clock, side: Constraint | None) -> Repeat | None:
-    """Give a repetition on one side of a clock time of its days: every monday before seven."""
-    moment = _hour_of(repeat, clock)
-    if side not in {Constraint.BEFORE, Constraint.AFTER}:
-        return None
-    hours = (POLICY.begin_before(moment), moment) if side is Constraint.BEFORE else (moment, DAY_SECONDS)
-    return narrowed_repeat(repeat, Wall(part=Part("", *hours, Half.EITHER)))

@@ -103,7 +103,8 @@ class Part:
     """A part of the day: where it begins and ends, in seconds since midnight, beyond a day past the next.
 
     ``late`` is where its late half begins; None for its middle. ``meal`` says that it is an event too, that
-    instructions can be about, ``place`` that it is one where people are.
+    instructions can be about, ``place`` that it is one where people are. ``due`` says that it is what a day
+    has before a deadline, and begins when a policy says.
     """
 
     name: str
@@ -113,6 +114,7 @@ class Part:
     meal: bool = False
     late: int | None = None
     place: bool = False
+    due: bool = False
 
     @property
     def is_point(self) -> bool:
