@@ -62,6 +62,11 @@ class Operation:
     order: Order | None = None
 
     @property
+    def is_asked(self) -> bool:
+        """Whether it is to be done, and is not only told or denied."""
+        return not self.stated and not self.negated
+
+    @property
     def phrase(self) -> str:
         """The verb's lemma with its particle: "turn on"."""
         return " ".join(word.lower() for word in (self.lemma, self.particle) if word)

@@ -54,7 +54,7 @@ class Dense:
             case Is():
                 return self._atom(formula)
             case Happened():
-                raise NotImplementedError
+                raise ValueError("events have moments and no values: only signals are sampled here")
             case Not(part):
                 low, high = self.bounds(part)
                 return 1 - high, 1 - low

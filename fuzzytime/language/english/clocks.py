@@ -13,7 +13,7 @@ grammar = Grammar()
 FULL_DIGITS = 4
 """Digits of hour and minute together: "1830"."""
 
-NOON_HOUR = 12
+NOON_HOUR = NOON // 3600
 
 TO_AN_HOUR = frozenset({15, 20})
 """Hours of the afternoon that, in words, may as well be minutes: "twenty to seven"."""
@@ -212,7 +212,7 @@ def named(part: Part) -> Clock:
 @grammar.rule("clock", "<integer> o'clock? <moment part>", weight=0.3)
 def named_twice(hour: Integer, part: Part) -> Clock | None:
     """Twelve noon, 12 midnight, 1 o'clock midnight."""
-    if hour.value > 12 or (part.start == NOON and hour.value != NOON // 3600):
+    if hour.value > 12 or (part.start == NOON and hour.value != NOON_HOUR):
         # "Give him pills at eight noon and six": three times.
         return None
     return Clock(hour.value % 12 or 12, half=part.half, midnight=not part.start and hour.value == 12)

@@ -185,6 +185,7 @@ class BesideTimes:
     calls: Words
     turnings: Words
     turning: Words
+    contrary: Words
     taken_back: Words
     courteous: Words
     obliging: Words

@@ -30,7 +30,7 @@ from fuzzytime.language.sentence.segments.connectives import (
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
-from fuzzytime.language.sentence.sketches.negations import awaiting, since_before, without_denial
+from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
 from fuzzytime.language.sentence.sketches.prepared import due_of
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.sketches.usual_hours import at_usual_hours
@@ -96,7 +96,7 @@ class _Composer:
         self.awaits = awaits
         self.remarks: list[Remark] = list(draft.remarks)
         self.questions: list[Question] = []
-        self.told = Told()
+        self.told = Told(mentions.told)
         self.made: list[Instruction] = []
         self.explained: list[Span] = [said.span for said in draft.phrases]
         self.explained += [remark.span for remark in draft.remarks]
@@ -205,13 +205,19 @@ class _Composer:
         lengths = [one for one in times.found if one.duration is not None]
         self.remarks += [*second_lengths(lengths), *second_repetitions(times.found)]
         duration = lengths[0].duration if lengths else None
-        operation, requirements, duration = without_denial(
-            sketch.operation, requirements, duration, connected, f"{sketch.denial} {said}", self.lexicon
-        )
+        begun: Anchor | None = None
         if before is not None and self.first < position == before + 1 and not sketch.denial:
             lasts = self.made[-1].duration is not None
             begun = Anchor(text=said, target=before, edge=Edge.START if lasts else Edge.END)
-            requirements = since_before(requirements, begun)
+        operation, requirements, duration = without_denial(
+            sketch.operation,
+            requirements,
+            duration,
+            connected,
+            f"{sketch.denial} {said}",
+            self.lexicon,
+            begun,
+        )
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)

@@ -32,8 +32,8 @@ class Anchors:
 
     ``position`` is its own, ``first`` that of the first instruction of its text, and ``own`` are the
     operations of that text. Those of what was said after it are meant only where it ``awaits`` them, and
-    where nothing said before is meant. ``day`` is that of a line above, ``told`` what
-    was told of the times of its text so far, ``now`` when that is said.
+    where nothing said before is meant. ``day`` is that of a line above, ``told`` what was told of times so
+    far, ``now`` when that is said.
     """
 
     position: int
@@ -266,19 +266,14 @@ class Anchors:
             before -= 1
         return before
 
-    def told_so_far(self) -> Told:
-        """Give what was told of the times of all instructions."""
-        return self.mentions.told.beside(self.told)
-
     def said_to_last(self) -> int | None:
         """Give the latest instruction before it that was said to go on for some time; None without one."""
-        known = [place for place in self.told_so_far().lasting if place < self.position]
-        return known[-1] if known else None
+        return self.told.last_going_on(self.position)
 
     def going_on(self) -> int:
         """Give the latest instruction that was said to go on for some time, or that right before."""
-        before = [place for place in self.mentions.told.lasting if place < self.first]
-        return self.position - 1 if self.position > self.first or not before else before[-1]
+        before = self.mentions.told.last_going_on(self.first)
+        return self.position - 1 if self.position > self.first or before is None else before
 
 
 def only_counted(requirement: TimeRequirement, anchor: Anchor, constraint: Constraint) -> TimeRequirement:

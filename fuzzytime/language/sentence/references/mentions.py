@@ -43,7 +43,7 @@ def undoes(operation: Operation, earlier: Operation, lexicon: Lexicon) -> bool:
     if not undone and operation.place is not None:
         # "Take it off the heat"
         undone = lexicon.undoing.get(f"{operation.lemma} {operation.place.split()[0].lower()}", frozenset())
-    return not earlier.negated and not earlier.stated and earlier.phrase in undone
+    return earlier.is_asked and earlier.phrase in undone
 
 
 @dataclass(slots=True)
@@ -151,7 +151,7 @@ def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:
 
 def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
     """Whether an operation asks for something to be done with what words name, which may be its verb."""
-    if operation is None or operation.stated or operation.negated:
+    if operation is None or not operation.is_asked:
         return False
     known = content_words(operation.object) | content_words(operation.place)
     return not words.isdisjoint(known.union(_nouns(operation.lemma)))

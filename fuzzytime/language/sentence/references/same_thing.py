@@ -18,13 +18,12 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     """
     own, distance = anchors.operation_at(anchors.position), requirement.t_spec
     bare = isinstance(said.time, Duration) or (isinstance(said.time, Offset) and said.time.anchor is None)
-    if own is None or own.stated or own.negated or distance is None or not bare:
+    if own is None or not own.is_asked or distance is None or not bare:
         return None
     target = _asked_before(anchors) if said.preposition in {AFTER, IN} else None
     if target is None:
         return None
-    told = anchors.told_so_far()
-    start = told.starts.get(target)
+    start = anchors.told.start(target)
     begun = None if start is None or anchors.now is None else seconds_between(anchors.now, start)
     too_early = begun is not None and distance < begun
     other = anchors.operation_at(target)
@@ -33,7 +32,7 @@ def since_the_same(anchors: Anchors, said: Said, requirement: TimeRequirement) -
     if not after and not (own.again and too_early):
         return None
     edge = Edge.FREE if tells_length_of(anchors, target) else Edge.END
-    if distance < told.lasting.get(target, 0.0):
+    if distance < (anchors.told.length(target) or 0.0):
         # "Roast it for an hour. Turn it after ten minutes"
         edge = Edge.START
     anchor = Anchor(text=requirement.text, target=target, edge=edge, lag=distance, exact=True)
@@ -49,7 +48,7 @@ def tells_length_of(anchors: Anchors, target: int) -> bool:
     own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)
     if own is None or other is None or own.stated or other.stated or own.lemma == other.lemma:
         return False
-    return _is_of_the_same(anchors, target) and target not in anchors.told_so_far().lasting
+    return _is_of_the_same(anchors, target) and anchors.told.length(target) is None
 
 
 def counted_from(anchors: Anchors) -> int:
@@ -76,10 +75,10 @@ def _asked_before(anchors: Anchors) -> int | None:
 
     Who asks for the very same anew, by its name, means another time of it: "feed the cat".
     """
-    own, told = anchors.operation_at(anchors.position), anchors.told_so_far()
+    own = anchors.operation_at(anchors.position)
     for place, before in anchors.just_before():
         anew = own is not None and not own.again and own.lemma == before.lemma
-        asked = not before.stated and not before.negated and place not in told.repeated
+        asked = before.is_asked and not anchors.told.is_repeated(place)
         if asked and not anew and _is_of_the_same(anchors, place):
             return place
     return None

@@ -12,8 +12,12 @@ WHEN = frozenset({Constraint.AT, Constraint.BETWEEN})
 
 @dataclass(slots=True)
 class Told:
-    """What was told so far: ``starts``; lengths in seconds, the latest told last; what is ``repeated``."""
+    """What a text told so far: ``starts``; lengths in seconds, the latest told last; what is ``repeated``.
 
+    ``above`` is what was told before the text: what is asked of both is answered by the text first.
+    """
+
+    above: "Told | None" = None
     starts: dict[int, datetime] = field(default_factory=dict)
     lasting: dict[int, float] = field(default_factory=dict)
     repeated: set[int] = field(default_factory=set)
@@ -30,9 +34,26 @@ class Told:
             self.lasting.pop(meant, None)
             self.lasting[meant] = instruction.duration
 
-    def beside(self, other: "Told") -> "Told":
-        """Give all that was told here and, after it, there."""
-        return Told(self.starts | other.starts, self.lasting | other.lasting, self.repeated | other.repeated)
+    def start(self, position: int) -> datetime | None:
+        """Give when an instruction begins, as far as it was told."""
+        if self.above is None or position in self.starts:
+            return self.starts.get(position)
+        return self.above.start(position)
+
+    def length(self, position: int) -> float | None:
+        """Give how long an instruction goes on, in seconds, as far as it was told."""
+        if self.above is None or position in self.lasting:
+            return self.lasting.get(position)
+        return self.above.length(position)
+
+    def is_repeated(self, position: int) -> bool:
+        """Whether an instruction was told to be repeated."""
+        return position in self.repeated or (self.above is not None and self.above.is_repeated(position))
+
+    def last_going_on(self, before: int) -> int | None:
+        """Give the instruction before a position whose length was told last; None without one."""
+        place = next((place for place in reversed(self.lasting) if place < before), None)
+        return place if place is not None or self.above is None else self.above.last_going_on(before)
 
 
 def start_of(instruction: Instruction, now: datetime | None) -> datetime | None:

@@ -27,8 +27,6 @@ OPENING = frozenset({"DT", "PRP", "PRP$"})
 COMPARED = frozenset({"JJR", "RBR"})
 """Tags of words whose dictionary form is another, and that may be a verb: "lower the blinds"."""
 
-OTHERWISE = "otherwise"
-
 ENDING = frozenset({"JJ", "VBN", "RP"})
 """Tags of words that end what is said of something, and behind which no thing stands: "the pan is hot"."""
 
@@ -100,7 +98,9 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
             continue
         clause = source.sound[first:start].strip(" ,")
         kind = "after" if words[marker.end - 1].text in OF_EVENTS else marker.kind
-        order = source.sound[start:end].partition(f" {OTHERWISE} ")[0]
+        order = source.sound[start:end]
+        for contrary in lexicon.beside.contrary:
+            order = order.partition(f" {contrary} ")[0]
         yield _Try(place, kind, Front(marker.start, start), clause, order)
 
 

@@ -22,8 +22,6 @@ OBJECTS = ("dobj", "prt", "dative", "npadvmod", "prep", "advmod")
 """What an order governs that is whole."""
 
 
-OTHERWISE = "otherwise"
-
 FINITE = frozenset({"VBZ", "VBD"})
 """Tags of what somebody does, or did."""
 
@@ -73,7 +71,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if tree.nodes[led].lower in lexicon.closed.joints_of_orders:
             # "Set the table, and by seven have the soup ready"
             continue
-        turned = lexicon.beside.turning | {OTHERWISE}
+        turned = lexicon.beside.turning | lexicon.beside.contrary
         first = here - (tree.nodes[here - 1].lower in turned)
         start, verb = (tree.nodes[at].start + one.main for at in (first, here))
         words = source.places(one.main, start)
@@ -93,7 +91,9 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if node.tag in {"IN", "RP", "TO"} or node.lower in where:
         # "Walk him round the block", "put it back the way it was"
         return False
-    joints = (lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}) - {OTHERWISE}
+    joints = (
+        lexicon.closed.joints_of_orders | lexicon.closed.alternatives | {"to"}
+    ) - lexicon.beside.contrary
     if before.lower in joints:
         return False
     if before.tag == "PRP" and before.lower in lexicon.closed.personal_pronouns:
@@ -104,7 +104,7 @@ def _may_begin(tree: Tree, place: int, timed: AbstractSet[int], lexicon: Lexicon
     if place + 1 in timed:
         # "Open the hatch wait ten seconds and close it"
         return node.lower in lexicon.doing.waiting
-    led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns | {"her"}
+    led = behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns
     further = tree.nodes[place + 2 : place + 3]
     carried = node.lower in lexicon.particles.get(behind.lower, ()) and bool(further)
     return led or (carried and further[0].tag in DETERMINERS)

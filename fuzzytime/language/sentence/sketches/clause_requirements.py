@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Remark, RemarkKind
+from fuzzytime.language.instruction import Remark, RemarkKind
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.comparisons import comparisons_in
 from fuzzytime.language.sentence.references.anchors import Anchors
@@ -112,12 +112,8 @@ def _under_way(said: Condition, condition: Condition, anchors: Anchors) -> int |
     if about is not None or said.subject not in anchors.lexicon.closed.singular_anaphors:
         return about
     putting = anchors.lexicon.doing.putting
-    left = (place for place, one in anchors.just_before() if one.lemma in putting and _is_asked(one))
+    left = (place for place, one in anchors.just_before() if one.lemma in putting and one.is_asked)
     return next(left, None)
-
-
-def _is_asked(operation: Operation) -> bool:
-    return not operation.negated and not operation.stated
 
 
 def referred(requirement: TimeRequirement, reference: Reference | None) -> TimeRequirement:

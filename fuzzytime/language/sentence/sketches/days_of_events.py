@@ -43,7 +43,7 @@ def on_days_of_events(sketch: Sketch, anchors: Anchors, text: str) -> tuple[Sket
         if away is None or not (timed or _is_any_time(clause)):
             continue
         target = anchors.target_of(clause)
-        day = None if target is None else anchors.told_so_far().starts.get(target)
+        day = None if target is None else anchors.told.start(target)
         if day is None and not timed:
             continue
         if day is None:

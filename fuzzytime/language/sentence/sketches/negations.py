@@ -1,6 +1,6 @@
 """What negations ask for: "don't open it before six" is not before six, "don't … until" when it is so."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -45,6 +45,7 @@ def without_denial(
     connected: TimeRequirement | None,
     said: str,
     lexicon: Lexicon,
+    begun: Anchor | None = None,
 ) -> tuple[Operation | None, list[TimeRequirement], float | None]:
     """Read what is not to be done at some time as what is to be done at another: "don't open it before six".
 
@@ -58,31 +59,16 @@ def without_denial(
         The words of the instruction, and of one before it that is denied with it.
     lexicon
         What nobody asks for at any time is not turned: "don't disturb dad before ten".
+    begun
+        What is asked for right before it: from there counts how long something is not to be done: "put the
+        pie in at six and don't open the door for half an hour".
     """
     denied = _denied_times(requirements, connected, said)
     if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
-    turned = [_turned(r, duration) if r.span in denied else r for r in requirements]
+    turned = [_turned(r, duration, begun) if r.span in denied else r for r in requirements]
     return replace(operation, negated=False), turned, duration if lasting else None
-
-
-def since_before(requirements: Sequence[TimeRequirement], anchor: Anchor) -> list[TimeRequirement]:
-    """Count how long something is not to be done from what is asked for right before it.
-
-    "Put the pie in at six and don't open the door for half an hour"; ``anchor`` says from where.
-    """
-    return [_since(one, anchor) if _is_length_denied(one) else one for one in requirements]
-
-
-def _is_length_denied(requirement: TimeRequirement) -> bool:
-    lasting = requirement.text.lower().startswith("for ") and requirement.constraint is Constraint.AFTER
-    return requirement.denied and lasting and requirement.anchor is None and requirement.t_spec is not None
-
-
-def _since(requirement: TimeRequirement, anchor: Anchor) -> TimeRequirement:
-    counted = replace(anchor, text=requirement.text, lag=requirement.t_spec or 0.0)
-    return replace(requirement, anchor=counted, t_spec=None, earliest=None, latest=None, grain=None)
 
 
 def _denied_times(
@@ -101,13 +87,17 @@ def _denied_times(
 
 def _is_turned(requirement: TimeRequirement) -> bool:
     """Whether what is not to be done then is to be done at another time: "not for the first ten minutes"."""
-    first = requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
     anchor = requirement.anchor
-    opening = anchor is not None and anchor.edge is Edge.START
-    return requirement.constraint in TURNED or (first and (requirement.earliest == 0.0 or opening))
+    opening = requirement.earliest == 0.0 or (anchor is not None and anchor.edge is Edge.START)
+    return requirement.constraint in TURNED or (_is_stretch(requirement) and opening)
 
 
-def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequirement:
+def _is_stretch(requirement: TimeRequirement) -> bool:
+    """Whether a requirement is how long something goes on, from some moment: "for the first ten minutes"."""
+    return requirement.constraint is Constraint.BETWEEN and requirement.preposition == "for"
+
+
+def _turned(requirement: TimeRequirement, duration: float | None, begun: Anchor | None) -> TimeRequirement:
     """Read "don't open it before six" as: open it, not before six."""
     if requirement.constraint is Constraint.FOR and LONGER in requirement.fuzziness:
         # "Don't boil it for more than a minute": for a minute at most.
@@ -118,7 +108,7 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
         # "Don't stir it for the first ten minutes": after them.
         time = requirement.latest
     after = constraint is Constraint.AFTER
-    return replace(
+    turned = replace(
         requirement,
         denied=True,
         constraint=constraint,
@@ -127,3 +117,8 @@ def _turned(requirement: TimeRequirement, duration: float | None) -> TimeRequire
         earliest=time if after else None,
         latest=None if after else time,
     )
+    lasting = requirement.constraint is Constraint.FOR or _is_stretch(requirement)
+    if begun is None or requirement.anchor is not None or time is None or not lasting:
+        return turned
+    counted = replace(begun, text=requirement.text, lag=time)
+    return replace(turned, anchor=counted, t_spec=None, earliest=None, latest=None, grain=None)

@@ -64,7 +64,7 @@ class Sketch:
     @property
     def asks(self) -> bool:
         """Whether something is to be done, and is not only told or denied."""
-        return self.operation is not None and not self.operation.stated and not self.operation.negated
+        return self.operation is not None and self.operation.is_asked
 
     def under(self, phrases: Sequence[Phrase], clauses: Sequence[Clause] = ()) -> "Sketch":
         """Give the same with times and clauses from elsewhere before its own."""

@@ -46,7 +46,7 @@ def behind_consequences(
 def _is_why(why: Instruction, consequence: Instruction) -> bool:
     """Whether one only says how long it goes on, and the other, about the same thing, when it is due."""
     one, other = why.operation, consequence.operation
-    if one is None or other is None or one.stated or other.stated or one.negated or other.negated:
+    if one is None or other is None or not (one.is_asked and other.is_asked):
         return False
     same = one.object is not None and one.object == other.object
     due = any(part.constraint in DUE and part.anchor is None for part in consequence.requirements)

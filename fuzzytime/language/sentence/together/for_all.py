@@ -34,8 +34,6 @@ HELD = frozenset({"when", "if", "after", "before"})
 IF = "if"
 """The kind of clauses that hold for what has a time of its own, too."""
 
-OTHERWISE = "otherwise"
-
 STEPS = JOINED | {"first", "then"}
 """Connectives of steps, which a deadline may be for."""
 
@@ -47,10 +45,10 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER, Constraint.BETWEEN})
 
 def said_for_all(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
     """Give each instruction what is said once for several; what asks for nothing has no operation by now."""
-    return _held_behind(_held_in_front(sketches, text), text, lexicon)
+    return _held_behind(_held_in_front(sketches, text, lexicon), text, lexicon)
 
 
-def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
+def _held_in_front(sketches: Sequence[Sketch], text: str, lexicon: Lexicon) -> list[Sketch]:
     """Give the times and clauses in front of an order to what the same sentence joins to it."""
     found: list[Sketch] = []
     phrases: tuple[Phrase, ...] = ()
@@ -58,7 +56,7 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     for sketch in sketches:
         if not found or _is_ended(found[-1], sketch, text):
             phrases, clauses = (), ()
-        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text):
+        if found and sketch.operation is not None and _is_otherwise(found[-1], sketch, text, lexicon):
             found.append(sketch.under((), _denied(found[-1].clauses)))
             continue
         if (phrases or clauses) and _is_bare(sketch, JOINED):
@@ -82,11 +80,12 @@ def _held_in_front(sketches: Sequence[Sketch], text: str) -> list[Sketch]:
     return found
 
 
-def _is_otherwise(before: Sketch, sketch: Sketch, text: str) -> bool:
+def _is_otherwise(before: Sketch, sketch: Sketch, text: str, lexicon: Lexicon) -> bool:
     """Whether it is what is done where the condition of the one before is not so: "…, otherwise go on"."""
     first, end = sketch.part.segment.span
     said = f"{text_between(before, sketch, text)} {text[first:end]}".lower().split()
-    return OTHERWISE in said[:3] and any(clause.condition is not None for clause in before.clauses)
+    contrary = not lexicon.beside.contrary.isdisjoint(said[:3])
+    return contrary and any(clause.condition is not None for clause in before.clauses)
 
 
 def _denied(clauses: Sequence[Clause]) -> tuple[Clause, ...]:

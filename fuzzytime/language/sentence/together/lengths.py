@@ -97,7 +97,7 @@ def _must_be_so(operation: Operation, words: Sequence[str], anchors: Anchors) ->
     closed = anchors.lexicon.closed
     before = anchors.operation_at(anchors.position - 1) if anchors.position else None
     obliged = words[0] in closed.anaphors and closed.verbs_of_obligation.issuperset(words[1:2])
-    if before is None or before.stated or before.negated or not obliged:
+    if before is None or not before.is_asked or not obliged:
         return False
     is_so = operation.lemma == BE and operation.place is None and operation.object is not None
     impersonal = anchors.lexicon.impersonal.issuperset((operation.object or "").lower().split())
