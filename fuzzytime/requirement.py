@@ -4,6 +4,7 @@ Times are seconds from the moment the instruction was given. A requirement keeps
 that every later answer can point at them.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Protocol
@@ -205,6 +206,8 @@ class TimeRequirement:
         The same as bounds, in seconds; None on a side that is open.
     condition, anchor, recurrence
         For constraint ``when``; for times that depend on another instruction; for ``every``.
+    alternative
+        Whether it may be kept instead of the one before it: the second of "at seven or at eight".
     """
 
     text: str
@@ -225,6 +228,7 @@ class TimeRequirement:
     condition: Condition | None = None
     anchor: Anchor | None = None
     recurrence: Recurrence | None = None
+    alternative: bool = False
 
     @property
     def asked(self) -> str:
@@ -240,3 +244,12 @@ class TimeRequirement:
         return replace(
             self, t_spec=moved(self.t_spec), earliest=moved(self.earliest), latest=moved(self.latest)
         )
+
+
+def asked_words(requirements: Iterable[TimeRequirement], joint: str = ", ") -> str:
+    """Give the words of requirements as they ask for times: "at six or at eight, for ten minutes"."""
+    words = ""
+    for requirement in requirements:
+        between = "" if not words else " or " if requirement.alternative else joint
+        words += between + requirement.asked
+    return words

@@ -44,6 +44,8 @@ class FuzzySkill:
     preferred
         The start, in seconds, that was named: among starts that satisfy equally, nearer is better. None where
         no moment was named, and earlier is better.
+    alternatives
+        Further starts that were named, one of which will do as well: "at six or at eight".
     happens
         Whether it happens by itself and needs no agent, whatever else is done meanwhile: "the train leaves at
         9:15". Its duration is 0 then.
@@ -51,7 +53,7 @@ class FuzzySkill:
     Raises
     ------
     FuzzytimeError
-        If a duration is negative or not finite, the priority is not above 0, the preferred start is not
+        If a duration is negative or not finite, the priority is not above 0, a start that was named is not
         finite, or what happens by itself has a duration.
     """
 
@@ -64,6 +66,7 @@ class FuzzySkill:
     priority: float = 1.0
     agent: int | None = None
     preferred: float | None = None
+    alternatives: tuple[float, ...] = ()
     happens: bool = False
 
     def __post_init__(self) -> None:
@@ -71,8 +74,9 @@ class FuzzySkill:
             raise FuzzytimeError(
                 f"what happens by itself must take no agent's time, got a duration of {self.duration:g} s"
             )
-        if self.preferred is not None and not math.isfinite(self.preferred):
-            raise FuzzytimeError(f"a skill's preferred start must be finite, got {self.preferred}")
+        for named in self.named:
+            if not math.isfinite(named):
+                raise FuzzytimeError(f"a skill's preferred start must be finite, got {named}")
         for name, value in (("duration", self.duration), ("elapsed time", self.time_until_done)):
             if not 0 <= value < math.inf:
                 raise FuzzytimeError(f"a skill's {name} must be finite and at least 0, got {value}")
@@ -83,6 +87,15 @@ class FuzzySkill:
     def time_until_done(self) -> float:
         """Seconds from start until the result is there."""
         return self.duration if self.elapsed is None else self.elapsed
+
+    @property
+    def named(self) -> tuple[float, ...]:
+        """The starts that were named, the preferred one first."""
+        return () if self.preferred is None else (self.preferred, *self.alternatives)
+
+    def starting_near(self, *named: float) -> "FuzzySkill":
+        """Give the same with other starts named, or none: the first is preferred."""
+        return replace(self, preferred=named[0] if named else None, alternatives=named[1:])
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, Request
-from fuzzytime.satisfaction import NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.satisfaction import NEVER, Either, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import THRESHOLD
 from fuzzytime.skills import FuzzySkill
 from fuzzytime.times import format_duration
@@ -72,6 +72,8 @@ def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -
 
 
 def _closed(function: SatisfactionFunction, horizon: float) -> SatisfactionFunction:
+    if isinstance(function, Either):
+        return Either([_closed(one, horizon) for one in function.functions])
     if not isinstance(function, (Trapezoid, Triangle, Rectangle)):
         return function
     rise_start, full_start, full_end, fall_end = function.corners

@@ -8,7 +8,7 @@ from fuzzytime.interpreter.behind import Behind
 from fuzzytime.interpreter.how_long import HowLong
 from fuzzytime.interpreter.inside import GoingOn
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.joining import both, either, with_alternatives
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
 from fuzzytime.interpreter.retold import from_to, going_to, occurrence
@@ -43,8 +43,8 @@ class Maker:
         given = seconds_between(self.request.now, wish.given)
         duration = self.how_long.given(wish, None)
         function = wish.satisfaction.shifted(given) if given else wish.satisfaction
-        function, preferred = self._moved(wish, function, None)
-        skill = replace(self._skill(wish, wish.name, function, duration), preferred=preferred)
+        function, named = self._moved(wish, function, ())
+        skill = self._skill(wish, wish.name, function, duration).starting_near(*named)
         reason = "its satisfaction is 0 at every time" if function.support.empty else ""
         return Interpreted(
             identifier=wish.identifier, wish=wish, skill=skill, duration=duration, reason=reason
@@ -113,10 +113,10 @@ class Maker:
         duration = self.how_long.of(wish, instruction)
         own = [part for part in requirements if part.anchor is None or part.anchor.target is None]
         resolutions = [self._resolved(part, operation, duration) for part in own]
-        function, preferred = self._moved(
-            wish, self._joined(wish, resolutions), self._preferred(wish, resolutions)
-        )
-        reason = next((part.reason for part in resolutions if part.reason), "")
+        offered = [[resolutions[place] for place in places] for places in with_alternatives(own)]
+        function, named = self._moved(wish, self._joined(wish, offered), self._named(wish, offered))
+        never = (one[0].reason for one in offered if all(part.reason for part in one))
+        reason = next((reason for reason in never if reason), "")
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
@@ -127,8 +127,7 @@ class Maker:
                 skill,
                 fuzzy_parameters=instruction.fuzzy_parameters,
                 parameters=_parameters(operation),
-                preferred=preferred,
-            ),
+            ).starting_near(*named),
             duration=duration,
             reading=reading,
             instruction=instruction,
@@ -149,18 +148,18 @@ class Maker:
             horizon=self.request.horizon or WITHOUT_END,
         )
 
-    def _joined(self, wish: Wish, resolutions: list[Resolution]) -> SatisfactionFunction:
-        """Join ψ of all requirements on the request's timeline: the paper's logical AND.
+    def _joined(self, wish: Wish, offered: list[list[Resolution]]) -> SatisfactionFunction:
+        """Join ψ of all requirements on the request's timeline: the paper's logical AND, OR of alternatives.
 
         What the readings tell counts from their now; everything else from when it was said.
         """
         joined: SatisfactionFunction = (
             Rectangle(-math.inf, math.inf)
-            if resolutions
+            if offered
             else ALWAYS.shifted(seconds_between(self.request.now, wish.given))
         )
-        for resolution in resolutions:
-            part = resolution.satisfaction.shifted(self._origin(wish, resolution))
+        for alternatives in offered:
+            part = either([one.satisfaction.shifted(self._origin(wish, one)) for one in alternatives])
             joined = (
                 part
                 if joined.model == "trapezoid" and joined.best.high == float("inf")
@@ -168,26 +167,28 @@ class Maker:
             )
         return joined
 
-    def _preferred(self, wish: Wish, resolutions: list[Resolution]) -> float | None:
-        """Give the start that was named, on the request's timeline; None where no moment was."""
-        for resolution in resolutions:
-            if resolution.named is not None:
-                return self._origin(wish, resolution) + resolution.named
-        return None
+    def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
+        """Give the start that was named, on the request's timeline, with its alternatives."""
+        for alternatives in offered:
+            named = ((self._origin(wish, one), one.named) for one in alternatives)
+            found = tuple(origin + time for origin, time in named if time is not None)
+            if found:
+                return found
+        return ()
 
     def _moved(
-        self, wish: Wish, function: SatisfactionFunction, preferred: float | None
-    ) -> tuple[SatisfactionFunction, float | None]:
-        """Move ψ and the start that was named as the wish was moved."""
+        self, wish: Wish, function: SatisfactionFunction, named: tuple[float, ...]
+    ) -> tuple[SatisfactionFunction, tuple[float, ...]]:
+        """Move ψ and the starts that were named as the wish was moved."""
         if wish.moved is None:
-            return function, preferred
+            return function, named
         by = wish.moved.by
-        function, preferred = function.shifted(by), None if preferred is None else preferred + by
+        function, named = function.shifted(by), tuple(time + by for time in named)
         if wish.moved.to is None:
-            return function, preferred
+            return function, named
         to = seconds_between(self.request.now, wish.moved.to)
         window = Rectangle(to, math.inf) if by >= 0 else Rectangle(-math.inf, to)
-        return both(function, window), to
+        return both(function, window), (to,)
 
     def _origin(self, wish: Wish, resolution: Resolution) -> float:
         """Give the time that a resolution counts from: the readings' now, or when it was said."""

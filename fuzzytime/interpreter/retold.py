@@ -21,6 +21,9 @@ def from_to(instruction: Instruction) -> Instruction:
     operation, requirements = instruction.operation, list(instruction.requirements)
     if operation is None or instruction.duration is not None:
         return instruction
+    if any(part.alternative for part in requirements):
+        # "From two to four or from six to seven" leaves open how long.
+        return instruction
     for place, part in enumerate(requirements):
         if part.preposition != "between" or part.earliest is None or part.latest is None:
             continue

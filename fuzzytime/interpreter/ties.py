@@ -6,10 +6,10 @@ from datetime import datetime
 
 from fuzzytime.context import Context
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.joining import both, either
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.rulebook import Rulebook
-from fuzzytime.satisfaction import Interval, SatisfactionFunction
+from fuzzytime.satisfaction import Either, Interval, SatisfactionFunction
 from fuzzytime.skills import Precedence
 from fuzzytime.times import seconds_between
 
@@ -141,35 +141,40 @@ class Tie:
         if not (follows and own and all(map(_counts_from_now, own))):
             return self.this
         skill = self.this.skill
-        named = None if skill.preferred is None else skill.preferred + later
-        moved = replace(skill, satisfaction=skill.satisfaction.shifted(later), preferred=named)
-        return replace(self.this, skill=moved)
+        moved = replace(skill, satisfaction=skill.satisfaction.shifted(later))
+        return replace(self.this, skill=moved.starting_near(*(time + later for time in skill.named)))
 
     def _preferred(self) -> float | None:
         """Give the start that was named, or that at the very distance from where the target's was."""
-        target, named, wished = self.target.skill.preferred, self.this.skill.preferred, self._wished()
-        return (
-            named if named is not None or target is None or wished is None else target + self.moment + wished
-        )
+        target, named, wished = self.target.skill.named, self.this.skill.preferred, self._wished()
+        if named is not None or wished is None or len(target) != 1:
+            # Behind one of several times its place is known when that is chosen.
+            return named
+        return target[0] + self.moment + wished
 
     def _satisfaction(self) -> SatisfactionFunction:
         """Let ψ follow the target's, where that is timed."""
         if all(requirement.anchor is not None for requirement in self.target.requirements):
             return self.this.skill.satisfaction
         leeway = self.allowed()
-        if (beside := self.beside) is not None and self.target.skill.preferred is not None:
-            moved = beside.shifted(self.target.skill.preferred + self.moment + self.lag)
+        if (beside := self.beside) is not None and (named := self.target.skill.named):
+            moved = either([beside.shifted(time + self.moment + self.lag) for time in named])
             return both(self.this.skill.satisfaction, moved)
         follows = self.target.skill.satisfaction.shifted(self.moment + self.lag)
         own = self.this.skill.satisfaction
         alone = len([r for r in self.this.requirements if r.anchor is None]) == 0
-        factor = (
-            1 + leeway.length / max(follows.support.length, 1.0)
-            if math.isfinite(follows.support.length)
-            else 1.0
-        )
-        wide = follows.widened(factor, follows.best.low) if not follows.best.empty else follows
+        wide = _wider(follows, leeway.length)
         return wide if alone else both(own, wide)
+
+
+def _wider(function: SatisfactionFunction, leeway: float) -> SatisfactionFunction:
+    """Give ψ with some seconds more between its ends; each of alternatives about its own time."""
+    if isinstance(function, Either):
+        return Either([_wider(one, leeway) for one in function.functions])
+    length = function.support.length
+    if function.best.empty or not math.isfinite(length):
+        return function
+    return function.widened(1 + leeway / max(length, 1.0), function.best.low)
 
 
 def _counts_from_now(part: TimeRequirement) -> bool:

@@ -94,6 +94,8 @@ def _requirement(requirement: TimeRequirement, reading: Reading) -> dict[str, An
         "earliest": _instant(first, reading),
         "latest": _instant(last, reading),
     }
+    if requirement.alternative:
+        found["alternative"] = True
     if requirement.word is not None:
         found["word"] = requirement.word
     if requirement.condition is not None:

@@ -4,6 +4,7 @@ from fuzzytime.satisfaction.algebra import ALWAYS, NEVER, averaged, points_of, p
 from fuzzytime.satisfaction.bell import Bell
 from fuzzytime.satisfaction.chord import cell_chord_errors
 from fuzzytime.satisfaction.clipped import Clipped
+from fuzzytime.satisfaction.either import Either
 from fuzzytime.satisfaction.floored import Floored
 from fuzzytime.satisfaction.protocol import EMPTY, EVERYWHERE, Floats, Interval, SatisfactionFunction
 from fuzzytime.satisfaction.sampled import Sampled
@@ -16,6 +17,7 @@ __all__ = [
     "NEVER",
     "Bell",
     "Clipped",
+    "Either",
     "Floats",
     "Floored",
     "Interval",

@@ -56,13 +56,14 @@ class PiecewiseLinear(ABC):
 
     __slots__ = ()
 
+    @property
     @abstractmethod
-    def _knots(self) -> Knots:
-        """Give the table of knots."""
+    def knots(self) -> Knots:
+        """The table of knots."""
 
     def __call__(self, times: ArrayLike) -> Floats:
         """Give ψ at times of any shape, in that shape."""
-        return np.asarray(self._knots().evaluate(np.asarray(times, float)))
+        return np.asarray(self.knots.evaluate(np.asarray(times, float)))
 
     def log(self, times: ArrayLike) -> Floats:
         """Give log ψ at times of any shape, −inf where ψ is 0."""
@@ -72,12 +73,12 @@ class PiecewiseLinear(ABC):
     @property
     def kinks(self) -> tuple[float, ...]:
         """The knots."""
-        return tuple(self._knots().times.tolist())
+        return tuple(self.knots.times.tolist())
 
     @property
     def support(self) -> Interval:
         """The smallest interval that holds every time with ψ > 0."""
-        knots = self._knots()
+        knots = self.knots
         if not knots.times.size:
             return EVERYWHERE if knots.before > 0 else EMPTY
         following = np.append(knots.left[1:], knots.after)
@@ -91,7 +92,7 @@ class PiecewiseLinear(ABC):
     @property
     def best(self) -> Interval:
         """The interval, from the earliest best time on, on which ψ keeps its maximum; empty where ψ is 0."""
-        knots = self._knots()
+        knots = self.knots
         peak = max(knots.before, knots.after, *knots.at.tolist())
         if peak <= 0:
             return EMPTY
@@ -116,7 +117,7 @@ class PiecewiseLinear(ABC):
         Between knots log ψ is concave where ψ is linear; at a knot it is where ψ is, as both slopes of
         log ψ are those of ψ over the same value.
         """
-        knots = self._knots()
+        knots = self.knots
         support = self.support
         inside = (knots.times >= support.low) & (knots.times <= support.high)
         times, left, at, right = (x[inside] for x in (knots.times, knots.left, knots.at, knots.right))
@@ -138,7 +139,7 @@ class PiecewiseLinear(ABC):
 
     def crossings(self, level: float) -> tuple[float, ...]:
         """Give the finite times, ascending, at which ψ reaches, leaves or jumps across a level."""
-        knots = self._knots()
+        knots = self.knots
         lowest = np.minimum(np.minimum(knots.left, knots.right), knots.at)
         highest = np.maximum(np.maximum(knots.left, knots.right), knots.at)
         found = set(knots.times[(lowest <= level) & (level <= highest)].tolist())
@@ -152,7 +153,7 @@ class PiecewiseLinear(ABC):
         """Give the smallest interval that holds every time with ψ ≥ level."""
         if level <= 0:
             return EVERYWHERE
-        knots = self._knots()
+        knots = self.knots
         times = np.asarray(self.crossings(level))
         # A crossing computed with rounding may miss the level by as much.
         reached = times[self(times) >= level - 1e-9] if times.size else times

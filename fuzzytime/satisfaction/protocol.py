@@ -53,7 +53,7 @@ class SatisfactionFunction(Protocol):
     """
 
     model: ClassVar[str]
-    """The shape's name: trapezoid, triangle, rectangle, bell, points or floored."""
+    """The shape's name: trapezoid, triangle, rectangle, bell, points, clipped, floored or either."""
 
     def __call__(self, times: ArrayLike) -> Floats:
         """Give ψ at times of any shape, in that shape."""

@@ -77,11 +77,12 @@ class Sampled(PiecewiseLinear):
         left, right = self.values[first], self.values[first + count - 1]
         at = np.maximum(left, right)
         # Outside ψ is 0: a curve that starts or ends above 0 jumps there.
-        left[0] = left[0] if count[0] == 2 else 0.0
-        right[-1] = right[-1] if count[-1] == 2 else 0.0
+        left[0] = right[-1] = 0.0
         return Knots(times, left, at, right, 0.0, 0.0)
 
-    def _knots(self) -> Knots:
+    @property
+    def knots(self) -> Knots:
+        """The table of knots."""
         return self._table
 
     @property

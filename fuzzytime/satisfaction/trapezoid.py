@@ -38,7 +38,9 @@ class _Corners(PiecewiseLinear):
         if rise_open != (full_start == -math.inf) or fall_open != (full_end == math.inf):
             raise FuzzytimeError(f"a flank must lie between two finite times, got {corners}")
 
-    def _knots(self) -> Knots:
+    @property
+    def knots(self) -> Knots:
+        """The table of knots."""
         return _trapezoid_knots(*self.corners)
 
     @property

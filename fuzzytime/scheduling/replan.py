@@ -164,8 +164,8 @@ def _remaining(
     skills = []
     for position in kept:
         skill = task.skills[position]
-        preferred = None if skill.preferred is None else skill.preferred - now
-        skill = replace(skill, satisfaction=skill.satisfaction.shifted(-now), preferred=preferred)
+        skill = replace(skill, satisfaction=skill.satisfaction.shifted(-now))
+        skill = skill.starting_near(*(time - now for time in skill.named))
         for entry in task.precedences:
             if entry.second == position and entry.first in begun:
                 skill = _released(skill, begun[entry.first], entry)

@@ -313,13 +313,18 @@ def test_words_that_belong_to_a_name_or_a_noun_are_not_pointed_at(text: str) -> 
     assert reading.instructions[0].requirements == ()
 
 
-def test_of_times_joined_by_or_the_first_is_taken_and_said() -> None:
-    reading = language().read("call me at noon or at 3 pm", now=NOW)
-    (instruction,) = reading.instructions
-    assert [r.text for r in instruction.requirements] == ["at noon"]
+def test_nothing_stands_for_a_time_that_counts_from_another_instruction() -> None:
+    reading = language().read("Set the table. Call me at noon or after setting the table", now=NOW)
+    (said,) = reading.instructions[1].requirements
+    assert said.text == "at noon"
     assert [(r.kind, reading.text[slice(*r.span)]) for r in reading.remarks] == [
-        (RemarkKind.POLICY, "at 3 pm")
+        (RemarkKind.POLICY, "after setting the table")
     ]
+
+
+def test_an_alternative_is_asked_about_with_the_time_before_it() -> None:
+    questions = language().read("call me at six or at seven", now=NOW).questions
+    assert [[choice.hour for choice in question.choices] for question in questions] == [[18, 6]]
 
 
 def test_an_ambiguous_time_is_a_question_with_the_choice_of_the_policy() -> None:

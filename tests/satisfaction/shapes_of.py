@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 from fuzzytime.satisfaction import (
     Bell,
     Clipped,
+    Either,
     Floored,
     Interval,
     Rectangle,
@@ -53,6 +54,7 @@ windows = st.one_of(
     times.map(lambda time: Interval(-math.inf, time)),
 )
 clipped = st.builds(Clipped, plain, windows)
+eithers = st.lists(plain, min_size=1, max_size=3).map(Either)
 functions: st.SearchStrategy[SatisfactionFunction] = st.one_of(
-    plain, clipped, st.builds(Floored, plain, st.floats(1e-4, 1.0))
+    plain, clipped, eithers, st.builds(Floored, plain, st.floats(1e-4, 1.0))
 )

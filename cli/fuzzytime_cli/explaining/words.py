@@ -88,7 +88,8 @@ def requirement_lines(requirement: TimeRequirement, clock: Clock) -> list[str]:
     if requirement.condition is not None:
         facts.append(f"condition {plain(requirement.condition.text)!r}")
         facts += [_compared(comparison) for comparison in requirement.condition.comparisons]
-    return [f"{plain(requirement.text)!r}: {', '.join(facts)}"]
+    joint = "or " if requirement.alternative else ""
+    return [f"{joint}{plain(requirement.text)!r}: {', '.join(facts)}"]
 
 
 def _compared(comparison: Comparison) -> str:

@@ -6,7 +6,7 @@ from typing import Any
 
 from fuzzytime.interpreter import Interpreted, Plan, Problem
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.satisfaction import Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.satisfaction import Either, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import best_alone
 
 SCHEMA = "fuzzytime-plan/1"
@@ -117,11 +117,14 @@ def requirement_of(requirement: TimeRequirement) -> Json:
         "t_spec_s": requirement.t_spec,
         "earliest_s": requirement.earliest,
         "latest_s": requirement.latest,
+        **({"alternative": True} if requirement.alternative else {}),
     }
 
 
 def function_of(function: SatisfactionFunction) -> Json:
     """Give ψ by its shape: triangles and rectangles are trapezoids; everything else is as it is."""
+    if isinstance(function, Either):
+        return {"model": function.model, "parameters": {"functions": [*map(function_of, function.functions)]}}
     if isinstance(function, (Trapezoid, Triangle, Rectangle)):
         function = Trapezoid(*function.corners)
     return {"model": function.model, "parameters": function.parameters}

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.interpreter import Moved, Plan
+from fuzzytime.requirement import asked_words
 from fuzzytime.satisfaction import Interval
 from fuzzytime.scheduling import (
     Alternative,
@@ -172,7 +173,7 @@ def _asked(why: Why, plan: Plan) -> str:
     """Say what was asked, and which starts would be best if nothing else were to be done."""
     interpreted = plan.skills[why.position]
     if interpreted.requirements:
-        words = ", ".join(plain(requirement.asked) for requirement in interpreted.requirements)
+        words = plain(asked_words(interpreted.requirements))
         asked = f"It asked for “{words}”"
     elif interpreted.in_order:
         asked = "Nothing was said about its time but its place in the order"

@@ -4,6 +4,7 @@ import csv
 import io
 
 from fuzzytime.interpreter import Plan
+from fuzzytime.requirement import asked_words
 from fuzzytime_cli.formats.document import skills_of
 from fuzzytime_cli.render import plain
 
@@ -33,7 +34,7 @@ def csv_text(plan: Plan) -> str:
     for position in plan.schedule.order:
         skill = skills[position]
         end, done = (plan.instant(skill[name]).isoformat() for name in ("end_s", "done_s"))
-        asked = "; ".join(requirement.asked for requirement in plan.skills[position].requirements)
+        asked = asked_words(plan.skills[position].requirements, "; ")
         writer.writerow(
             (
                 cell(skill["id"]),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from rich.text import Text
 
 from fuzzytime.interpreter import Plan
+from fuzzytime.requirement import asked_words
 from fuzzytime.scheduling import Status
 from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.clock import Clock
@@ -110,7 +111,7 @@ class PlanView:
         """Give the words about time of a skill."""
         interpreted = self.plan.skills[position]
         if interpreted.requirements:
-            words = ", ".join(requirement.asked for requirement in interpreted.requirements)
+            words = asked_words(interpreted.requirements)
         elif interpreted.in_order:
             words = "in order"
         else:

@@ -235,6 +235,7 @@ class Said:
     that a hedge puts it just off the time; ``lasting`` is a duration said in the same breath ("from 4pm for
     thirty minutes"). ``listed`` are the further times of a list ("in 10, 20 and 30 minutes"). ``within`` is
     the day, or the part of one, in which a deadline lies and what is due is done: "tomorrow before five".
+    ``alternative`` says that it may be kept instead of the time before it: "at seven or at eight".
     """
 
     time: Time | Duration | Repeat
@@ -246,6 +247,7 @@ class Said:
     lasting: Duration | None = None
     listed: tuple["Said", ...] = ()
     within: Wall | None = None
+    alternative: bool = False
 
     @property
     def is_day(self) -> bool:

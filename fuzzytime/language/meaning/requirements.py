@@ -114,6 +114,7 @@ class _Grounder:
             earliest=earliest,
             latest=latest,
             recurrence=recurrence,
+            alternative=self.said.alternative,
         )
 
     # -- kinds ------------------------------------------------------------------------------------------

@@ -28,6 +28,7 @@ from fuzzytime.language.sentence.segments.connectives import (
     led_by_nothing,
 )
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.sketches.alternatives import offered
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, LastSaid, last_said
 from fuzzytime.language.sentence.sketches.days_of_events import on_days_of_events
 from fuzzytime.language.sentence.sketches.negations import awaiting, without_denial
@@ -218,6 +219,8 @@ class _Composer:
             self.lexicon,
             begun,
         )
+        requirements, remarks = offered(requirements, operation, self.draft.text)
+        self.remarks += remarks
         requirements = due_when_needed(requirements, operation, said, self.lexicon)
         told = length_of(operation, requirements, said, anchors)
         self.remarks += unknown_length(told, segment.span)

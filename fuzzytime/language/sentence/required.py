@@ -19,7 +19,6 @@ from fuzzytime.language.sentence.segments.connectives import agreeing, follows_n
 from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
-from fuzzytime.language.sentence.sketches.contradictions import contradictions
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import TimeRequirement
 
@@ -47,7 +46,7 @@ def required_of(
         requirements.append(connected)
     requirements = within_after(requirements)
     requirements.sort(key=lambda requirement: requirement.span)
-    return requirements, [*remarks, *contradictions(requirements)]
+    return requirements, remarks
 
 
 def _of_phrases(

@@ -1,7 +1,6 @@
 """Starts that are wished for at a distance from another skill, wherever that is: "ten minutes later"."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from fuzzytime.satisfaction import Floats
 from fuzzytime.skills import FuzzySkill, FuzzyTask
@@ -35,6 +34,5 @@ def at_distances(
     """Let the start that each wishes for be at its distance from the start that the other has."""
     wished = {place: float(starts[other]) + distance for place, (other, distance) in distances.items()}
     return tuple(
-        replace(skill, preferred=wished[place]) if place in wished else skill
-        for place, skill in enumerate(skills)
+        skill.starting_near(wished[place]) if place in wished else skill for place, skill in enumerate(skills)
     )

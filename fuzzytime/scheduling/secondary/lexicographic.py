@@ -166,8 +166,7 @@ def _rounded(problem: Problem, skills: Sequence[FuzzySkill], starts: Floats, age
             offset = block.offsets[-1] + jobs[place - 1].duration if follows_on else 0.0
             block.members.append(place)
             block.offsets.append(offset)
-            preferred = skills[job.position].preferred
-            named = preferred is not None and abs(preferred - start) <= NAMED
+            named = any(abs(time - start) <= NAMED for time in skills[job.position].named)
             low, high = (start, start) if named else (window.low, window.high)
             block.low, block.high = max(block.low, low - offset), min(block.high, high - offset)
             free = start + job.duration

@@ -16,6 +16,7 @@ import numpy as np
 from fuzzytime.errors import FuzzytimeError
 from fuzzytime.satisfaction import (
     EVERYWHERE,
+    Either,
     Interval,
     Rectangle,
     Sampled,
@@ -30,6 +31,9 @@ GENTLE = 100.0
 
 PATIENCE = 10.0
 """How many seconds later a start that nobody named may be, for a second nearer to one that somebody did."""
+
+SECOND_CHOICE = 60.0
+"""How many seconds off the start that was named first one is that was named as good as that."""
 
 PIECES = 8
 """Lines that stand for a curve's integral between two of its corners."""
@@ -124,10 +128,16 @@ class Nearness(_EachForItself):
     name: ClassVar[str] = "nearness"
 
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
-        """Wish for the preferred start, linearly less away from it."""
+        """Wish for the preferred start, linearly less away from it; for its alternatives a little less."""
         if skill.preferred is None:
             return _early(PATIENCE * reach)
-        return Triangle(skill.preferred - GENTLE * reach, skill.preferred, skill.preferred + GENTLE * reach)
+        wide = GENTLE * reach
+        wish = Triangle(skill.preferred - wide, skill.preferred, skill.preferred + wide)
+        if not skill.alternatives:
+            return wish
+        least = 1.0 - min(SECOND_CHOICE / wide, 0.5)
+        others = (Sampled((time - wide, time, time + wide), (0, least, 0)) for time in skill.alternatives)
+        return Either([wish, *others])
 
 
 DEFAULT: tuple[Objective, ...] = (Nearness(),)

@@ -7,5 +7,5 @@ Its clauses
     Where ``clauses`` stand, from their ``clause_markers`` to their ``clause_ends``; what they require
     (``clause_requirements``), ``deadlines_of_clauses``.
 What it means
-    ``negations``, ``contradictions``, ``pronouns``.
+    ``negations``, ``alternatives``, ``pronouns``.
 """

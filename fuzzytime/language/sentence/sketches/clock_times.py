@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 
 from fuzzytime.language.meaning.chosen_clocks import FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.sentence.sketches.contradictions import SAID_WHEN
+from fuzzytime.language.sentence.sketches.alternatives import SAID_WHEN
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
 
 A_DAY = 86400.0

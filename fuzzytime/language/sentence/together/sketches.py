@@ -5,15 +5,11 @@ from dataclasses import replace
 from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Remark, RemarkKind, Span
-from fuzzytime.language.meaning.expressions import (
-    Duration,
-    Phrase,
-    Repeat,
-    TimeWord,
-)
+from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.meaning.expressions import Duration, Repeat
 from fuzzytime.language.sentence.segments.asides import Aside
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
 from fuzzytime.language.sentence.together.again_between import again_between
@@ -22,22 +18,10 @@ from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
-from fuzzytime.language.sentence.together.said_again import (
-    apart,
-    done_again,
-    each_of,
-    is_weekday,
-    with_shared_clock,
-    with_shared_part,
-)
+from fuzzytime.language.sentence.together.said_again import done_again, each_of
+from fuzzytime.language.sentence.together.several_times import of_several_times
 from fuzzytime.language.sentence.together.turns import counted_apart
 from fuzzytime.requirement import Constraint
-
-BESIDE_MEALS = "meals.beside_meals"
-"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
-
-LIST = 2
-"""Weekdays side by side, without "and", that are hardly a list."""
 
 
 def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Remark]]:
@@ -56,15 +40,10 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         for again in done_again(each, words)
         for one in on_both_sides(again, words)
     )
-    for offered in split:
-        whole, later = _first_offered(offered, draft.text)
-        remarks += (_not_used(draft.text, span) for span in later)
-        for phrases, dropped in _alternatives(draft, whole.phrases):
-            spans = [phrase.span for phrase in whole.phrases]
-            kept = [spans.index(phrase.span) for phrase in phrases]
-            found.append(replace(whole, phrases=phrases, references=tuple(whole.references[k] for k in kept)))
-            for phrase in dropped:
-                remarks.append(_not_used(draft.text, phrase.span))
+    for one in split:
+        whole, later = _first_offered(one, draft.text)
+        remarks += (not_used(draft.text, span) for span in later)
+        found += of_several_times(whole, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks
@@ -119,11 +98,6 @@ def _with_aside(sketch: Sketch, aside: Aside, text: str) -> Sketch:
     return replace(sketch, phrases=(*sketch.phrases, lasting), references=(*sketch.references, None))
 
 
-def _not_used(text: str, span: Span) -> Remark:
-    message = f"{text[slice(*span)]!r} is not used: of times joined by 'or', the first is taken"
-    return Remark(RemarkKind.POLICY, span, message)
-
-
 def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
     """Leave out clauses, and times behind one, that "or" joins to what is said before; give those left out.
 
@@ -151,52 +125,3 @@ def _first_offered(sketch: Sketch, text: str) -> tuple[Sketch, list[Span]]:
 def _is_other(first: Span, second: Span, lasting: Collection[Span], clauses: Collection[Span]) -> bool:
     """Whether a time or a clause stands for another: no length does that a clause ends."""
     return first not in lasting and (first in clauses or second in clauses)
-
-
-def _alternatives(
-    draft: Draft, phrases: tuple[Phrase, ...]
-) -> list[tuple[tuple[Phrase, ...], tuple[Phrase, ...]]]:
-    """Give the times of each instruction that is meant, with those that are left out.
-
-    "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
-    """
-    lexicon = draft.scanned.lexicon
-    closed = lexicon.closed
-    joining = closed.additions | closed.alternatives
-    for place in range(len(phrases) - 1):
-        group = [phrases[place]]
-        joints: set[str] = set()
-        for following in phrases[place + 1 :]:
-            between = {word.text for word in draft.scanned.words[group[-1].end : following.first]}
-            if between & {"otherwise", "else"}:
-                between -= lexicon.beside.courteous
-            if "failing" in between:
-                # "At noon or, failing that, at two"
-                between -= closed.singular_anaphors
-            if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
-                # "Monday wednesday and friday", as it is said; "mon/wed/fri"
-                between = {","}
-            if not between or between - joining or not (_is_when(group[-1]) and _is_when(following)):
-                break
-            group.append(following)
-            joints |= between
-        several = len(group) > LIST and all(map(is_weekday, group))
-        if len(group) > 1 and (several or joints & joining - {","}):
-            rest = tuple(phrase for phrase in phrases if phrase not in group)
-            if joints & closed.alternatives:
-                return [((*rest, group[0]), tuple(group[1:]))]
-            times = with_shared_clock(with_shared_part(apart(group), draft.scanned.words))
-            return [(tuple(sorted((*rest, one), key=lambda phrase: phrase.span)), ()) for one in times]
-    return [(phrases, ())]
-
-
-def _is_when(phrase: Phrase) -> bool:
-    """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
-    said = phrase.said
-    if phrase.rule == BESIDE_MEALS:
-        return True
-    if isinstance(said.time, TimeWord):
-        return (said.constraint or said.time.constraint) is Constraint.AT
-    if isinstance(said.time, Duration):
-        return said.constraint is Constraint.AT
-    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)

@@ -1,0 +1,110 @@
+"""Several times of one thing: all are meant ("at seven and at eight"), or one ("at seven or at eight")."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.said_again import (
+    apart,
+    is_weekday,
+    with_shared_clock,
+    with_shared_part,
+)
+from fuzzytime.requirement import Constraint
+
+BESIDE_MEALS = "meals.beside_meals"
+"""The rule of bounds that are a list: "before breakfast, lunch and dinner"."""
+
+LIST = 2
+"""Weekdays side by side, without "and", that are hardly a list."""
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
+
+
+def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> list[Sketch]:
+    """Give one sketch for each time that is meant, or one of which each time is an alternative.
+
+    "At seven and at six" asks for two, "at seven or at eight" for one; "tomorrow, by noon" is one time.
+    """
+    closed = lexicon.closed
+    joining = closed.additions | closed.alternatives
+    for place in range(len(sketch.phrases) - 1):
+        group, joints = _joined(sketch.phrases[place:], words, lexicon)
+        several = len(group) > LIST and all(map(is_weekday, group))
+        if len(group) > 1 and (several or joints & joining - {","}):
+            rest = [phrase for phrase in sketch.phrases if phrase not in group]
+            if joints & closed.alternatives:
+                first, *others = _on_one_day(with_shared_clock(with_shared_part(group, words)))
+                others = [replace(one, said=replace(one.said, alternative=True)) for one in others]
+                return [_with(sketch, [*rest, first, *others])]
+            times = with_shared_clock(with_shared_part(apart(group), words))
+            return [_with(sketch, [*rest, one]) for one in times]
+    return [sketch]
+
+
+def _joined(
+    phrases: Sequence[Phrase], words: Sequence[Word], lexicon: Lexicon
+) -> tuple[list[Phrase], set[str]]:
+    """Give the first time with those that are joined to it, and the words that join them."""
+    closed = lexicon.closed
+    group, joints = [phrases[0]], set[str]()
+    for following in phrases[1:]:
+        between = {word.text for word in words[group[-1].end : following.first]}
+        if between & {"otherwise", "else"}:
+            between -= lexicon.beside.courteous
+        if "failing" in between:
+            # "At noon or, failing that, at two"
+            between -= closed.singular_anaphors
+        if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
+            # "Monday wednesday and friday", as it is said; "mon/wed/fri"
+            between = {","}
+        if not between or between - closed.additions - closed.alternatives:
+            break
+        either = not between.isdisjoint(closed.alternatives)
+        if not all(
+            _is_when(one) or (either and one.said.constraint in BOUNDS) for one in (group[-1], following)
+        ):
+            break
+        group.append(following)
+        joints |= between
+    return group, joints
+
+
+def _with(sketch: Sketch, phrases: Sequence[Phrase]) -> Sketch:
+    """Give a sketch with some of its times, which may have got a day or a clock time, in their order."""
+    references = {
+        phrase.span: reference for phrase, reference in zip(sketch.phrases, sketch.references, strict=True)
+    }
+    times = tuple(sorted(phrases, key=lambda phrase: phrase.span))
+    return replace(sketch, phrases=times, references=tuple(references[time.span] for time in times))
+
+
+def _on_one_day(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give clock times the day, or the part of it, that one of them is on: "tomorrow at six or at seven"."""
+    times = [phrase.said.time for phrase in phrases]
+    clocks = [time for time in times if isinstance(time, Wall) and time.clock is not None]
+    whole = next((wall for wall in clocks if wall.days is not None or wall.part is not None), None)
+    found = []
+    for phrase, time in zip(phrases, times, strict=True):
+        alone = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
+        if alone and isinstance(time, Wall) and whole is not None:
+            told = replace(whole, clock=time.clock)
+            found.append(replace(phrase, said=replace(phrase.said, time=told)))
+        else:
+            found.append(phrase)
+    return found
+
+
+def _is_when(phrase: Phrase) -> bool:
+    """Whether it is a time at which something may be done, and not a bound, a length or a repetition."""
+    said = phrase.said
+    if phrase.rule == BESIDE_MEALS:
+        return True
+    if isinstance(said.time, TimeWord):
+        return (said.constraint or said.time.constraint) is Constraint.AT
+    if isinstance(said.time, Duration):
+        return said.constraint is Constraint.AT
+    return said.constraint in {None, Constraint.AT, Constraint.BETWEEN} and not isinstance(said.time, Repeat)
