@@ -364,6 +364,30 @@ def test_why_is_answered_in_sentences() -> None:
 
 
 @pytest.mark.model
+def test_a_label_names_what_it_stands_beside() -> None:
+    talk = Talk()
+    talk.say("cook the soup at noon")
+    talk.say("lay the table at 3 pm")
+    assert "s2 lay the table: at 15:00" in talk.say("when is s2?")
+    assert "It asked for “at 3 pm”" in talk.say("why is s2 at three?")
+    talk.say("move s2 to 4 pm")
+    talk.say("push s2 back by half an hour")
+    assert f"{talk.start('s2'):%H:%M}" == "16:30"
+    assert "taken as :drop 1 (cook the soup at noon)" in talk.say("drop s1")
+    assert "done: lay the table" in talk.say("s2 is done")
+    assert "nothing that is planned is about s9" in talk.say("why s9?")
+
+
+@pytest.mark.model
+@pytest.mark.parametrize("line", ["start s1", "s1 at eight"])
+def test_a_label_is_nothing_to_do(line: str) -> None:
+    talk = Talk()
+    talk.say("cook the soup at noon")
+    assert "s1 was asked for already" in talk.say(line)
+    assert "upload the files to s1" in talk.say("upload the files to s1 at nine")
+
+
+@pytest.mark.model
 def test_doing_something_then_gives_it_another_time() -> None:
     talk = Talk()
     talk.say("Call mum at 5 pm")

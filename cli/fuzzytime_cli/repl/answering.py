@@ -58,7 +58,7 @@ def when(scene: Scene, about: About) -> Reply:
     lines = [
         Text(f"{plain(one.identifier)} {plain(one.name)}: running, until {clock.at(one.done)}")
         for one in scene.conversation.running(scene.now)
-        if about.names and about.names <= content_words(one.name)
+        if about.names and about.names <= content_words(one.name) | {f"s{number_of(one.identifier)}"}
     ]
     lines += [_start(scene, position) for position in positions[:MOST]]
     if len(positions) > MOST:
@@ -125,7 +125,11 @@ def _positions(scene: Scene, names: frozenset[str]) -> list[int]:
         going = ((place, one.operation) for place, one in waiting(scene))
         return [place for place, operation in going if operation is not None and operation.lemma in leaving]
     if names:
-        return [position for position, one in waiting(scene) if names <= content_words(one.skill.name)]
+        return [
+            position
+            for position, one in waiting(scene)
+            if names <= content_words(one.skill.name) | {one.wish.identifier}
+        ]
     entry = entry_of(scene, names)
     return [] if entry is None else [position for position, _ in waiting(scene, entry.number)]
 

@@ -12,9 +12,15 @@ FEW = 2
 
 
 def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
-    """Give the latest entry that all of some words name; without words the one that was spoken of last."""
+    """Give the latest entry that all of some words name; without words the one that was spoken of last.
+
+    Its label names it, too: "s2".
+    """
     running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
     latest = scene.conversation.state.entries[::-1]
+    labelled = next((entry for entry in latest if names == {f"s{entry.number}"}), None)
+    if labelled is not None:
+        return labelled
     to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
     # What only tells of others ("the lunch takes 20 minutes") is meant last.
     entries = [*to_do, *(entry for entry in latest if entry not in to_do)]
@@ -102,7 +108,7 @@ def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
 def _words(scene: Scene, one: Started) -> frozenset[str]:
     number = number_of(one.identifier)
     texts = (entry.text for entry in scene.conversation.state.entries if entry.number == number)
-    return content_words(one.name) | content_words(next(texts, ""))
+    return content_words(one.name) | content_words(next(texts, "")) | {f"s{number}"}
 
 
 def unknown(names: frozenset[str]) -> NoReturn:

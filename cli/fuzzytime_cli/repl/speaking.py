@@ -7,7 +7,7 @@ from datetime import datetime
 from rich.text import Text
 
 from fuzzytime.errors import FuzzytimeError
-from fuzzytime.language import About, AboutKind, Language, about_wishes, content_words, reported
+from fuzzytime.language import About, AboutKind, Language, Reading, about_wishes, content_words, reported
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.render import plain
 from fuzzytime_cli.repl import answering, looking
@@ -80,11 +80,31 @@ def _told(scene: Scene, words: str) -> Reply | None:
         If nothing that is known was done.
     """
     language = scene.conversation.interpreter.language
-    operation = reported(language.read(words, now=scene.now), language.lexicon)
+    reading = language.read(words, now=scene.now)
+    operation = reported(reading, language.lexicon)
     if operation is None:
+        _check_labels(scene, reading)
         return None
     names = content_words(operation.object) | {operation.lemma}
     return _taken(scene, About(kind=AboutKind.DONE, names=names, certain=True))
+
+
+def _check_labels(scene: Scene, reading: Reading) -> None:
+    """Refuse to make a wish of what names another by its label: "start s2", "s2 at eight".
+
+    Raises
+    ------
+    FuzzytimeError
+        If something is to be done with a label, or begins with one.
+    """
+    labels = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    objects = (one.operation.object for one in reading.instructions if one.operation is not None)
+    for said in (reading.text.partition(" ")[0], *objects):
+        if said in labels:
+            raise FuzzytimeError(
+                f"{said} was asked for already, and this is not understood of it; say: move {said} to six, "
+                f"push {said} back by ten minutes, drop {said}, {said} is done, why {said}"
+            )
 
 
 def _taken(scene: Scene, about: About) -> Reply | None:

@@ -94,7 +94,7 @@ class Said:
 
     def without(self, *names: str) -> tuple["Said", frozenset[str]]:
         """Leave out every entry of some tables, and say of which tables there were any."""
-        place, kept, found = 0, [], set[str]()
+        place, kept, found = 0, "", set[str]()
         while place < len(self.words):
             matched = {name: longest_match(self.words, place, self.table(name)) for name in names}
             longest = max(matched, key=lambda name: len(matched[name] or ()))
@@ -104,9 +104,9 @@ class Said:
                 place += len(form)
             else:
                 word = self.words[place]
-                kept.append(self.text[word.start : word.end])
+                kept += ("" if word.glued else " ") + self.text[word.start : word.end]
                 place += 1
-        return Said(" ".join(kept), self.now, self.lexicon), frozenset(found)
+        return Said(kept.strip(), self.now, self.lexicon), frozenset(found)
 
     @cached_property
     def names(self) -> frozenset[str]:

@@ -23,6 +23,9 @@ POSSESSIVE = "POS"
 ITS = "its"
 """How "it's" is often typed."""
 
+SAYING_HOW = frozenset({"JJ", "JJR", "RB", "RBR", "IN", "VBN", "VBG", "CD"})
+"""Tags of words that say how something is, and of those before them: "too hot", "below 20"."""
+
 SHORTEST_BEING = 2
 """Words of "its dark"."""
 
@@ -105,9 +108,17 @@ def happening(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
 def being(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     """Read "everyone's asleep", where the tree takes the verb for a possessive."""
     said = [tree.nodes[p] for p in nodes]
-    if len(said) == SHORTEST_BEING and said[0].lower == ITS:
-        # "When its dark"
-        return Condition(text=text, subject="it", word=said[-1].lower)
+    if said[0].lower == ITS and (len(said) == SHORTEST_BEING or said[1].tag in SAYING_HOW):
+        # "When its dark", "when its too hot", "if its over 70 degrees"
+        *hedges, last = said[1:]
+        measured = any(node.tag == "CD" for node in hedges)
+        if measured or not last.tag.startswith("NN") or not hedges:
+            return Condition(
+                text=text,
+                subject="it",
+                word=None if measured else last.lower,
+                hedges=() if measured else tuple(node.lower for node in hedges),
+            )
     subject = [node.lower for node in said[:-2] if node.tag not in ANY_DETERMINERS]
     if not subject or said[-2].tag != POSSESSIVE:
         return None
@@ -122,6 +133,6 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     named = again or any(
         node.tag in ANY_DETERMINERS or node.tag in {"PRP", "CD", "IN", "TO"} for node in said
     )
-    if named or len(words) > LONGEST_STATE or not all(word.isalpha() for word in words):
+    if named or not 0 < len(words) <= LONGEST_STATE or not all(word.isalpha() for word in words):
         return None
     return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))

@@ -11,6 +11,7 @@ from fuzzytime.language.instruction import Order, Remark, Span
 from fuzzytime.language.meaning.expressions import Phrase, Repeat, Said, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.segments.asides import Aside, asides_of, beside_each_other, without_asides
+from fuzzytime.language.sentence.segments.calls import called_first, called_next
 from fuzzytime.language.sentence.segments.corrections import corrected
 from fuzzytime.language.sentence.segments.cuts import addressed, pieces_of, reminded
 from fuzzytime.language.sentence.segments.fronts import fronts_of
@@ -21,7 +22,7 @@ from fuzzytime.language.sentence.segments.list_marks import list_marks, without_
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
-from fuzzytime.language.sentence.segments.segment import Segment, segments_of
+from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
@@ -184,14 +185,14 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
-            if place in runs_on:
+            part = Part(one.segment, tree, one.main, front if front.nodes else None)
+            cut = [] if last_round else called_next(one, part, lexicon)
+            if place in runs_on and not cut:
                 following += one.cut_before(runs_on[place], lexicon)
                 continue
-            part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut: list[Segment] = []
             if not last_round:
-                cut = addressed(one, part, lexicon) or reminded(one, part, lexicon)
-                cut = cut or list(pieces_of(one, part, lexicon))
+                cut = cut or called_first(one, part, lexicon) or addressed(one, part, lexicon)
+                cut = cut or reminded(one, part, lexicon) or list(pieces_of(one, part, lexicon))
             following += [Waiting.of(one.position, one.source, segment, lexicon) for segment in cut]
             if not cut:
                 done[one.position][one.segment.span[0]] = part

@@ -92,7 +92,7 @@ def _tries(place: int, one: Waiting, tree: Tree, lexicon: Lexicon) -> Iterator[_
         if start <= first or here == 0 or not node.may_act or not bare:
             continue
         timed = one.timed(tree)
-        if here in timed or _is_counted(tree, here) or binds(tree, here - 1, lexicon):
+        if here in timed or _is_counted(tree, here, lexicon) or binds(tree, here - 1, lexicon):
             continue
         if _is_event_before_order(tree, here, lexicon):
             continue
@@ -151,7 +151,7 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     """
     node, behind = tree.nodes[place], tree.nodes[place + 1 : place + 2]
     bare = is_bare(node, lexicon)
-    if not place or not node.may_act or not bare or _is_counted(tree, place):
+    if not place or not node.may_act or not bare or _is_counted(tree, place, lexicon):
         return False
     before = tree.nodes[place - 1]
     if binds(tree, place - 1, lexicon):
@@ -169,10 +169,13 @@ def _may_begin(tree: Tree, place: int, lexicon: Lexicon) -> bool:
     return led or carried or about or named or goes
 
 
-def _is_counted(tree: Tree, place: int) -> bool:
-    """Whether a noun is what a number counts: "below 2 bar"; but "by five ring the depot"."""
-    behind = tree.nodes[place + 1].tag if place + 1 < len(tree.nodes) else ""
-    return tree.nodes[place - 1].tag == "CD" and tree.nodes[place].tag == "NN" and behind not in OPENING
+def _is_counted(tree: Tree, place: int, lexicon: Lexicon) -> bool:
+    """Whether a number counts a noun: "below 2 bar"; but "by five ring the depot", "at 70 turn it on"."""
+    node, following = tree.nodes[place], tree.nodes[place + 1 : place + 2]
+    acts = any(
+        behind.tag in OPENING or node.lower in lexicon.particles.get(behind.lower, ()) for behind in following
+    )
+    return tree.nodes[place - 1].tag == "CD" and node.tag == "NN" and not acts
 
 
 def is_order(tree: Tree) -> bool:

@@ -1,6 +1,8 @@
 """The words of a text that name something, and what words alike have in common."""
 
+from collections.abc import Iterator
 from functools import lru_cache
+from itertools import zip_longest
 
 from fuzzytime.english import EMPTY, singular, stem
 from fuzzytime.language.grammar.words import words_of
@@ -11,10 +13,21 @@ REMEMBERED = 16384
 
 @lru_cache(maxsize=REMEMBERED)
 def content_words(text: str | None) -> frozenset[str]:
-    """Give the words of a text that name something, in the singular."""
-    if text is None:
-        return frozenset()
-    return frozenset(singular(w.text) for w in words_of(text) if w.is_letters and w.text not in EMPTY)
+    """Give the words of a text that name something, in the singular; digits behind letters belong to them.
+
+    >>> sorted(content_words("Put the A4 paper into trays 2 and 3"))
+    ['a4', 'paper', 'put', 'tray']
+    """
+    return frozenset() if text is None else frozenset(_named_in(text))
+
+
+def _named_in(text: str) -> Iterator[str]:
+    words = words_of(text)
+    for word, following in zip_longest(words, words[1:]):
+        if word.is_letters and following is not None and following.glued and following.is_digits:
+            yield word.text + following.text
+        elif word.is_letters and word.text not in EMPTY:
+            yield singular(word.text)
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -1,0 +1,100 @@
+"""Who is called where no comma shows it: "robot 1 fetch the crate and robot 2 stack it", "Ann set the table".
+
+The tree mostly has the second for another thing that is fetched, so that words tell: a name, or a worker's
+with a number, and a bare verb that governs something.
+"""
+
+from collections.abc import Container, Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.sentence.segments.fronts import is_bare
+from fuzzytime.language.sentence.segments.segment import Segment
+from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
+from fuzzytime.language.sentence.trees.tree import Node
+
+NUMBERED = 2
+"""Words of "robot 2"."""
+
+MARKS = frozenset({",", ":"})
+"""What may stand behind a name that is called."""
+
+LEADING = frozenset({"IN", "RP", "TO", "RB"})
+"""Tags of words that an order without an object may go on with: "dock at the gate"."""
+
+FINITE = frozenset({"VBZ", "VBD", "MD"})
+"""Tags of what is said to be so."""
+
+
+def called_first(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Give the segment without whom it calls: "robot 2 weld the frame", "let robot 2 weld it"."""
+    found = None if one.segment.addressee is not None else _called_at(one, part, 0, lexicon)
+    if found is None:
+        return []
+    called, verb = found
+    return [replace(one.segment, span=(verb.start + part.offset, one.segment.span[1]), addressee=called)]
+
+
+def called_next(one: Waiting, part: Part, lexicon: Lexicon) -> list[Segment]:
+    """Cut a segment where it calls another: "…, robot 2 stack it", "… and Bob, stack it"."""
+    first, last = one.segment.span
+    nodes = part.tree.nodes
+    for place in range(2, len(nodes)):
+        joined = nodes[place - 1].lower in lexicon.closed.joints_of_orders
+        # "Robot 1 and robot 2 stack the boxes"
+        together = joined and place - 1 == _length_of_name(nodes, 0, lexicon)
+        found = _called_at(one, part, place, lexicon) if joined and not together else None
+        text = one.source.scanned.text[first : nodes[place].start + part.offset]
+        end = first + len(JOINT.sub("", text))
+        if found is not None and end > part.offset:
+            called, verb = found
+            further = Segment((verb.start + part.offset, last), addressee=called)
+            return [replace(one.segment, span=(first, end)), further]
+    return []
+
+
+def _called_at(one: Waiting, part: Part, place: int, lexicon: Lexicon) -> tuple[str, Node] | None:
+    """Give the name that is called at a place, and the verb behind it; None where nobody is called."""
+    nodes, timed = part.tree.nodes, one.timed(part.tree)
+    leads = nodes[place : place + 1] and nodes[place].lower in (
+        lexicon.letting | lexicon.causing | lexicon.addressing
+    )
+    name = place + bool(leads)
+    length = _length_of_name(nodes, name, lexicon)
+    verb = name + length
+    if not length or verb >= len(nodes) or name in timed or (leads and length < NUMBERED):
+        return None
+    if nodes[verb].text in MARKS or (leads and nodes[verb].tag == "TO"):
+        # Behind "robot 2:", "tell robot 2 to"
+        verb += 1
+    called = " ".join(node.text for node in nodes[name : name + length])
+    return (called, nodes[verb]) if _is_order(nodes, verb, timed, lexicon, sure=length == NUMBERED) else None
+
+
+def _length_of_name(nodes: Sequence[Node], place: int, lexicon: Lexicon) -> int:
+    """Give how many words name somebody at a place: a worker and a number, a name, a person; 0 for none."""
+    name, following = nodes[place : place + 1], nodes[place + 1 : place + 2]
+    if not name:
+        return 0
+    if name[0].lower in lexicon.workers and following and following[0].tag == "CD":
+        return NUMBERED
+    # "… and Bob stack it": bob is a verb, too, which has no capital inside a sentence.
+    named = name[0].tag == "NNP" and name[0].text[0].isupper() and (place > 0 or not name[0].may_act)
+    return int(named or (name[0].lower in lexicon.persons | lexicon.workers and not name[0].may_act))
+
+
+def _is_order(
+    nodes: Sequence[Node], verb: int, timed: Container[int], lexicon: Lexicon, *, sure: bool
+) -> bool:
+    """Whether a bare verb stands there that governs something; behind a name that is ``sure`` also alone."""
+    if verb >= len(nodes) or not nodes[verb].may_act or not is_bare(nodes[verb], lexicon) or verb in timed:
+        return False
+    if verb + 1 == len(nodes) or verb + 1 in timed:
+        return sure
+    behind = nodes[verb + 1]
+    if behind.tag in DETERMINERS or behind.lower in lexicon.closed.object_pronouns:
+        return True
+    # "Robot 2 fetch water"; but "robot 2 charge level is low"
+    named = behind.tag.startswith("NN") and not any(node.tag in FINITE for node in nodes[verb + 1 :])
+    return sure and (named or behind.tag in LEADING)
