@@ -144,7 +144,7 @@ class Walls(Standing):
 
     def _goes_on(self, piece: Piece, wall: Wall) -> bool:
         """Whether what is behind it, or in it, makes it what a thing is for, or one of several things."""
-        led = self.texts[piece.start] == "for" or (piece.start > 0 and self.texts[piece.start - 1] == "for")
+        led = piece.start > 0 and self.texts[piece.start - 1] == "for"
         if led and self._is_of_thing(piece):
             return True
         joints = self.closed.coordinators_of_days | self.closed.range_joints
@@ -153,9 +153,6 @@ class Walls(Standing):
     def _is_of_thing(self, piece: Piece) -> bool:
         """Whether it is what is prepared for then: "send the rota for next week by thursday"."""
         places = range(piece.start + 1, piece.end + 1)
-        if self.texts[piece.start] == "for":
-            # "For tomorrow by noon" is one time.
-            places = range(piece.end, piece.end + 1)
         bounds = (
             p.end for at in places for p in self.around.pieces(at) if p.category == "preposition_before"
         )

@@ -183,6 +183,7 @@ class BesideTimes:
     behind_things: Words
     polite_ends: Words
     calls: Words
+    sites: Words
     turnings: Words
     turning: Words
     contrary: Words
@@ -198,6 +199,8 @@ class Doing:
 
     arriving: Words
     leaving: Words
+    being_there: Words
+    getting_there: Words
     beginning: Words
     ending: Words
     going_on: Words

@@ -4,14 +4,16 @@
 """
 
 from collections.abc import Collection, Sequence
-from itertools import pairwise
+from itertools import pairwise, takewhile
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
-from fuzzytime.language.meaning.expressions import Phrase
+from fuzzytime.language.meaning.calendar import Fields
+from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
+from fuzzytime.requirement import Constraint
 
 PERSONS = ("NN", "PRP")
 SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
@@ -19,6 +21,10 @@ SAID = ("DT", "PRP", "NN", "JJ", "EX", "CD")
 
 ASKED = 3
 """Words for who is asked, at most."""
+
+FOR = "for"
+
+BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
 LEAST_CASE = 3
 """Words of such a case, at least, behind the first of them."""
@@ -32,7 +38,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     own = told is not None and any(place is None or place < told for place in starts.values())
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = None
-    found = _of_moved(part, phrases, action, lexicon)
+    found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
     for phrase in phrases:
         place = starts[phrase.span]
         if place is not None and ((told is not None and place > told) or _is_described(part, place, action)):
@@ -155,6 +161,33 @@ def _of_moved(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         return []
     behind = nodes[several[-1]].end + part.offset
     return [phrase for phrase in phrases if behind <= phrase.span[0] <= behind + 1]
+
+
+def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
+    """Give when that is which is prepared, where another time says when: "the rota for monday by friday"."""
+    nodes = part.tree.nodes
+    for place, phrase in enumerate(phrases):
+        first = next(iter(part.tree.at(*_local(part, phrase))), None)
+        named = first is not None and first > action.place + 1 and nodes[first - 1].tag.startswith("NN")
+        if named and phrase.said.preposition == FOR and phrase.said.constraint is None:
+            listed = [phrase, *takewhile(_is_listed, phrases[place + 1 :])]
+            others = (other for other in phrases if other not in listed and other.said.preposition != FOR)
+            return listed if any(_says_when(other) for other in others) else []
+    return []
+
+
+def _is_listed(phrase: Phrase) -> bool:
+    """Whether it is a day of a list: "for monday, tuesday and friday"."""
+    days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
+    return phrase.said.preposition is None and isinstance(days, Fields)
+
+
+def _says_when(phrase: Phrase) -> bool:
+    """Whether a time says on which day something is done, and is no clock time of another's day."""
+    said, time = phrase.said, phrase.said.time
+    if said.constraint in BOUNDS:
+        return True
+    return isinstance(time, Wall) and time.days is not None and said.constraint in {None, Constraint.AT}
 
 
 def _is_described(part: Part, place: int, action: Action) -> bool:

@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from fuzzytime.skills import FuzzyParameter
 
 
+LEAVE = "leave"
+
 WHEN = frozenset({None, Constraint.AT})
 """How a day binds on which something is."""
 
@@ -129,11 +131,16 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     a, b = operation.span
     if not operation.negated:
         kept = [_by_that_day(phrase, clauses) for phrase in kept]
+    references = [_reference(part, phrase, action, lexicon, clauses) for phrase in kept]
+    if _is_there(operation, lexicon):
+        kept = [_on_that_day(phrase) for phrase in kept]
+    if _is_gone(operation, lexicon):
+        references = [None if one is Reference.THROUGHOUT else one for one in references]
     return Sketch(
         part=part,
         phrases=tuple(kept),
         clauses=tuple(clauses),
-        references=tuple(_reference(part, phrase, action, lexicon, clauses) for phrase in kept),
+        references=tuple(references),
         operation=replace(
             operation,
             span=(a + part.offset, b + part.offset),
@@ -152,6 +159,37 @@ def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     if not day or next(ahead, None) is None:
         return phrase
     return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
+
+
+def _is_there(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether somebody is somewhere then, or no longer: what nobody does a day ahead."""
+    alone = operation.complement is None and (operation.object is None or operation.place is None)
+    if operation.phrase in lexicon.doing.being_there:
+        # "Leave the keys at reception" is done at any time until then.
+        return alone
+    return (
+        operation.phrase in lexicon.doing.getting_there
+        and operation.object is None
+        and operation.place is not None
+    )
+
+
+def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether "leave" is to go: "leave the house between seven and eight" is no "leave the lamp on"."""
+    if operation.phrase != LEAVE or operation.complement is not None:
+        return False
+    if operation.object is None:
+        return operation.place is not None and operation.place.lower().startswith(("for ", "to "))
+    return operation.place is None and operation.object.lower().split()[-1] in lexicon.beside.sites
+
+
+def _on_that_day(phrase: Phrase) -> Phrase:
+    """Bind a deadline of some day by that day: "be at the station by seven tomorrow"."""
+    said, time = phrase.said, phrase.said.time
+    day = isinstance(time, Wall) and time.days is not None and time.clock is not None
+    if not isinstance(time, Wall) or not day or said.constraint is not Constraint.BEFORE:
+        return phrase
+    return replace(phrase, said=replace(said, within=Wall(time.days, time.part, zone=time.zone)))
 
 
 def order_of(draft: Draft, part: Part) -> Order | None:
