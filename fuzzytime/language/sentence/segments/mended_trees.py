@@ -14,7 +14,8 @@ LET = 2
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
-    return _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or tree
+    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
+    return mended or _does_compound(tree, lexicon) or tree
 
 
 def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -40,6 +41,24 @@ def _does_named(tree: Tree) -> Tree | None:
     moved = _with_thing_done(tree, root, root)
     moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
+
+
+def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "review pull requests" its verb, where the second word was taken for it.
+
+    A noun in the singular and a bare verb do not agree; and who would be called has a name of its own.
+    """
+    if tree.root != 1 or len(tree.nodes) < LEAST_DONE:
+        return None
+    first, second, third = tree.nodes[:LEAST_DONE]
+    things = tree.children(1, "dobj")
+    bare = first.tag == "NN" and first.may_act and second.tag in {"VB", "VBP"} and third.tag in {"NN", "NNS"}
+    if not bare or first.lower in lexicon.persons | lexicon.workers or not things:
+        return None
+    nodes = [replace(node, head=0) if node.head == 1 else node for node in tree.nodes]
+    nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
+    nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
+    return tree.with_nodes(nodes)
 
 
 def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:

@@ -79,6 +79,9 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
         return None
     if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
         return None
+    if lemma in lexicon.doing.watching and below - _has_to(tree, below) > root + 1:
+        # "Help gran wash, dress her"
+        return None
     leads = (
         lemma in lexicon.forgetting
         or lemma in lexicon.wanting
