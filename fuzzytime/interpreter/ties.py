@@ -41,11 +41,15 @@ class Tie:
 
     @property
     def beside(self) -> SatisfactionFunction | None:
-        """ψ of when this one is over, from the moment that it is to be right before; None elsewhere.
+        """ψ beside the moment measured from: of this one's end right before it, or its start right after.
 
-        What is to be ready when something begins may be ready at that very moment.
+        None elsewhere. What is to be ready when something begins may be ready at that very moment.
         """
-        if not self.anchor.exact or self.anchor.lag or self.requirement.constraint is not Constraint.BEFORE:
+        if not self.anchor.exact or self.anchor.lag:
+            return None
+        if self.requirement.constraint is Constraint.AFTER and self.requirement.fuzziness:
+            return self._reworded(at=FAR, preposition=None).shifted(-FAR)
+        if self.requirement.constraint is not Constraint.BEFORE:
             return None
         if self.requirement.fuzziness:
             # A hedge on a distance is as wide as that is long, one beside a moment as wide as ever.
@@ -59,7 +63,8 @@ class Tie:
     @property
     def lag(self) -> float:
         """Seconds from the moment that is measured from to the start that is wished for."""
-        ends = self.requirement.reference is Reference.FINISH or self.beside is not None
+        before = self.requirement.constraint is Constraint.BEFORE
+        ends = self.requirement.reference is Reference.FINISH or (before and self.beside is not None)
         return self.anchor.lag - (self.this.skill.time_until_done if ends else 0.0)
 
     def allowed(self) -> Interval:
@@ -80,7 +85,8 @@ class Tie:
     def _leeway(self) -> Interval:
         """Give how far from the lag is acceptable: as far as "in" that time from now would be."""
         if (beside := self.beside) is not None:
-            return beside.support
+            after = self.requirement.constraint is Constraint.AFTER
+            return beside.support.intersection(Interval(0.0, math.inf)) if after else beside.support
         distance = abs(self.anchor.lag)
         inside = self._reworded(at=distance, preposition="in").acceptable()
         return Interval(min(0.0, inside.low - distance), max(0.0, inside.high - distance))
@@ -118,7 +124,8 @@ class Tie:
         if not self.anchor.exact:
             return None
         beside, x = self.beside, self.allowed()
-        return min(max(x.low, self.lag + (0.0 if beside is None else min(0.0, beside.best.high))), x.high)
+        off = 0.0 if beside is None else min(0.0, beside.best.high) + max(0.0, beside.best.low)
+        return min(max(x.low, self.lag + off), x.high)
 
     def follower(self, now: datetime) -> Interpreted:
         """Give this skill with what an exact distance says of its own time: its ψ, and the start named."""
@@ -157,7 +164,8 @@ class Tie:
         if all(requirement.anchor is not None for requirement in self.target.requirements):
             return self.this.skill.satisfaction
         leeway = self.allowed()
-        if (beside := self.beside) is not None and (named := self.target.skill.named):
+        before = self.requirement.constraint is Constraint.BEFORE
+        if before and (beside := self.beside) is not None and (named := self.target.skill.named):
             moved = either([beside.shifted(time + self.moment + self.lag) for time in named])
             return both(self.this.skill.satisfaction, moved)
         follows = self.target.skill.satisfaction.shifted(self.moment + self.lag)

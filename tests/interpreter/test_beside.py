@@ -2,7 +2,7 @@
 
 import pytest
 
-from interpreter.telling import starts, told
+from interpreter.telling import notes, starts, told
 
 pytestmark = pytest.mark.model
 
@@ -37,3 +37,18 @@ def test_a_meal_that_was_told_is_meant_by_its_hour() -> None:
 
 def test_what_is_over_may_say_when() -> None:
     assert starts(told(["Strike the set when the show is over at ten pm"]))["s1"] == "22:00"
+
+
+@pytest.mark.parametrize(("words", "latest"), [("Right", 12), ("Shortly", 25)])
+def test_what_comes_right_behind_is_near(words: str, latest: int) -> None:
+    lines = [
+        "Put the roast in at five pm",
+        f"{words} after that peel the potatoes",
+        "Sweep the floor at 5:01 pm",
+    ]
+    made = told(lines)
+    roast, potatoes = (made.schedule.skills[place] for place in (0, 1))
+    assert 0 <= potatoes.start - roast.end <= latest * 60
+    assert notes(made) == []
+    (order,) = made.schedule.task.precedences
+    assert order.wished_lag is not None

@@ -39,12 +39,22 @@ AT_THE_END = "at the end"
 
 ORDERING = {
     "afterwards": Constraint.AFTER,
+    "right afterwards": Constraint.AFTER,
+    "shortly afterwards": Constraint.AFTER,
     AT_THE_END: Constraint.AFTER,
     "beforehand": Constraint.BEFORE,
+    "right beforehand": Constraint.BEFORE,
     "then": Constraint.AT,
     "meanwhile": Constraint.AT,
 }
 """The time words that are about the instruction before it."""
+
+NEAR = {
+    "right afterwards": "right after",
+    "shortly afterwards": "shortly after",
+    "right beforehand": "right before",
+}
+"""The hedges of those that say how near to it."""
 
 HOUR = "time"
 """The end of the name of when a meal is: "lunchtime"."""
@@ -166,8 +176,10 @@ def _later(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Ti
         constraint = ORDERING[time.word]
         edge = Edge.END if constraint is Constraint.AFTER else Edge.START
         target = anchors.going_on() if time.word == AT_THE_END else anchors.position - 1
-        anchor = Anchor(text=requirement.text, target=target, edge=edge)
-        return only_counted(replace(requirement, word=None), anchor, constraint)
+        beside = NEAR.get(time.word)
+        anchor = Anchor(text=requirement.text, target=target, edge=edge, exact=beside is not None)
+        fuzziness = requirement.fuzziness if beside is None else (beside,)
+        return only_counted(replace(requirement, word=None, fuzziness=fuzziness), anchor, constraint)
     if phrase.said.preposition == HALFWAY and anchors.position > 0:
         anchor = Anchor(text=requirement.text, target=anchors.going_on(), share=0.5, exact=True)
         return only_counted(requirement, anchor, Constraint.AFTER)

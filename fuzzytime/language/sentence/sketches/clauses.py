@@ -191,7 +191,7 @@ class _Clauses:
             span=(start, content[1]),
             content=content,
             distance=duration,
-            beside=self._beside(form) if kind == BEFORE else None,
+            beside=self._beside(form) if (kind,) in {(BEFORE,), AFTER} else None,
             edge=edge,
             side=side,
             day_part=day_part,
@@ -220,7 +220,7 @@ class _Clauses:
         return self.before.part_of_day(place) if form in DAYS_APART else None
 
     def _beside(self, form: tuple[str, ...]) -> str | None:
-        """Give the hedge that a marker is: "just before"."""
+        """Give the hedge that a marker is: "just before", "right after"."""
         entries = self.lexicon.entries.get(form[0], ())
         return next(
             (entry.value for entry in entries if entry.category == "beside" and entry.words == form), None

@@ -15,8 +15,8 @@ REMEMBERED = 16384
 def content_words(text: str | None) -> frozenset[str]:
     """Give the words of a text that name something, in the singular; digits behind letters belong to them.
 
-    >>> sorted(content_words("Put the A4 paper into trays 2 and 3"))
-    ['a4', 'paper', 'put', 'tray']
+    >>> sorted(content_words("Fill trays 2 and 3 with the A4 paper"))
+    ['a4', 'fill', 'paper', 'tray']
     """
     return frozenset() if text is None else frozenset(_named_in(text))
 
