@@ -14,8 +14,9 @@ from fuzzytime.language.instruction import Question, Remark, RemarkKind
 from fuzzytime.language.meaning.expressions import Phrase, Wall
 from fuzzytime.language.meaning.instants import UngroundedError
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.offered import alternative_to
 from fuzzytime.language.meaning.requirements import Grounded, grounded
-from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, NOON, Half
+from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.unseen import without_unseen
 from fuzzytime.requirement import Constraint, TimeRequirement
@@ -108,18 +109,18 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
     found: list[tuple[Phrase, Grounded]] = []
     remarks: list[Remark] = []
     for place, phrase in enumerate(phrases):
-        first = next((one for other, one in found if other is phrases[place - 1]), None)
+        before = next((pair for pair in found if pair[0] is phrases[place - 1]), None)
         begun = next((one.requirement for other, one in found if _leads(other, one, phrase)), None)
         here = moment
         if begun is not None and begun.earliest is not None:
             here = replace(
                 moment, since=begun.earliest, carried=False, listed=False, follows=True, onto=False
             )
-        if first is not None and phrase.said.alternative and _is_part_alone(phrase):
+        if before is not None and phrase.said.alternative and _is_part_alone(phrase):
             # "Tonight or in the morning": the morning behind that night.
-            here = replace(moment, since=first.requirement.earliest, follows=True)
+            here = replace(moment, since=before[1].requirement.earliest, follows=True)
         try:
-            some = grounded(_alternative_to(first, phrase, moment), text, here)
+            some = grounded(alternative_to(before, phrase, moment), text, here)
         except UngroundedError as error:
             said = text[phrase.span[0] : phrase.span[1]]
             remarks.append(Remark(RemarkKind.NOT_UNDERSTOOD, phrase.span, f"{said!r}: {error}"))
@@ -127,26 +128,6 @@ def ground_all(phrases: tuple[Phrase, ...], text: str, moment: Moment) -> Times:
         found += ((phrase, one) for one in some)
         remarks += [remark for one in some for remark in one.remarks]
     return Times(tuple(one for _, one in found), tuple(remarks))
-
-
-def _alternative_to(first: Grounded | None, phrase: Phrase, moment: Moment) -> Phrase:
-    """Give an alternative in the half of the day nearer to the time before it: "at eleven or at one"."""
-    said = phrase.said
-    if not said.alternative or first is None:
-        return replace(phrase, said=replace(said, alternative=False))
-    time, since = said.time, first.requirement.t_spec
-    if not isinstance(time, Wall) or time.clock is None or not time.clock.is_open or time.part is not None:
-        return phrase
-    if (
-        moment.now is None
-        or since is None
-        or first.requirement.constraint not in {Constraint.AT, said.constraint}
-    ):
-        return phrase
-    begun = moment.now.hour * 3600 + moment.now.minute * 60 + since
-    near = min(time.clock.candidates(), key=lambda one: abs((one - begun + NOON) % DAY_SECONDS - NOON))
-    decided = replace(time.clock, half=Half.AM if near < NOON else Half.PM)
-    return replace(phrase, said=replace(said, time=replace(time, clock=decided)))
 
 
 def _leads(first: Phrase, begun: Grounded, second: Phrase) -> bool:

@@ -13,6 +13,6 @@ From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``; repetitions: ``series``.
     Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``first_times``, ``distances``,
-    ``intervals_on_days``, ``throughout``.
+    ``intervals_on_days``, ``throughout``, ``offered``.
     What is handed on: ``requirements``, ``decisions``.
 """

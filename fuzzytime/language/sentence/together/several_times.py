@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.said_again import (
@@ -23,6 +24,10 @@ LIST = 2
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
+AT = "at"
+MERIDIEMS = frozenset({"am", "pm", "noon", "midnight"})
+"""Words that end a clock time, and are no day."""
+
 
 def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> list[Sketch]:
     """Give one sketch for each time that is meant, or one of which each time is an alternative.
@@ -37,10 +42,11 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
         if len(group) > 1 and (several or joints & joining - {","}):
             rest = [phrase for phrase in sketch.phrases if phrase not in group]
             if joints & closed.alternatives:
-                first, *others = _on_one_day(with_shared_clock(with_shared_part(group, words)))
+                shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
+                first, *others = _on_one_day(with_shared_clock(shared), words)
                 others = [replace(one, said=replace(one.said, alternative=True)) for one in others]
                 return [_with(sketch, [*rest, first, *others])]
-            times = with_shared_clock(with_shared_part(apart(group), words))
+            times = with_shared_clock(with_shared_part(_with_month_behind(apart(group)), words))
             return [_with(sketch, [*rest, one]) for one in times]
     return [sketch]
 
@@ -82,13 +88,19 @@ def _with(sketch: Sketch, phrases: Sequence[Phrase]) -> Sketch:
     return replace(sketch, phrases=times, references=tuple(references[time.span] for time in times))
 
 
-def _on_one_day(phrases: Sequence[Phrase]) -> list[Phrase]:
-    """Give clock times the day, or the part of it, that one of them is on: "tomorrow at six or at seven"."""
+def _on_one_day(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase]:
+    """Give clock times the day, or the part of it, that one of them is on: "tomorrow at six or at seven".
+
+    A day in front of its clock time is lent to none before: "at five or tomorrow at nine".
+    """
     times = [phrase.said.time for phrase in phrases]
-    clocks = [time for time in times if isinstance(time, Wall) and time.clock is not None]
-    whole = next((wall for wall in clocks if wall.days is not None or wall.part is not None), None)
+    whole: Wall | None = None
     found = []
+    if _ends_with_day(phrases[-1], words) and isinstance(last := times[-1], Wall):
+        whole = last
     for phrase, time in zip(phrases, times, strict=True):
+        if isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None:
+            whole = time
         alone = isinstance(time, Wall) and time.clock is not None and time.days is None and time.part is None
         if alone and isinstance(time, Wall) and whole is not None:
             told = replace(whole, clock=time.clock)
@@ -96,6 +108,52 @@ def _on_one_day(phrases: Sequence[Phrase]) -> list[Phrase]:
         else:
             found.append(phrase)
     return found
+
+
+def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
+    """Whether a day, or a part of it, stands behind a clock time: "at seven tomorrow"."""
+    time, last = phrase.said.time, words[phrase.end - 1].text
+    dated = isinstance(time, Wall) and time.clock is not None and (time.days or time.part) is not None
+    before = [word.text for word in words[phrase.first : phrase.end - 1]]
+    return dated and last.isalpha() and AT not in before[1:] and last not in MERIDIEMS
+
+
+def _with_month_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give days of a list the month, and the year, of the last of them: "on the 5th, 6th or 9th of may"."""
+    last = _days_of(phrases[-1])
+    if last is None or last.day is None or last.month is None:
+        return list(phrases)
+    found = []
+    for phrase in phrases:
+        time, days = phrase.said.time, _days_of(phrase)
+        alone = days is not None and days.is_day_of_month and days.month is None
+        if isinstance(time, Wall) and days is not None and alone:
+            dated = replace(time, days=replace(days, month=last.month, year=last.year))
+            found.append(replace(phrase, said=replace(phrase.said, time=dated)))
+        else:
+            found.append(phrase)
+    return found
+
+
+def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give weekdays the part of the day behind the last of them: "saturday or sunday morning"."""
+    said = phrases[-1].said
+    part = said.time.part if isinstance(said.time, Wall) and said.time.clock is None else None
+    if part is None or said.preposition is not None or not all(map(is_weekday, phrases)):
+        return list(phrases)
+    return [
+        replace(phrase, said=replace(phrase.said, time=replace(phrase.said.time, part=part)))
+        if isinstance(phrase.said.time, Wall)
+        and phrase.said.time.clock is None
+        and phrase.said.time.part is None
+        else phrase
+        for phrase in phrases
+    ]
+
+
+def _days_of(phrase: Phrase) -> Fields | None:
+    days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
+    return days if isinstance(days, Fields) else None
 
 
 def _is_when(phrase: Phrase) -> bool:
