@@ -35,7 +35,7 @@ class Rows:
     """The lists of a request: all of it where its order holds, else each numbered list.
 
     ``arrived`` gives for each word the latest that comes which it names, ``latest`` for each thing the latest
-    that is to be done with it.
+    that is to be done with it; ``asked`` is what was asked for last of all.
     """
 
     in_order: bool
@@ -44,6 +44,7 @@ class Rows:
     precedences: list[Precedence] = field(default_factory=list)
     arrived: dict[str, int] = field(default_factory=dict)
     latest: dict[str, int] = field(default_factory=dict)
+    asked: Step | None = None
 
     def holds(self, reading: Reading) -> bool:
         """Whether what a text says stands in a row; a list that counts from the beginning is a new one."""
@@ -115,6 +116,20 @@ class Rows:
         if not any(map(_repeats, (skills[place] for place in made))):
             self.latest[operation.object] = made[-1]
 
+    def pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
+        """Let who waits do so right behind what was asked for before, and what comes next follow on that."""
+        steps = [Step(place, skills[place]) for place in made if _is_asked(skills[place])]
+        if len(steps) != 1:
+            return
+        (step,), before = steps, self.asked
+        self.asked = step
+        waits = before is not None and (_waits(step, lexicon) or _waits(before, lexicon))
+        if before is not None and waits and step.ordered and not step.timed:
+            # "Heat the plate, wait three minutes": who waits does so while it heats.
+            skill = before.interpreted.skill
+            lag = skill.duration - skill.time_until_done
+            self.precedences.append(Precedence(before.position, step.position, lag, wished_lag=lag))
+
     def _latest_about(self, thing: str) -> int | None:
         """Give the latest that was asked for of a thing, or of who is given it: "Leo", of "Leo a bath"."""
         words = thing.split()
@@ -176,6 +191,13 @@ def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
 
 def _order_of(step: Step) -> Order | None:
     return None if step.interpreted.operation is None else step.interpreted.operation.order
+
+
+def _waits(step: Step, lexicon: Lexicon) -> bool:
+    """Whether a step is to wait, and for nothing but time: "wait three minutes"."""
+    operation = step.interpreted.operation
+    waits = operation is not None and operation.lemma in lexicon.doing.waiting and operation.object is None
+    return waits and not any(part.condition or part.anchor for part in step.interpreted.requirements)
 
 
 def _is_asked(made: Interpreted) -> bool:

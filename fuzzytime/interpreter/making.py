@@ -11,7 +11,7 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both, either, with_alternatives
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
-from fuzzytime.interpreter.retold import from_to, going_to, occurrence
+from fuzzytime.interpreter.retold import from_to, going_to, occurrence, waiting_until
 from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
@@ -66,7 +66,7 @@ class Maker:
         FuzzytimeError
             If a context reading is of no declared signal, or a duration impossible.
         """
-        instruction = from_to(instruction)
+        instruction = waiting_until(from_to(instruction), self.lexicon)
         told = (p for p in instruction.requirements if p.constraint is not Constraint.FOR)
         said = [with_waits(part, self.rulebook, self.request) for part in told]
         once = tuple(part for part in said if part.constraint is not Constraint.EVERY)

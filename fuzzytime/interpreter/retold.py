@@ -1,16 +1,60 @@
 """Instructions in other words: two ends as start and length, one occurrence of many, the way somewhere."""
 
+import math
+from collections.abc import Sequence
 from dataclasses import replace
 
-from fuzzytime.language import Instruction, Operation
+from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.joining import both
+from fuzzytime.interpreter.request import Request
+from fuzzytime.language import Instruction, Lexicon, Operation
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
+from fuzzytime.satisfaction import Rectangle
+from fuzzytime.times import seconds_between
 
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
 UNTIL = "until"
+THEN = "then"
 LASTING = frozenset({"be", "have"})
 """What is said of somebody or something that is so for a while: "I'm out until four"."""
+
+
+def then_behind(instruction: Instruction) -> list[int]:
+    """Give the instructions that words such as "then" put one behind."""
+    anchors = (part.anchor for part in instruction.requirements if part.preposition == THEN)
+    return [anchor.target for anchor in anchors if anchor is not None and anchor.target is not None]
+
+
+def released(made: Interpreted, before: Sequence[Interpreted], request: Request) -> Interpreted:
+    """Let a skill begin no sooner than until when those before it are done: "mop until ten, then rest"."""
+    ends = [
+        part.latest + seconds_between(request.now, one.wish.given)
+        for one in before
+        for part in one.requirements
+        if part.preposition == UNTIL and part.anchor is None and part.latest is not None
+    ]
+    if not ends:
+        return made
+    function = both(made.skill.satisfaction, Rectangle(max(ends), math.inf))
+    return replace(made, skill=replace(made.skill, satisfaction=function))
+
+
+def waiting_until(instruction: Instruction, lexicon: Lexicon) -> Instruction:
+    """Let who waits until a time be there then: "wait until eight"."""
+    operation = instruction.operation
+    if operation is None or operation.lemma not in lexicon.doing.waiting or operation.object is not None:
+        return instruction
+    if instruction.duration is not None:
+        return instruction
+    requirements = tuple(
+        replace(part, constraint=Constraint.AT, reference=Reference.FINISH, earliest=part.latest)
+        if part.preposition == UNTIL and part.anchor is None and part.latest is not None
+        else part
+        for part in instruction.requirements
+    )
+    return replace(instruction, requirements=requirements)
 
 
 def from_to(instruction: Instruction) -> Instruction:

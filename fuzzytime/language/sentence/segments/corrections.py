@@ -111,6 +111,13 @@ def _correction(scanned: Scanned, phrase: Phrase, starts: Collection[int], lexic
     start = _behind_pauses(scanned, place + len(marker))
     if start >= len(scanned.words):
         return None
+    if (
+        marker[-1] in lexicon.doing.waiting
+        and start == place + len(marker)
+        and "duration" in scanned.cells[start]
+    ):
+        # "Heat it at eight, wait three minutes"; but "at eight, wait, nine"
+        return None
     further = longest_match(scanned.words, start, lexicon.corrections)
     if further is not None:
         # "Actually, make it twenty"
