@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
+from fuzzytime.interpreter.joining import either
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, Request
 from fuzzytime.satisfaction import NEVER, Either, Rectangle, SatisfactionFunction, Trapezoid, Triangle
 from fuzzytime.scheduling import THRESHOLD
@@ -38,6 +39,9 @@ def horizon_of(skills: Sequence[Interpreted], request: Request) -> float:
 
 def _end(function: SatisfactionFunction) -> float:
     """Give the end of a wish's window, or where it begins; soon where it may be done at once."""
+    if isinstance(function, Either):
+        ends = [_end(one) for one in function.functions]
+        return max((end for end in ends if end <= MAX_HORIZON), default=min(ends))
     window = function.acceptable(THRESHOLD)
     end = window.high if math.isfinite(window.high) else window.low if math.isfinite(window.low) else 0.0
     return end if function.best.low > 0 else min(end, WITHOUT_END)
@@ -57,7 +61,7 @@ def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -
 
     The reason is said.
     """
-    function = interpreted.skill.satisfaction
+    function = _near(interpreted.skill.satisfaction, horizon)
     support = function.acceptable(THRESHOLD)
     reason = interpreted.reason
     if support.empty:
@@ -69,6 +73,14 @@ def within_horizon(interpreted: Interpreted, horizon: float, request: Request) -
         reason = f"its time passed {format_duration(-support.high)} ago"
     closed = NEVER if reason != interpreted.reason else _closed(function, horizon)
     return replace(interpreted, skill=_with(interpreted.skill, closed), reason=reason)
+
+
+def _near(function: SatisfactionFunction, horizon: float) -> SatisfactionFunction:
+    """Give what is left of alternatives within the horizon, where any is."""
+    if not isinstance(function, Either):
+        return function
+    near = [one for one in function.functions if one.acceptable(THRESHOLD).low <= horizon]
+    return either(near) if near else function
 
 
 def _closed(function: SatisfactionFunction, horizon: float) -> SatisfactionFunction:

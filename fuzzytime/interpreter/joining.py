@@ -1,9 +1,10 @@
 """Wishes joined: the paper's logical AND of satisfaction functions, and OR, kept as simple as they can be."""
 
+import math
 from collections.abc import Iterator, Sequence
 
 from fuzzytime.requirement import TimeRequirement
-from fuzzytime.satisfaction import Either, SatisfactionFunction, product
+from fuzzytime.satisfaction import Clipped, Either, Interval, Rectangle, SatisfactionFunction, product
 
 
 def either(functions: Sequence[SatisfactionFunction]) -> SatisfactionFunction:
@@ -30,7 +31,20 @@ def both(first: SatisfactionFunction, second: SatisfactionFunction) -> Satisfact
         if isinstance(one, Either):
             # Each side may be open, where the product of the whole has no end.
             return either([both(part, other) for part in one.functions])
-    return product(first, second)
+    within = first.support.intersection(second.support)
+    return product(first, second) if math.isfinite(within.length) else _open_product(first, second, within)
+
+
+def _open_product(
+    first: SatisfactionFunction, second: SatisfactionFunction, within: Interval
+) -> SatisfactionFunction:
+    """Give ψ₁·ψ₂ of two that are above 0 together without end: full beyond all that bends them."""
+    marks = (*first.kinks, *second.kinks)
+    bent = Interval(min(marks), max(marks))
+    parts: list[SatisfactionFunction] = [product(Clipped(first, bent), Clipped(second, bent))]
+    parts += [Rectangle(-math.inf, bent.low)] * math.isinf(within.low)
+    parts += [Rectangle(bent.high, math.inf)] * math.isinf(within.high)
+    return Either(parts)
 
 
 def _is_full(function: SatisfactionFunction) -> bool:

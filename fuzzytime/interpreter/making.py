@@ -160,20 +160,15 @@ class Maker:
         )
         for alternatives in offered:
             part = either([one.satisfaction.shifted(self._origin(wish, one)) for one in alternatives])
-            joined = (
-                part
-                if joined.model == "trapezoid" and joined.best.high == float("inf")
-                else both(joined, part)
-            )
+            joined = both(joined, part)
         return joined
 
     def _named(self, wish: Wish, offered: list[list[Resolution]]) -> tuple[float, ...]:
         """Give the start that was named, on the request's timeline, with its alternatives."""
         for alternatives in offered:
-            named = ((self._origin(wish, one), one.named) for one in alternatives)
-            found = tuple(origin + time for origin, time in named if time is not None)
-            if found:
-                return found
+            if alternatives[0].named is not None:
+                named = ((self._origin(wish, one), one.named) for one in alternatives)
+                return tuple(origin + time for origin, time in named if time is not None)
         return ()
 
     def _moved(

@@ -143,13 +143,16 @@ class Tie:
     def _from_there(self, now: datetime) -> Interpreted:
         """Let "soon" and "at once" behind another count from when that is done: "then serve it soon"."""
         own = [part for part in self.this.requirements if part.anchor is None]
-        later = self.expected + self.moment - seconds_between(now, self.this.wish.given)
-        follows = self.requirement.constraint is Constraint.AFTER and 0 < later < math.inf
+        given = seconds_between(now, self.this.wish.given)
+        expected = self.target.skill.named or (self.expected,)
+        later = [time + self.moment - given for time in expected]
+        follows = self.requirement.constraint is Constraint.AFTER and all(0 < by < math.inf for by in later)
         if not (follows and own and all(map(_counts_from_now, own))):
             return self.this
         skill = self.this.skill
-        moved = replace(skill, satisfaction=skill.satisfaction.shifted(later))
-        return replace(self.this, skill=moved.starting_near(*(time + later for time in skill.named)))
+        moved = replace(skill, satisfaction=either([skill.satisfaction.shifted(by) for by in later]))
+        named = [time + by for by in later for time in skill.named]
+        return replace(self.this, skill=moved.starting_near(*named))
 
     def _preferred(self) -> float | None:
         """Give the start that was named, or that at the very distance from where the target's was."""

@@ -1,6 +1,10 @@
 """Of several times one of which is enough, the plan takes the one that suits everything else."""
 
+import pytest
+
 from interpreter.telling import notes, starts, told
+
+pytestmark = pytest.mark.model
 
 AT_SIX = "Meet Ann at six for an hour"
 
@@ -71,3 +75,36 @@ def test_a_time_that_is_over_leaves_the_other() -> None:
     gone = told(["Feed the cat at 5 am today or at 6 am today"])
     assert starts(gone) == {}
     assert gone.skills[0].reason
+
+
+@pytest.mark.parametrize(
+    ("line", "start"),
+    [
+        ("Call mum today if you can, otherwise tomorrow at ten am", "07:00"),
+        ("Call mum this evening or tomorrow at ten am", "18:24"),
+        ("Call mum by noon or at five pm", "07:00"),
+        ("Call mum this afternoon or at eight", "12:36"),
+        ("Call mum at six or tomorrow at noon", "18:00"),
+        ("Call mum at 18:00 or on friday", "18:00"),
+        ("Call mum at 18:00 today or at 18:00 on 4 march 2040", "18:00"),
+        ("Not before 8 pm, call mum at six or at eight", "20:00"),
+    ],
+)
+def test_what_is_free_is_taken_as_it_was_said_first(line: str, start: str) -> None:
+    made = told([line])
+    assert starts(made) == {"s1": start}
+    assert made.schedule.start_times[0] < 24 * 3600
+
+
+def test_soon_behind_one_of_several_times_is_behind_the_one_that_is_taken() -> None:
+    lines = [
+        "Call mum at six or at eight",
+        "Mow the lawn from half past five to half past seven",
+        "After calling mum, serve dinner soon",
+    ]
+    assert starts(told(lines)) == {"s1": "20:00", "s2": "17:30", "s3": "20:10"}
+
+
+def test_open_bounds_hold_together() -> None:
+    assert starts(told(["Not before 9 am, call mum after 10 am"])) == {"s1": "10:00"}
+    assert starts(told(["Not before 8 pm, call mum this evening"])) == {"s1": "20:00"}

@@ -95,8 +95,8 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     On a day to come that is named they may be up earlier.
     """
     first, last = here.policy.plausible_from, here.policy.plausible_to
-    if EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
-        # Who speaks at five is up at half past.
+    if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
+        # Who speaks at five is up at half past; dinner is in the evening all the same.
         first = here.now.time()
     if ahead and moment.date() > here.now.date():
         first = min(first, here.policy.ahead_from)

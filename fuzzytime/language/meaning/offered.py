@@ -19,9 +19,10 @@ def alternative_to(before: tuple[Phrase, Grounded] | None, phrase: Phrase, momen
     if not said.alternative or before is None:
         return replace(phrase, said=replace(said, alternative=False))
     time, other = said.time, before[0].said.time
-    if not isinstance(time, Wall) or not isinstance(other, Wall) or time.clock is None or other.clock is None:
+    if not isinstance(time, Wall) or time.clock is None or not time.clock.is_open or time.part is not None:
         return phrase
-    if not time.clock.is_open or time.part is not None or time.days != other.days:
+    parted = isinstance(other, Wall) and other.part is not None and other.clock is None and time.days is None
+    if not parted and not (isinstance(other, Wall) and other.clock is not None and time.days == other.days):
         return phrase
     chosen = _chosen(time.clock.candidates(), before[1], said.constraint, moment)
     if chosen is None:
@@ -35,10 +36,12 @@ def _chosen(
 ) -> int | None:
     """Give which time of day is meant, in seconds since midnight; None where the policy is to say."""
     bound, since = first.requirement.constraint, first.requirement.t_spec
+    since = first.requirement.earliest if bound is Constraint.BETWEEN else since
     if moment.now is None or since is None:
         return None
     begun = (moment.now.hour * 3600 + moment.now.minute * 60 + since) % DAY_SECONDS
-    if (bound, constraint) == (Constraint.BEFORE, Constraint.AFTER):
+    if bound is Constraint.BETWEEN or (bound, constraint) == (Constraint.BEFORE, Constraint.AFTER):
+        # "This afternoon or at eight", "before six or after eight"
         return min((one for one in candidates if one > begun), default=None)
     if bound not in {Constraint.AT, constraint}:
         return None

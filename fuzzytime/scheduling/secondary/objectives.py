@@ -32,8 +32,8 @@ GENTLE = 100.0
 PATIENCE = 10.0
 """How many seconds later a start that nobody named may be, for a second nearer to one that somebody did."""
 
-SECOND_CHOICE = 60.0
-"""How many seconds off the start that was named first one is that was named as good as that."""
+LATER_CHOICE = 0.9
+"""The share of its distance from what was named first that an alternative, though as good, counts as."""
 
 PIECES = 8
 """Lines that stand for a curve's integral between two of its corners."""
@@ -128,15 +128,19 @@ class Nearness(_EachForItself):
     name: ClassVar[str] = "nearness"
 
     def wish(self, skill: FuzzySkill, reach: float) -> SatisfactionFunction:
-        """Wish for the preferred start, linearly less away from it; for its alternatives a little less."""
+        """Wish for the preferred start, linearly less away from it; a little more for an alternative."""
         if skill.preferred is None:
             return _early(PATIENCE * reach)
         wide = GENTLE * reach
         wish = Triangle(skill.preferred - wide, skill.preferred, skill.preferred + wide)
         if not skill.alternatives:
             return wish
-        least = 1.0 - min(SECOND_CHOICE / wide, 0.5)
-        others = (Sampled((time - wide, time, time + wide), (0, least, 0)) for time in skill.alternatives)
+        peaks = {time: 1.0 - LATER_CHOICE * abs(time - skill.preferred) / wide for time in skill.alternatives}
+        others = [
+            Sampled((time - wide, time, time + wide), (0, peak, 0))
+            for time, peak in peaks.items()
+            if peak > 0
+        ]
         return Either([wish, *others])
 
 

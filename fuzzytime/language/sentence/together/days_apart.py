@@ -59,7 +59,9 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
     for sketch in map(_on_each_day, sketches):
         if placed and ENDS & set(text_between(placed[-1], sketch, text)):
             held = above
-        days = [(place, phrase.said) for place, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        offered = _offered(sketch)
+        days = [(p, phrase.said) for p, phrase in enumerate(sketch.phrases) if phrase.said.is_day]
+        days = [(place, said) for place, said in days if place not in offered]
         named = [place for place, _ in sorted(days, key=lambda day: _narrowness(day[1]))]
         named += [place for place, phrase in enumerate(sketch.phrases) if _is_first_day(phrase.said)]
         told = sketch
@@ -73,6 +75,12 @@ def on_their_days(sketches: Sequence[Sketch], text: str, heading: Heading | None
         held = _day_of(sketch, heads=heads) or held
         placed.append(told)
     return placed if heading is None else [_under(sketch, heading) for sketch in placed]
+
+
+def _offered(sketch: Sketch) -> set[int]:
+    """Give the places of times one of which is kept: the day of one is none of another's."""
+    alternatives = {place for place, phrase in enumerate(sketch.phrases) if phrase.said.alternative}
+    return alternatives | {place - 1 for place in alternatives}
 
 
 def _on_each_day(sketch: Sketch) -> Sketch:

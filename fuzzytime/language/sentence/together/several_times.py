@@ -44,7 +44,9 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
             if joints & closed.alternatives:
                 shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
                 first, *others = _on_one_day(with_shared_clock(shared), words)
-                others = [replace(one, said=replace(one.said, alternative=True)) for one in others]
+                others = [
+                    _bound_as(first, replace(one, said=replace(one.said, alternative=True))) for one in others
+                ]
                 return [_with(sketch, [*rest, first, *others])]
             times = with_shared_clock(with_shared_part(_with_month_behind(apart(group)), words))
             return [_with(sketch, [*rest, one]) for one in times]
@@ -108,6 +110,14 @@ def _on_one_day(phrases: Sequence[Phrase], words: Sequence[Word]) -> list[Phrase
         else:
             found.append(phrase)
     return found
+
+
+def _bound_as(first: Phrase, phrase: Phrase) -> Phrase:
+    """Give a number alone the side of the time before it: "by six or eight"."""
+    said, bound = phrase.said, first.said
+    if bound.constraint not in BOUNDS or said.preposition is not None or said.constraint is not None:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=bound.constraint, preposition=bound.preposition))
 
 
 def _ends_with_day(phrase: Phrase, words: Sequence[Word]) -> bool:
