@@ -96,7 +96,17 @@ class Surroundings:
         """Whether nothing but who is called, or asked, stands before a place: "hey olly", "could you"."""
         *_, first, before = (".", ".", *self.texts[:place])
         asked = before == "you" and first in self.closed.requesting_modals
-        return asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
+        starts = asked or before in self.beside.sentence_starts or before in self.lexicon.addresses
+        return starts or self._follows_time(place)
+
+    def _follows_time(self, place: int) -> bool:
+        """Whether only another time, and a joint, stands before a place: "at six or | at eight call dad"."""
+        before = self.texts[: max(place - 1, 0)]
+        joined = bool(before) and self.texts[place - 1] in self.closed.coordinators_of_days
+        return joined and all(
+            text.isdigit() or text in self.lexicon.numbers or text in self.closed.prepositions_of_points
+            for text in before
+        )
 
     def describes(self, piece: Piece) -> bool:
         """Whether it stands between an article and a noun: "the 3 pm meeting"."""
