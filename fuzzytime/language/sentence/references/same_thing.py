@@ -77,7 +77,9 @@ def _asked_before(anchors: Anchors) -> int | None:
     """
     own = anchors.operation_at(anchors.position)
     for place, before in anchors.just_before():
-        anew = own is not None and not own.again and own.lemma == before.lemma
+        alike = own is not None and not own.again and own.lemma == before.lemma
+        # "Switch the pump on at noon and off after an hour"
+        anew = alike and own is not None and not undoes(own, before, anchors.lexicon)
         asked = before.is_asked and not anchors.told.is_repeated(place)
         if asked and not anew and _is_of_the_same(anchors, place):
             return place
@@ -85,6 +87,11 @@ def _asked_before(anchors: Anchors) -> int | None:
 
 
 def _is_of_the_same(anchors: Anchors, target: int) -> bool:
-    """Whether another instruction is about the thing of this one."""
+    """Whether another instruction is about the thing of this one, or is what it undoes and names no thing."""
     own, other = anchors.operation_at(anchors.position), anchors.operation_at(target)
-    return own is not None and other is not None and own.object is not None and own.object == other.object
+    if own is None or other is None:
+        return False
+    if own.object is None:
+        # "Take off at noon, land after twenty minutes"
+        return undoes(own, other, anchors.lexicon)
+    return own.object == other.object

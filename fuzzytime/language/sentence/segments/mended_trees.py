@@ -14,6 +14,7 @@ LET = 2
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
+    tree = _with_numbered_things(tree, lexicon)
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
     return mended or _does_compound(tree, lexicon) or tree
 
@@ -41,6 +42,26 @@ def _does_named(tree: Tree) -> Tree | None:
     moved = _with_thing_done(tree, root, root)
     moved[root - 1] = replace(moved[root - 1], relation="compound", head=root)
     return tree.with_nodes(moved)
+
+
+def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give what has a number as a thing, which was taken for what is done: "start pump 2", "test pump 1"."""
+    nodes = list(tree.nodes)
+    for thing in range(1, len(nodes) - 1):
+        verb, node, number = nodes[thing - 1 : thing + 2]
+        named = node.tag.startswith("VB") and node.lower in lexicon.machines and number.tag == "CD"
+        if not named or not verb.may_act or verb.lower != verb.lemma or verb.tag not in {"VB", "VBP", "NN"}:
+            continue
+        first = node.head == thing or (node.head == thing - 1 and node.relation in {"xcomp", "ccomp", "dobj"})
+        if not first:
+            continue
+        nodes = [replace(one, head=thing - 1) if one.head == thing else one for one in nodes]
+        if node.head == thing:
+            verb = replace(verb, relation="ROOT", head=thing - 1)
+        nodes[thing - 1] = replace(verb, tag="VB")
+        nodes[thing] = replace(node, tag="NN", relation="dobj", head=thing - 1)
+        nodes[thing + 1] = replace(number, relation="nummod", head=thing)
+    return tree.with_nodes(nodes) if nodes != list(tree.nodes) else tree
 
 
 def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
