@@ -25,7 +25,7 @@ class Particles:
     def hold(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
-        if first in self.beside.prefixes and not self._prefixes(piece):
+        if (first in self.beside.prefixes and not self._prefixes(piece)) or self._visits(piece):
             return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
@@ -62,6 +62,15 @@ class Particles:
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _visits(self, piece: Piece) -> bool:
+        """Whether "by" is where somebody goes: "come by around three", "drop by today"; not "come by six"."""
+        if self.texts[piece.start] != "by":
+            return False
+        behind = piece.start + 1
+        led = self.texts[behind : behind + 1] and self.texts[behind] in self.beside.behind_visiting
+        day = self.around.is_day(behind) or self.around.is_day_from_now(behind)
+        return self.around.before(piece) in self.beside.visiting and bool(led or day)
 
     def _comes_in(self, piece: Piece) -> bool:
         """Whether "in" is where somebody comes: "pop in around noon"; but "in about ten" minutes."""

@@ -183,6 +183,8 @@ class BesideTimes:
     behind_things: Words
     polite_ends: Words
     calls: Words
+    visiting: Words
+    behind_visiting: Words
     sites: Words
     turnings: Words
     turning: Words
