@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.bare_hours import BareHours
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.naming import Naming
 from fuzzytime.language.grammar.standing import Standing
 from fuzzytime.language.grammar.surroundings import Surroundings
@@ -40,6 +40,8 @@ class Walls(Standing):
     def accept(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a day, a part of the day or a clock time is one here."""
         if self._is_counted_part(piece, wall) or self._is_unbound(piece, said, wall):
+            return False
+        if wall.clock is not None and (self._is_degrees(piece) or self._is_mixed(piece)):
             return False
         if self._goes_on(piece, wall) or self._is_of_event(piece, wall) or self._counts_several(piece, wall):
             return False
@@ -99,6 +101,17 @@ class Walls(Standing):
         # "Before bed", but "before the bed is made"
         place = wall.part is not None and wall.part.place
         return place and self.texts[piece.end - 2] in self.closed.noun_openers
+
+    def _is_degrees(self, piece: Piece) -> bool:
+        """Whether its number is a temperature: "overnight at 4 degrees"."""
+        last, follower = self.words[piece.end - 1], self.around.follower(piece)
+        return last.is_digits and follower in self.beside.degrees
+
+    def _is_mixed(self, piece: Piece) -> bool:
+        """Whether its two numbers are how something is mixed: "dilute it 1:10"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        colon = ":" in self.texts[piece.start : piece.end] and self.words[piece.start].is_digits
+        return colon and not self.beside.mixing.isdisjoint(before)
 
     def _is_ratio(self, place: int) -> bool:
         """Whether two numbers at a place may be a part of a whole: "3/4"."""

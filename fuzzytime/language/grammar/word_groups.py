@@ -185,6 +185,8 @@ class BesideTimes:
     calls: Words
     visiting: Words
     behind_visiting: Words
+    degrees: Words
+    mixing: Words
     sites: Words
     turnings: Words
     turning: Words
