@@ -39,9 +39,15 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = None
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
+    past: int | None = None
     for phrase in phrases:
         place = starts[phrase.span]
-        if place is not None and ((told is not None and place > told) or _is_described(part, place, action)):
+        if place is None:
+            continue
+        before, past = past, _done_before(part, phrase, place, action)
+        # Of two times behind what was done the second says when: "call the man who rang at six at seven".
+        described = past is not None and past != before
+        if described or (told is not None and place > told) or _is_described(part, place, action):
             found.append(phrase)
     return found
 
@@ -188,6 +194,15 @@ def _says_when(phrase: Phrase) -> bool:
     if said.constraint in BOUNDS:
         return True
     return isinstance(time, Wall) and time.days is not None and said.constraint in {None, Constraint.AT}
+
+
+def _done_before(part: Part, phrase: Phrase, place: int, action: Action) -> int | None:
+    """Give the verb of what was done that a time is of: "send the photos I took last monday"."""
+    above = next((p for p in part.tree.above(place) if part.tree.nodes[p].is_verb), None)
+    if above is None or above <= action.place or phrase.said.constraint is Constraint.BEFORE:
+        return None
+    node = part.tree.nodes[above]
+    return above if node.relation == "relcl" and node.tag == "VBD" else None
 
 
 def _is_described(part: Part, place: int, action: Action) -> bool:
