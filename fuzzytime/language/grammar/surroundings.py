@@ -86,7 +86,9 @@ class Surroundings:
         # "On the 12th meet Ann", where a number alone may count: "at 5 text messages"
         dated = self.words[piece.end - 1].glued and self.words[piece.end - 2].is_digits
         named = dated and behind[:1].isalpha() and behind not in self.lexicon.function_words
-        called = follower in self.lexicon.addressing and (behind in self.lexicon.persons or named)
+        # "After lunch call Bob"
+        person = behind in self.lexicon.persons or (bool(behind) and self.words[piece.end + 1].capital)
+        called = follower in self.lexicon.addressing and (person or named)
         alone = follower in self.lexicon.alone | self.lexicon.intransitive | self.lexicon.lasting
         led = behind[:1].isalpha() and (alone or behind not in self.lexicon.function_words)
         orders = called or behind in self.closed.behind_verbs or (number and counted and led)

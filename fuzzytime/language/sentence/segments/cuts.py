@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.segments.orders_beside_times import is_order_be
 from fuzzytime.language.sentence.segments.segment import Segment
 from fuzzytime.language.sentence.segments.verbs_left_out import verbs_left_out
 from fuzzytime.language.sentence.segments.waiting import JOINT, Part, Waiting
+from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.statements import second_statement
 
@@ -117,8 +118,18 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            yield Segment((start, last), addressee=one.segment.addressee, verbless=start in gaps)
+            verbless = start in gaps and not _begins_order(part, start)
+            yield Segment((start, last), addressee=one.segment.addressee, verbless=verbless)
             return
+
+
+def _begins_order(part: Part, start: int) -> bool:
+    """Whether what was taken for another thing is to be done: "and dust the shelves at ten"."""
+    place = next(iter(part.tree.at(start - part.offset, start - part.offset + 1)), None)
+    if place is None or place + 1 >= len(part.tree.nodes):
+        return False
+    node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
+    return node.may_act and node.lower == node.lemma and behind.tag in DETERMINERS
 
 
 def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 
 LEAVE = "leave"
+UNTIL = "until"
 
 WHEN = frozenset({None, Constraint.AT})
 """How a day binds on which something is."""
@@ -134,6 +135,8 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     references = [_reference(part, phrase, action, lexicon, clauses) for phrase in kept]
     if _is_there(operation, lexicon):
         kept = [_on_that_day(phrase) for phrase in kept]
+    if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
+        kept = [_put_off(phrase) for phrase in kept]
     if _is_gone(operation, lexicon):
         references = [None if one is Reference.THROUGHOUT else one for one in references]
     return Sketch(
@@ -172,6 +175,14 @@ def _is_there(operation: Operation, lexicon: Lexicon) -> bool:
         and operation.object is None
         and operation.place is not None
     )
+
+
+def _put_off(phrase: Phrase) -> Phrase:
+    """Take until when something is put off as when it is: "postpone the demo until thursday"."""
+    said = phrase.said
+    if said.preposition != UNTIL or said.constraint is not Constraint.BEFORE:
+        return phrase
+    return replace(phrase, said=replace(said, constraint=None, edge=Edge.START))
 
 
 def _is_gone(operation: Operation, lexicon: Lexicon) -> bool:
