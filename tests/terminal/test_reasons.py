@@ -6,7 +6,15 @@ from datetime import datetime
 import pytest
 
 from fuzzytime.interpreter import DirectWish, Interpreter, Plan, Request, plan
-from fuzzytime.satisfaction import ALWAYS, NEVER, Rectangle, SatisfactionFunction, Trapezoid, Triangle
+from fuzzytime.satisfaction import (
+    ALWAYS,
+    NEVER,
+    Either,
+    Rectangle,
+    SatisfactionFunction,
+    Trapezoid,
+    Triangle,
+)
 from fuzzytime.scheduling import Limits, Status
 from fuzzytime.skills import Busy
 from fuzzytime_cli.formats.reasons import clash_sentence, explaining, loss_lines, why_sentences
@@ -148,3 +156,10 @@ def test_a_clash_is_named(interpreter: Interpreter) -> None:
     assert clash_of(interpreter, wish("stir", room), wish("fry", room), wish("mix", room)).endswith(
         "stir, fry and mix cannot all be had, though any 2 of them can"
     )
+
+
+def test_each_of_several_times_is_named(interpreter: Interpreter) -> None:
+    either = Either([Rectangle(60, 120), Rectangle(600, 660)])
+    made = planned(interpreter, wish("flip the pancakes", either))
+    (asked, *_) = why_sentences(made, 0)
+    assert "by any start from 09:01 to 09:02, or by any start from 09:10 to 09:11" in asked

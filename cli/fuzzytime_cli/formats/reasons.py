@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.interpreter import Moved, Plan
 from fuzzytime.requirement import asked_words
-from fuzzytime.satisfaction import Interval
+from fuzzytime.satisfaction import Either, Interval
 from fuzzytime.scheduling import (
     Alternative,
     Bond,
@@ -185,10 +185,22 @@ def _asked(why: Why, plan: Plan) -> str:
         asked += f", and it was moved by {moved_words(interpreted.wish.moved)}"
     if why.best.starts.empty:
         return f"{asked}, and {_limit(why, plan)}."
-    span = _span(why.best.starts, plan)
+    span = ", or ".join(_span(starts, plan) for starts in _as_good(why, plan))
     if why.alone >= 1 - SHOWN:
         return f"{asked}: alone it would be fully satisfied {span}."
     return f"{asked}: alone it would have {why.alone:.2f} at most, {span}; {_limit(why, plan)}."
+
+
+def _as_good(why: Why, plan: Plan) -> list[Interval]:
+    """Give the starts that would be best: those of each alternative, where there are some."""
+    function = plan.skills[why.position].skill.satisfaction
+    if not isinstance(function, Either):
+        return [why.best.starts]
+    parts = (one for one in function.functions if not one.support.empty)
+    best = [
+        one.best for one in parts if float(one(one.best.high)) >= why.alone - SHOWN and one.best.high >= 0
+    ]
+    return sorted(best, key=lambda starts: starts.low) or [why.best.starts]
 
 
 def _span(starts: Interval, plan: Plan) -> str:

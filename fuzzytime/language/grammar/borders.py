@@ -168,7 +168,12 @@ class Borders:
 
     def _is_excepted(self, piece: Piece) -> bool:
         """Whether it is left out: "except sundays" is not understood, and must not turn into its opposite."""
-        before = self.texts[max(0, piece.start - 4) : piece.start]
+        start = piece.start
+        while start > 1 and self.texts[start - 1] in self.closed.denied_alternatives:
+            # "But not at six or at eight"
+            ends = (p for p in range(start - 2, 0, -1) if not self._is_of_time(p))
+            start = next(ends, 0) + 1
+        before = self.texts[max(0, start - 4) : start]
         if before[-1:] in (["on"], ["at"], ["in"]):
             before.pop()
         if before[-1:] == ["but"] and self._is_added(piece):
@@ -178,6 +183,11 @@ class Borders:
             ["except", "on"],
             ["but", "not"],
         )
+
+    def _is_of_time(self, place: int) -> bool:
+        """Whether a word may be of a time: "at", "six"."""
+        number = self.words[place].is_digits or self.texts[place] in self.lexicon.numbers
+        return number or self.around.timely(place) or self.texts[place] in self.closed.prepositions_of_points
 
     def _is_added(self, piece: Piece) -> bool:
         """Whether "but" adds it: a bound ("but not before six"), or any time where no other is repeated."""
