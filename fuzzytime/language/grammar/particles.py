@@ -25,7 +25,8 @@ class Particles:
     def hold(self, piece: Piece) -> bool:
         """Whether its first word belongs to a verb: "turn it on at sunrise"."""
         first, *rest = self.texts[piece.start : piece.end]
-        if (first in self.beside.prefixes and not self._prefixes(piece)) or self._visits(piece):
+        stray = first in self.beside.prefixes and not self._prefixes(piece)
+        if any((stray, self._visits(piece), self._stands_apart(piece))):
             return True
         if rest[-1:] == ["on"] and self.around.follower(piece) in self.closed.noun_openers:
             # "The notes from monday on my desk"
@@ -62,6 +63,13 @@ class Particles:
         # "Put the washing on first"
         follows = first == "on" and (bool(self.beside.taking_along & {*rest[:1]}) or rest == ["first"])
         return follows or self._counts_from_that(piece)
+
+    def _stands_apart(self, piece: Piece) -> bool:
+        """Whether a distance from something has it before it: "put the roast in | two hours before lunch"."""
+        time = piece.value.time
+        verbs = self.lexicon.particles.get(self.texts[piece.start], frozenset())
+        carried = not verbs.isdisjoint(self.texts[max(0, piece.start - NEAR) : piece.start])
+        return isinstance(time, Offset) and time.anchor is not None and carried
 
     def _visits(self, piece: Piece) -> bool:
         """Whether "by" is where somebody goes: "come by around three", "drop by today"; not "come by six"."""

@@ -187,6 +187,7 @@ class BesideTimes:
     behind_visiting: Words
     degrees: Words
     mixing: Words
+    reasons_in_front: Words
     sites: Words
     turnings: Words
     turning: Words

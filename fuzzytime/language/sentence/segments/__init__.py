@@ -5,7 +5,7 @@ Lines and sentences
     ``order_words``, ``corrections``, ``asides``.
 Further orders of one sentence
     Segments ``waiting`` for their trees (``mended_trees``, ``leading_markers``), and ``cuts`` once they
-    have one: ``calls``, ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
+    have one: ``calls``, ``reasons``, ``further_orders``, ``orders_in_front``, ``overlooked_orders``,
     ``orders_beside_times``, ``verbs_left_out``, ``fronts``,
     ``run_on_orders``.
 Times that belong to something

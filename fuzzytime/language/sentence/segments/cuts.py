@@ -118,7 +118,8 @@ def pieces_of(one: Waiting, part: Part, lexicon: Lexicon) -> Iterator[Segment]:
         end = first + len(JOINT.sub("", one.source.scanned.text[first:start]))
         if end > part.offset:
             yield replace(one.segment, span=(first, end))
-            verbless = start in gaps and not _begins_order(part, start)
+            whole = _begins_order(part, start) or _is_told(one, start, lexicon)
+            verbless = start in gaps and not whole
             yield Segment((start, last), addressee=one.segment.addressee, verbless=verbless)
             return
 
@@ -130,6 +131,13 @@ def _begins_order(part: Part, start: int) -> bool:
         return False
     node, behind = part.tree.nodes[place], part.tree.nodes[place + 1]
     return node.may_act and node.lower == node.lemma and behind.tag in DETERMINERS
+
+
+def _is_told(one: Waiting, start: int, lexicon: Lexicon) -> bool:
+    """Whether what was taken for another thing happens: "wake me at six, my train leaves at seven"."""
+    before = [p.first for p in one.source.phrases if p.span[0] > start and p.first]
+    last = one.source.scanned.words[min(before) - 1] if before else None
+    return last is not None and last.start > start and last.text in lexicon.doing.timed
 
 
 def _denied_list(one: Waiting, starts: Sequence[int], lexicon: Lexicon) -> list[Segment]:

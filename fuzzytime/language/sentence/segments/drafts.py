@@ -21,6 +21,7 @@ from fuzzytime.language.sentence.segments.instances import NONE, Instances, inst
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
 from fuzzytime.language.sentence.segments.order_words import order_words
+from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
 from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
@@ -186,7 +187,7 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
-            cut = [] if last_round else called_next(one, part, lexicon)
+            cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
             if place in runs_on and not cut:
                 following += one.cut_before(runs_on[place], lexicon)
                 continue
