@@ -7,6 +7,7 @@ import numpy as np
 from fuzzytime.satisfaction import (
     ALWAYS,
     Bell,
+    Either,
     Rectangle,
     Sampled,
     SatisfactionFunction,
@@ -85,6 +86,21 @@ def random_task(seed: int, most: int = 5) -> FuzzyTask:
         pairs = [(first, second) for second in range(count) for first in range(second)]
         precedences = tuple(Precedence(*pair) for pair in pairs if generator.random() < 0.3)
     return FuzzyTask(skills, precedences=precedences, busy=busy)
+
+
+def random_either_task(seed: int) -> FuzzyTask:
+    """Draw a task for one agent in which several times are offered for each skill."""
+    generator = np.random.default_rng([seed, 11])
+    task = random_task(seed)
+    reach = sum(skill.duration for skill in task.skills) + 20.0
+
+    def hill() -> Trapezoid:
+        centre, width = generator.uniform(0, reach), generator.uniform(2, 0.2 * reach)
+        return Trapezoid(*np.sort(np.round(generator.uniform(centre - width, centre + width, 4))).tolist())
+
+    offered = [Either([hill() for _ in range(generator.integers(1, 4))]) for _ in task.skills]
+    skills = (replace(a, satisfaction=b) for a, b in zip(task.skills, offered, strict=True))
+    return replace(task, skills=tuple(skills))
 
 
 def random_far_task(seed: int) -> tuple[FuzzyTask, list[FuzzyTask]]:
