@@ -257,10 +257,10 @@ def _lets(tree: Tree, place: int) -> bool:
 
 
 def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether it is "don't let me forget to post it"."""
+    """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
     below = _complement(tree, place, "let")
     forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
-    return forgets and below is not None and bool(tree.children(below, "xcomp"))
+    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
 
 
 def _is_going_to(tree: Tree, place: int) -> bool:
