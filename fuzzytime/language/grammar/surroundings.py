@@ -18,6 +18,9 @@ TIMELY = frozenset(
 )
 """Categories of words that may follow a time and belong to it, or to another."""
 
+HER = "her"
+"""Who is asked, or whose something is."""
+
 
 class Surroundings:
     """The words of a text, and what stands around a piece of it."""
@@ -107,7 +110,10 @@ class Surroundings:
         if self.texts[piece.start] == "a" and self.is_weekday(piece.start + 1):
             # "A monday", as in "a monday morning mug"
             before = self.texts[piece.start]
-        if before not in {"a", "an", "the", "my", "our", "your"}:
+        if before not in self.closed.before_numbers | self.closed.possessives:
+            return False
+        if before == HER and piece.start > 1 and self.texts[piece.start - 2] in self.lexicon.addressing:
+            # "Remind her tomorrow"
             return False
         # "A monday morning call": times behind it describe the same noun.
         last = replace(
