@@ -171,6 +171,9 @@ class BesideTimes:
     plurals: Words
     spending: Words
     nothing: Words
+    ready: Words
+    there: Words
+    whereabouts: Words
     marking_order: Words
     no_event: Words
     starts: Words
@@ -239,5 +242,6 @@ class Doing:
     remembering: Words
     needing: Words
     hesitating: Words
+    bringing: Words
     watching: Words
     past_alike: Words
