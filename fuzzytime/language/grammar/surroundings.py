@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
@@ -58,7 +58,21 @@ class Surroundings:
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         known = follower in self.lexicon.function_words or self.timely(piece.end)
+        known = known or self._is_taken_back(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
+
+    def _is_taken_back(self, place: int) -> bool:
+        """Whether words at a place take back the time before them for another: "at 5 sorry I meant 6"."""
+        behind = place
+        while behind < len(self.words):
+            form = longest_match(self.words, behind, self.lexicon.corrections)
+            if form is None:
+                break
+            behind += len(form)
+        if not place < behind < len(self.words):
+            return False
+        number = self.words[behind].is_digits or self.texts[behind] in self.lexicon.numbers
+        return number or self.timely(behind)
 
     def _is_before_order(self, piece: Piece) -> bool:
         """Whether one thing to be done follows behind several: "feed the baby at six bath her after"."""
