@@ -92,6 +92,7 @@ class ClosedClasses:
     joints_of_orders: Words
     joints_of_clauses: Words
     further_clause: Words
+    further_conditions: Words
     additions: Words
     joints_of_conditions: Words
     joints_of_instances: Words
@@ -223,6 +224,7 @@ class Doing:
     settling: Words
     inquiring: Words
     asking: Words
+    learning: Words
     recalling: Words
     sure: Words
     unwanted: Words
