@@ -245,11 +245,16 @@ class Surroundings:
         return owning and self.texts[owner - 1] in self.lexicon.rescheduling
 
     def is_caught(self, piece: Piece) -> bool:
-        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York"."""
+        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York".
+
+        So it is where somebody is met off it: "meet gran off the 3.20 bus".
+        """
         owner = piece.start - 1
         behind = self.follower(piece)
-        ends = not behind[:1].isalnum() or behind in self.beside.bound_for or self.timely(piece.end)
-        return owner > 0 and self.texts[owner - 1] in self.lexicon.catching and ends
+        ends = not behind[:1].isalnum() or behind in self.beside.bound_for | self.lexicon.travelling
+        led = self.texts[owner - 1] if owner > 0 else ""
+        met = led in self.beside.getting_off and not self.lexicon.doing.meeting.isdisjoint(self.texts[:owner])
+        return (led in self.lexicon.catching or met) and (ends or self.timely(piece.end))
 
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""

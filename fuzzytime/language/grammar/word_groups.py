@@ -146,6 +146,7 @@ class BesideTimes:
     of_clocks: Words
     clock_subjects: Words
     bound_for: Words
+    getting_off: Words
     put_off: Words
     hedging_lengths: Words
     of_lengths: Words
@@ -245,5 +246,6 @@ class Doing:
     needing: Words
     hesitating: Words
     bringing: Words
+    meeting: Words
     watching: Words
     past_alike: Words
