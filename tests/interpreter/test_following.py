@@ -259,3 +259,11 @@ def test_while_somebody_is_asleep_is_not_while_something_else_is() -> None:
 def test_what_begins_beyond_the_last_year_is_read_all_the_same() -> None:
     last = datetime(9999, 12, 30, 23, 59)  # noqa: DTZ001 - the tests' moment is of no zone
     assert told(["boil the eggs in 84 hours", "peel them after ten minutes"], now=last).skills
+
+
+def test_a_condition_behind_what_comes_first_is_no_part_of_it() -> None:
+    made = told(["Nap from one till two", "Walk the dog after the nap if the path is dry"])
+    (instruction,) = made.skills[1].requirements[:1]
+    assert instruction.anchor is not None
+    assert instruction.anchor.target == 0
+    assert not any("none so far does" in note for note in notes(made))

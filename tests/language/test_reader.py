@@ -123,6 +123,19 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
     assert "is the end of something" in remark.message
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "give dad his morning tablets after lunch",
+        "give everyone evening tablets at noon",
+        "bring evening snacks before noon",
+        "put the vase on the 18th century table",
+    ],
+)
+def test_a_word_about_time_that_names_a_thing_is_not_pointed_at(text: str) -> None:
+    assert language().read(text, now=NOW).remarks == ()
+
+
 def test_what_and_joins_to_a_denial_is_said_to_be_denied_too() -> None:
     (remark,) = language().read("don't open the lid and stir it", now=NOW).remarks
     assert remark.message == "'stir it' is taken as denied, too: what is to be done stands behind 'but'"

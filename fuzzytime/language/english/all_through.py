@@ -1,8 +1,10 @@
 """Clock times all through a period: "at six for the rest of the week", "all week at noon"."""
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord
-from fuzzytime.language.meaning.throughout import LONGER, each_day, is_rest_of_days
+from fuzzytime.language.meaning.calendar import Calendar
+from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord, Wall
+from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
+from fuzzytime.language.meaning.throughout import LONGER, daily_at, each_day, is_rest_of_days
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -32,3 +34,16 @@ def clock_all_week(said: Said, unit: UnitWord) -> Repeat | None:
 def all_week_at(unit: UnitWord, said: Said) -> Repeat | None:
     """All week at six."""
     return clock_all_week(said, unit)
+
+
+@grammar.rule("repeat", "all <days> ,? <said>", weight=0.6)
+def all_next_week_at(days: Calendar, said: Said) -> Repeat | None:
+    """All next week at noon; but "all monday at noon" is one day."""
+    daily = daily_at(said) if days.grain in LONGER else None
+    return None if daily is None else narrowed_repeat(daily, Wall(days))
+
+
+@grammar.rule("repeat", "<said> all <days>", weight=0.6)
+def clock_all_next_week(said: Said, days: Calendar) -> Repeat | None:
+    """At noon all next week."""
+    return all_next_week_at(days, said)

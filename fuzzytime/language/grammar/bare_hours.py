@@ -57,6 +57,9 @@ class BareHours(Standing):
         """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
         if said.preposition == "to" and self.measures.measured(piece) and not self.around.puts_off(piece):
             return False
+        if said.preposition is None and self.around.is_caught(piece):
+            # "Catch the 4.15 train"
+            return True
         # "At five thirty pick up bread": no amount is said like that.
         worded = all(text in self.lexicon.numbers for text in self.texts[piece.end - 2 : piece.end])
         sure = said.preposition == "at" and worded

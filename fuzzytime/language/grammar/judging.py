@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.borders import Borders
 from fuzzytime.language.grammar.chart import Piece
+from fuzzytime.language.grammar.due import is_due
 from fuzzytime.language.grammar.further import Further
 from fuzzytime.language.grammar.lengths import Lengths
 from fuzzytime.language.grammar.lent import Lent, lacks_unit
@@ -67,7 +68,8 @@ class Judge:
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))
         number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
-        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        lent = is_due(self.texts, piece.start, self.lexicon)
+        lent = lent or any(self.around.is_unit(place) for place in range(piece.start))
         if self.lent.seats(piece, time):
             return False
         if (

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from fuzzytime.language.grammar.chart import Cell, Grammar, Piece
+from fuzzytime.language.grammar.due import due_then
 from fuzzytime.language.grammar.judging import Judge
 from fuzzytime.language.grammar.lending import appointed, in_half, in_minutes, in_unit, moved_to, one_by_one
 from fuzzytime.language.grammar.lexicon import Lexicon
@@ -144,6 +145,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
     for place in range(1, len(found)):
         found[place] = in_unit(found[place], found[place - 1], scanned.words)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
+    found = [due_then(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]
     for place in range(len(found) - 2, -1, -1):
         found[place] = in_half(found[place], found[place + 1], scanned.words, lexicon)

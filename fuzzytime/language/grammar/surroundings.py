@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
-from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
@@ -17,6 +17,9 @@ TIMELY = frozenset(
     | {"part", "day", "weekday", "month", "day_part", "unit"}
 )
 """Categories of words that may follow a time and belong to it, or to another."""
+
+HER = "her"
+"""Who is asked, or whose something is."""
 
 
 class Surroundings:
@@ -55,7 +58,21 @@ class Surroundings:
         if not follower or not follower[0].isalnum():
             return follower not in {"%", "°", "€", "$"}
         known = follower in self.lexicon.function_words or self.timely(piece.end)
+        known = known or self._is_taken_back(piece.end)
         return known or self._is_in_front(piece) or self._is_before_order(piece)
+
+    def _is_taken_back(self, place: int) -> bool:
+        """Whether words at a place take back the time before them for another: "at 5 sorry I meant 6"."""
+        behind = place
+        while behind < len(self.words):
+            form = longest_match(self.words, behind, self.lexicon.corrections)
+            if form is None:
+                break
+            behind += len(form)
+        if not place < behind < len(self.words):
+            return False
+        number = self.words[behind].is_digits or self.texts[behind] in self.lexicon.numbers
+        return number or self.timely(behind)
 
     def _is_before_order(self, piece: Piece) -> bool:
         """Whether one thing to be done follows behind several: "feed the baby at six bath her after"."""
@@ -119,7 +136,10 @@ class Surroundings:
         if self.texts[piece.start] == "a" and self.is_weekday(piece.start + 1):
             # "A monday", as in "a monday morning mug"
             before = self.texts[piece.start]
-        if before not in {"a", "an", "the", "my", "our", "your"}:
+        if before not in self.closed.before_numbers | self.closed.possessives:
+            return False
+        if before == HER and piece.start > 1 and self.texts[piece.start - 2] in self.lexicon.addressing:
+            # "Remind her tomorrow"
             return False
         # "A monday morning call": times behind it describe the same noun.
         last = replace(
@@ -237,11 +257,16 @@ class Surroundings:
         return owning and self.texts[owner - 1] in self.lexicon.rescheduling
 
     def is_caught(self, piece: Piece) -> bool:
-        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York"."""
+        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York".
+
+        So it is where somebody is met off it: "meet gran off the 3.20 bus".
+        """
         owner = piece.start - 1
         behind = self.follower(piece)
-        ends = not behind[:1].isalnum() or behind in self.beside.bound_for or self.timely(piece.end)
-        return owner > 0 and self.texts[owner - 1] in self.lexicon.catching and ends
+        ends = not behind[:1].isalnum() or behind in self.beside.bound_for | self.lexicon.travelling
+        led = self.texts[owner - 1] if owner > 0 else ""
+        met = led in self.beside.getting_off and not self.lexicon.doing.meeting.isdisjoint(self.texts[:owner])
+        return (led in self.lexicon.catching or met) and (ends or self.timely(piece.end))
 
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""

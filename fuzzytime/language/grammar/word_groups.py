@@ -92,6 +92,7 @@ class ClosedClasses:
     joints_of_orders: Words
     joints_of_clauses: Words
     further_clause: Words
+    further_conditions: Words
     additions: Words
     joints_of_conditions: Words
     joints_of_instances: Words
@@ -145,6 +146,7 @@ class BesideTimes:
     of_clocks: Words
     clock_subjects: Words
     bound_for: Words
+    getting_off: Words
     put_off: Words
     hedging_lengths: Words
     of_lengths: Words
@@ -171,6 +173,9 @@ class BesideTimes:
     plurals: Words
     spending: Words
     nothing: Words
+    ready: Words
+    there: Words
+    whereabouts: Words
     marking_order: Words
     no_event: Words
     starts: Words
@@ -225,6 +230,7 @@ class Doing:
     settling: Words
     inquiring: Words
     asking: Words
+    learning: Words
     recalling: Words
     sure: Words
     unwanted: Words
@@ -244,5 +250,7 @@ class Doing:
     remembering: Words
     needing: Words
     hesitating: Words
+    bringing: Words
+    meeting: Words
     watching: Words
     past_alike: Words

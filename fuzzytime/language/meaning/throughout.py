@@ -19,9 +19,14 @@ def is_clock_time(said: Said) -> bool:
     return clock and sure and said.constraint in {None, Constraint.AT}
 
 
+def daily_at(said: Said) -> Repeat | None:
+    """Give a clock time on each day; None for what is none, or has a day."""
+    return narrowed_repeat(DAILY, said.time) if is_clock_time(said) and isinstance(said.time, Wall) else None
+
+
 def each_day(said: Said, bound: Said) -> Repeat | None:
     """Give a clock time on each day within a bound; None for what is none, or has a day."""
-    daily = narrowed_repeat(DAILY, said.time) if is_clock_time(said) and isinstance(said.time, Wall) else None
+    daily = daily_at(said)
     return None if daily is None else bounded_repeat(daily, bound)
 
 

@@ -50,6 +50,7 @@ from fuzzytime.language.sentence.together.lengths import (
     told_alone,
     unknown_length,
 )
+from fuzzytime.language.sentence.together.naming import naming_none
 from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
@@ -126,7 +127,7 @@ class _Composer:
             for aside in self.draft.asides[:1]:
                 instructions.append(told_alone(aside, self.draft.text, self.first, self.moment))
                 self.remarks += unknown_length(instructions[-1].length_of, aside.span)
-        self.remarks += leftovers(self.draft.scanned, self.explained, self.lexicon)
+        self.remarks += naming_none(leftovers(self.draft.scanned, self.explained, self.lexicon), sketches)
         self.remarks += self._unused(sketches)
         tokens, strict = tokens_of(self.draft, self.lexicon)
         return Reading(

@@ -63,7 +63,7 @@ def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexic
         return place
     if goes_on(tree, place, root, timed):
         return place
-    if place > 1 and _follows_so(tree, place, timed):
+    if place > 1 and (_follows_so(tree, place, timed) or _follows_statement(tree, place, root, timed)):
         return place
     if place > 1 and place != root:
         if is_overlooked(tree, place, timed, lexicon):
@@ -88,6 +88,15 @@ def _follows_so(tree: Tree, place: int, timed: set[int]) -> bool:
     # "At six or so call mum": that "so" is of the time.
     joint = tree.nodes[place - 1].lower == "so" and place - 1 not in timed
     return bare and joint and before in timed
+
+
+def _follows_statement(tree: Tree, place: int, root: int, timed: set[int]) -> bool:
+    """Whether a bare verb behind a comma is taken for what something does: "it shuts at three, get bread"."""
+    node = tree.nodes[place]
+    told = tree.nodes[root].tag == "VBZ" and any(p < root for p in tree.children(root, *ANY_SUBJECTS))
+    joined = node.relation == "xcomp" and node.head == root and tree.nodes[place - 1].text == ","
+    whole = not tree.children(place, *ANY_SUBJECTS, "aux", "mark")
+    return told and joined and whole and node.tag in IMPERATIVE and place - 2 in timed
 
 
 def _start_of_coordinate(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:

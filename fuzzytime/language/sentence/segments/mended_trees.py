@@ -8,6 +8,9 @@ from fuzzytime.language.sentence.trees.tree import Node, Tree
 LEAST_DONE = 3
 """Words of "do ward 7"."""
 
+NOUNS = frozenset({"NN", "NNS", "NNP"})
+"""Tags of things that are listed."""
+
 LET = 2
 """Words before what is done in "let's film"."""
 
@@ -16,7 +19,7 @@ def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
     tree = _with_numbered_things(tree, lexicon)
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
-    return mended or _does_compound(tree, lexicon) or tree
+    return _with_list(mended or _does_compound(tree, lexicon) or tree)
 
 
 def _does_numbered(tree: Tree, lexicon: Lexicon) -> Tree | None:
@@ -91,6 +94,30 @@ def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:
     moved[0] = replace(moved[0], tag="VB", relation="ROOT", head=0)
     moved[thing] = replace(moved[thing], tag="NN", relation="dobj", head=0)
     return moved
+
+
+def _with_list(tree: Tree) -> Tree:
+    """Give "water the roses, the lawn and the pots" all its things, where a tree hangs some on the verb."""
+    root = tree.root
+    things = () if root is None else tree.children(root, "dobj")
+    if root is None or not tree.nodes[root].is_verb or len(things) != 1:
+        return tree
+    thing, comma = things[0], things[0] + 1
+    if comma >= len(tree.nodes) or tree.nodes[comma].text != ",":
+        return tree
+    further = [*tree.children(root, "conj"), *tree.children(thing, "conj", "appos")]
+    listed = next((p for p in further if tree.nodes[p].tag in NOUNS and _is_led(tree, p, comma + 1)), None)
+    if listed is None or not tree.children(listed, "conj"):
+        return tree
+    nodes = list(tree.nodes)
+    nodes[listed] = replace(nodes[listed], head=thing, relation="conj")
+    nodes[comma] = replace(nodes[comma], head=thing)
+    return tree.with_nodes(nodes)
+
+
+def _is_led(tree: Tree, place: int, first: int) -> bool:
+    """Whether a noun begins at a place with its article, or whose it is."""
+    return first in tree.children(place, "det", "poss")
 
 
 def _lets(tree: Tree) -> Tree | None:

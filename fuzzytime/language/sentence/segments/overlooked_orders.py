@@ -55,16 +55,20 @@ def _governs(tree: Tree, place: int, lexicon: Lexicon) -> bool:
         return False
     if before == "," and _is_before_object(tree, place, lexicon):
         return True
-    if place + 2 >= len(tree.nodes):
+    if place + 1 >= len(tree.nodes):
         return False
-    behind, further = tree.nodes[place + 1].lower, tree.nodes[place + 2].lower
+    behind, further = tree.nodes[place + 1].lower, next((n.lower for n in tree.nodes[place + 2 :]), "")
+    if not further and not (node.may_act and behind in closed.it_or_them):
+        return False
     if node.lower in lexicon.particles.get(behind, ()):
         return True
     if node.lower in lexicon.measure_verbs and node.may_act and behind == "to":
         # "Dissolve the salt, heat to 60 degrees"
         return True
     # "Raise the blinds, water the fern, lower them at six"
-    bare = node.tag in {"NN", "JJR"} and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
+    # "Sow carrots, thin them": no adjective stands before a pronoun.
+    known = {"NN", "JJR", "JJ"} if node.may_act else {"NN", "JJR"}
+    bare = node.tag in known and not tree.children(place, "det", "amod", "compound", "poss", "nummod")
     if bare and (
         behind in closed.it_or_them or (tree.nodes[place + 1].tag == "IN" and further in closed.it_or_them)
     ):

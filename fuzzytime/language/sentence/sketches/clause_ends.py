@@ -10,6 +10,9 @@ from fuzzytime.language.sentence.segments.waiting import goes_on_behind
 ENDS = frozenset({",", "(", ")"})
 """Marks at which a clause ends: "until golden (about ten minutes)"."""
 
+ASKED = 4
+"""Words from "ask" on, before "if", at most: who is asked is one of them."""
+
 
 class ClauseEnds:
     """The ends of clauses among the words of an instruction, of which some are covered by times."""
@@ -21,11 +24,16 @@ class ClauseEnds:
 
     def of(self, first: int) -> int:
         """Give where a clause ends that begins at a word: at a mark, or at "and" and a time."""
-        return next((p for p in range(first, len(self.words)) if self._is_mark(p)), len(self.words))
+        return next((p for p in range(first, len(self.words)) if self._is_mark(first, p)), len(self.words))
 
-    def _is_mark(self, place: int) -> bool:
-        """Whether a clause ends before a word: a mark, or "and", "or" before a time or another clause."""
+    def _is_mark(self, first: int, place: int) -> bool:
+        """Whether a clause from ``first`` on ends before a word.
+
+        That is a mark, "and" or "or" before a time or another clause, or what begins a condition.
+        """
         text = self.words[place].text
+        if self._adds_condition(first, place):
+            return True
         if text == "," and (self._is_inside(place) or self._goes_on(place)):
             return False
         if text not in {"and", "but", "or"} or place + 1 >= len(self.words) or place - 1 in self.covered:
@@ -35,6 +43,16 @@ class ClauseEnds:
         clause = longest_match(self.words, behind, self.lexicon.clauses)
         bound = any(phrase.first == place + 1 and phrase.said.preposition for phrase in self.phrases)
         return bound or bool(clause and self.lexicon.clauses[clause])
+
+    def _adds_condition(self, first: int, place: int) -> bool:
+        """Whether another condition begins: "after the nap | if it's dry"; but "when you see if it is"."""
+        denied = self.words[place].text in self.lexicon.beside.excepting
+        begin = place + denied
+        if place <= first or place in self.covered or begin + 1 >= len(self.words):
+            return False
+        before = {word.text for word in self.words[max(first, place - ASKED) : place]}
+        further = self.words[begin].text in self.lexicon.closed.further_conditions
+        return further and self.lexicon.doing.learning.isdisjoint(before)
 
     def _goes_on(self, place: int) -> bool:
         """Whether a clause in front goes on behind a comma: "when it is hot, and the oil shimmers, …"."""

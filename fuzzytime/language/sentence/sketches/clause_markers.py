@@ -7,12 +7,9 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.sentence.clauses.before_markers import OF, BeforeMarker
 from fuzzytime.language.sentence.clauses.conditions import IF, is_wish
 from fuzzytime.language.sentence.segments.event_edges import BY, OF_EDGES, edge_of, is_event
-from fuzzytime.language.sentence.sketches.clause_ends import ClauseEnds
+from fuzzytime.language.sentence.sketches.clause_ends import ASKED, ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
-
-ASKED = 4
-"""Words from "ask" on, before "if", at most: who is asked is one of them."""
 
 
 class ClauseMarkers:

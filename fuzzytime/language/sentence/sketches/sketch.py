@@ -23,6 +23,7 @@ from fuzzytime.language.sentence.verbs.amounts import parameters_of
 from fuzzytime.language.sentence.verbs.happenings import happening_at, happens
 from fuzzytime.language.sentence.verbs.moments import reference_of
 from fuzzytime.language.sentence.verbs.operations import Reader
+from fuzzytime.language.sentence.verbs.remembered import as_remembered
 from fuzzytime.requirement import Constraint, Reference
 
 if TYPE_CHECKING:
@@ -125,7 +126,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
     spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
-    operation = reader.operation(action)
+    operation = as_remembered(reader.operation(action))
     clauses = [
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]

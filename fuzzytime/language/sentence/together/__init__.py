@@ -6,5 +6,5 @@ Words and times
 Days and lengths
     ``headings``, ``days_apart``, ``lengths``, ``waited``, ``consequences``.
 What is none
-    ``doubts``, ``denials``.
+    ``doubts``, ``denials``, ``naming``.
 """

@@ -2,7 +2,7 @@
 
 What is to be done
     The verb that is meant (``actions``), also in ``small_clauses``; which of its ``moments`` is; its object
-    and the rest (``operations``), ``places``, ``amounts``.
+    and the rest (``operations``), ``places``, ``amounts``; what is to be ``remembered``.
 What is only told
     ``statements``, with their ``statement_trees``; who is ``called`` and acts; who is ``stated`` to do it;
     ``happenings`` without a verb.

@@ -74,8 +74,8 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
     """Give the verb that is meant below another, which says that it is wanted or begun; None for none."""
     lemma = tree.nodes[root].lemma
     below = _complement(tree, root, lemma)
-    if below is None or is_numbered_place(tree, below, lexicon):
-        # "Get to gate 22"
+    if below is None or is_numbered_place(tree, below, lexicon) or _names_kind(tree, root, below):
+        # "Get to gate 22", "get wrapping paper"
         return None
     if lemma not in lexicon.wanting and _brings_about(tree, root, lexicon):
         return None
@@ -91,6 +91,16 @@ def _meant_below(tree: Tree, root: int, lexicon: Lexicon) -> int | None:
         or (lemma == "have" and _has_to(tree, below))
     )
     return below if leads else None
+
+
+def _names_kind(tree: Tree, root: int, below: int) -> bool:
+    """Whether a gerund says of which kind a thing is that is got: "get wrapping paper"; not "get going"."""
+    thing = below + 1
+    if tree.nodes[root].lemma != "get" or tree.nodes[below].tag != "VBG" or below != root + 1:
+        return False
+    objects = tree.children(below, "dobj")
+    bare = [p for p in objects if tree.nodes[p].tag in {"NN", "NNS"} and not tree.children(p, "det", "poss")]
+    return any(tree.reach(p)[0] == thing for p in bare)
 
 
 def _is_left(tree: Tree, root: int, below: int, lexicon: Lexicon) -> bool:
@@ -257,10 +267,10 @@ def _lets(tree: Tree, place: int) -> bool:
 
 
 def _lets_forget(tree: Tree, place: int, lexicon: Lexicon) -> bool:
-    """Whether it is "don't let me forget to post it"."""
+    """Whether it is "don't let me forget to post it", "don't let me forget the bins"."""
     below = _complement(tree, place, "let")
     forgets = below is not None and tree.nodes[below].lemma in lexicon.forgetting
-    return forgets and below is not None and bool(tree.children(below, "xcomp"))
+    return forgets and below is not None and bool(tree.children(below, "xcomp", "dobj"))
 
 
 def _is_going_to(tree: Tree, place: int) -> bool:

@@ -257,14 +257,14 @@ class Reader(Stated):
         return node.tag in {"NNP", "NN"} and node.lower not in self.lexicon.places
 
     def _called_by_time(self, words: list[int]) -> list[int]:
-        """Give an object with the time that it is called by: "catch the 7:42"."""
-        if not words or self.tree.nodes[words[-1]].tag != "DT" or self.tree.nodes[words[-1]].lower != "the":
-            return words
-        here = words[-1] + 1
+        """Give an object with the time that it is called by: "catch the 7:42", "the 4.15 train"."""
+        articles = [place for place in words if self.tree.nodes[place].lower == "the"]
+        here = first = articles[-1] + 1 if articles else len(self.tree.nodes)
         while here < len(self.tree.nodes) and self.timed(here) and self._is_clock(here):
-            words.append(here)
             here += 1
-        return words
+        train = here < len(self.tree.nodes) and self.tree.nodes[here].lower in self.lexicon.travelling
+        called = range(first, here + train) if here > first else ()
+        return sorted({*words, *called}) if train or first == max(words, default=0) + 1 else words
 
     def _is_clock(self, place: int) -> bool:
         """Whether a word is of a clock time, and no day."""

@@ -1,0 +1,54 @@
+"""Times behind "for" by which something must be there, or ready: "be home for six", "lunch ready for one"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.meaning.expressions import Edge, Phrase, Wall
+from fuzzytime.requirement import Constraint
+
+FOR, BY, GET = "for", "by", "get"
+
+NAME = 4
+"""Words of a place at most, behind its preposition: "at the new swimming pool"."""
+
+
+def is_due(texts: Sequence[str], place: int, lexicon: Lexicon) -> bool:
+    """Whether "for" at a place stands behind what must be there, or ready, then.
+
+    "Take it off the heat for ten" and "bring it to the boil for ten" are minutes: nothing is anywhere then.
+    """
+    if not place or texts[place] != FOR:
+        return False
+    beside, before = lexicon.beside, texts[place - 1]
+    if before in beside.ready:
+        return True
+    stops = (at for at in range(place - 1, -1, -1) if texts[at] in beside.stops)
+    clause = texts[next(stops, -1) + 1 : place]
+    verb = next((at for at, text in enumerate(clause) if text in lexicon.doing.bringing), None)
+    if verb is None:
+        return False
+    if before in beside.there:
+        return True
+    what = clause[verb + 1 : verb + 2]
+    several = what[0].endswith("s") and not what[0].endswith("ss") if what else False
+    if clause[verb] == GET and (several or not lexicon.closed.indefinite_determiners.isdisjoint(what)):
+        # "Get tickets to the show for two", "get a room at the inn for two"
+        return False
+    behind = range(verb + 1, len(clause))
+    led = (at for at in reversed(behind) if clause[at] in beside.whereabouts)
+    where = next(led, len(clause))
+    name = clause[where + 1 :]
+    return bool(name) and len(name) <= NAME and name[-1].isalpha() and lexicon.timing.isdisjoint(name)
+
+
+def due_then(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
+    """Read "for" before a clock time as "by", behind what must be there, or ready, then."""
+    said = phrase.said
+    clocked = isinstance(said.time, Wall) and said.time.clock is not None
+    at = said.constraint in {None, Constraint.AT} and said.preposition == FOR
+    if not clocked or not at or not is_due([word.text for word in words], phrase.first, lexicon):
+        return phrase
+    due = replace(said, preposition=BY, constraint=Constraint.BEFORE, edge=Edge.LAST)
+    return replace(phrase, said=due)

@@ -1,0 +1,33 @@
+"""Words that look like time and name a thing: "bring evening snacks at six", "buy dad morning rolls"."""
+
+from collections.abc import Iterable, Sequence
+
+from fuzzytime.language.instruction import Remark, Span
+from fuzzytime.language.sentence.segments.waiting import Part
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+MODIFYING = frozenset({"compound", "amod", "nmod", "poss"})
+"""How a word hangs on the noun behind it that it describes."""
+
+NOUNS = "NN"
+"""How the tags of nouns begin."""
+
+
+def naming_none(remarks: Iterable[Remark], sketches: Sequence[Sketch]) -> list[Remark]:
+    """Leave out what is said of leftover words that describe a thing in what is to be done."""
+    parts = [sketch.part for sketch in sketches if sketch.asks]
+    return [remark for remark in remarks if not any(_describes(remark.span, part) for part in parts)]
+
+
+def _describes(span: Span, part: Part) -> bool:
+    """Whether every word of a stretch hangs on a noun right behind it, or on one behind other nouns."""
+    tree = part.tree
+    places = list(tree.at(span[0] - part.offset, span[1] - part.offset))
+    if not places or span[0] < part.offset:
+        return False
+    last = places[-1]
+    head = tree.nodes[last].head
+    between = tree.nodes[last + 1 : head + 1]
+    named = head > last and all(node.tag.startswith(NOUNS) for node in between)
+    hangs = (tree.nodes[place].relation in MODIFYING for place in places)
+    return named and all(hangs)
