@@ -118,3 +118,20 @@ def test_what_is_wished_within_a_time_of_another_follows_it_no_later(interpreter
     made = interpreter.interpret(Request(now=NOW, wishes=(SpokenWish(text=text, given=NOW),)))
     (order,) = made.precedences
     assert (order.minimum_lag, order.maximum_lag) == (0, HOUR)
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("Rub cream on her feet in the evening for three days", 3),
+        ("Give him antibiotics in the morning and at night for two days", 4),
+        ("Take the antibiotics three times a day with food for two days", 6),
+        ("Give him one spoonful at night for three nights", 3),
+        ("Call mum every day for three days", 3),
+        ("Water the pots for three mornings", 3),
+    ],
+)
+def test_what_is_done_for_so_many_days_is_done_as_often_on_each_and_no_longer(text: str, times: int) -> None:
+    made = told([text], now=datetime(2026, 3, 4, 9))  # noqa: DTZ001
+    assert len(made.skills) == times
+    assert all(one.skill.duration < HOUR for one in made.skills)

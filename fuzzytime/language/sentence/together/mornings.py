@@ -13,7 +13,7 @@ def part_said(said: Said) -> Part | None:
 
 
 def is_morning_after(said: Said, before: Part) -> bool:
-    """Whether it is a morning, without its day, that people mean to be behind a part of the day said before."""
+    """Whether it is a morning, without its day, behind a part of the day that was said before."""
     time = said.time
     alone = isinstance(time, Wall) and time.days is None and time.clock is None
     part = part_said(said)
