@@ -1,5 +1,6 @@
 """Of several times one of which is enough, the plan takes the one that suits everything else."""
 
+from fuzzytime.requirement import asked_words
 from interpreter.telling import notes, starts, told
 
 AT_SIX = "Meet Ann at six for an hour"
@@ -71,3 +72,11 @@ def test_a_time_that_is_over_leaves_the_other() -> None:
     gone = told(["Feed the cat at 5 am today or at 6 am today"])
     assert starts(gone) == {}
     assert gone.skills[0].reason
+
+
+def test_one_evening_this_week_is_the_one_that_is_free_and_said_once() -> None:
+    made = told(["Water the pots one evening this week", "I am out from 5 pm to 11 pm today"])
+    watering = made.skills[0]
+    assert asked_words(watering.requirements) == "one evening this week"
+    assert made.instant(made.schedule.start_times[0]).hour in range(18, 22)
+    assert made.instant(made.schedule.start_times[0]).date() > made.instant(0).date()
