@@ -39,6 +39,8 @@ class Standpoint(ABC):
         When that happens which is to be prepared.
     usual : bool
         Whether the plausible hours are those at which people do what is asked for.
+    early : bool
+        Whether the hours on days to come that are named are plausible on those that are not, too.
     leads : Clock, optional
         The clock time of what follows with the same thing.
     onto : bool
@@ -56,6 +58,7 @@ class Standpoint(ABC):
     ends: bool = False
     due: datetime | None = None
     usual: bool = False
+    early: bool = False
     leads: Clock | None = None
     onto: bool = False
 
