@@ -183,7 +183,9 @@ class _Grounder:
         zone = _zone_in(time)
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         ends = self.said.constraint is Constraint.BEFORE
-        found = replace(self.moment.grounding(zone), lasting=lasting, ends=ends).instants(time)
+        opens = ends and self.said.edge is Edge.START
+        here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
+        found = here.instants(time)
         start, end = self._bounds(time, found, zone)
         constraint = self.said.constraint or self._distance_bound(time)
         if constraint is None:

@@ -35,6 +35,8 @@ class Standpoint(ABC):
         Whether another text said it.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
+    opens : bool
+        Whether it is a deadline where what it names begins, which is to come: "before winter".
     due : datetime, optional
         When that happens which is to be prepared.
     usual : bool
@@ -56,6 +58,7 @@ class Standpoint(ABC):
     follows: bool = False
     carried: bool = False
     ends: bool = False
+    opens: bool = False
     due: datetime | None = None
     usual: bool = False
     early: bool = False
