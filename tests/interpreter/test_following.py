@@ -259,3 +259,16 @@ def test_while_somebody_is_asleep_is_not_while_something_else_is() -> None:
 def test_what_begins_beyond_the_last_year_is_read_all_the_same() -> None:
     last = datetime(9999, 12, 30, 23, 59)  # noqa: DTZ001 - the tests' moment is of no zone
     assert told(["boil the eggs in 84 hours", "peel them after ten minutes"], now=last).skills
+
+
+def test_what_is_not_to_be_done_for_so_long_after_another_is_that_long_after_it() -> None:
+    lines = [
+        "Give the baby the antibiotic at ten",
+        "Don't give the baby milk for two hours after the antibiotic",
+    ]
+    for said in (lines, lines[::-1]):
+        made = told(said)
+        medicine, milk = sorted(made.schedule.start_times)
+        assert made.skills[0].skill.name.startswith("give")
+        assert (medicine, milk - medicine >= 7200) == (3 * 3600, True)
+        assert list(made.schedule.satisfactions) == [1, 1]
