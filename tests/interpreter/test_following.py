@@ -272,3 +272,7 @@ def test_what_is_not_to_be_done_for_so_long_after_another_is_that_long_after_it(
         assert made.skills[0].skill.name.startswith("give")
         assert (medicine, milk - medicine >= 7200) == (3 * 3600, True)
         assert list(made.schedule.satisfactions) == [1, 1]
+
+
+def test_minutes_to_the_hour_that_a_line_before_said_are_before_it() -> None:
+    assert starts(told(["Vet at ten", "Leave at twenty to"]))["s2"] == "09:40"

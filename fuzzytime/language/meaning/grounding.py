@@ -195,6 +195,10 @@ class Grounding(Standpoint):
                 moments = [moment + timedelta(days=1) for moment in moments]
             if days.first == self.now.date() and ahead:
                 moments = ahead
+            prepared = before_due(self, clock)
+            if prepared and days.first <= prepared[0].date() < days.end:
+                # Who has to be there on that day leaves on it.
+                moments = prepared
             return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
 
