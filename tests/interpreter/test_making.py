@@ -135,3 +135,10 @@ def test_what_is_done_for_so_many_days_is_done_as_often_on_each_and_no_longer(te
     made = told([text], now=datetime(2026, 3, 4, 9))  # noqa: DTZ001
     assert len(made.skills) == times
     assert all(one.skill.duration < HOUR for one in made.skills)
+
+
+def test_what_is_done_beside_meals_and_at_another_time_of_the_day_is_done_at_both() -> None:
+    made = told(["Check her blood pressure before breakfast and at bedtime"], now=datetime(2026, 3, 4, 5))  # noqa: DTZ001
+    first, second = (made.instant(time).hour for time in made.schedule.start_times)
+    assert (first < 7, second) == (True, 22)
+    assert list(made.schedule.satisfactions) == [1, 1]

@@ -203,7 +203,7 @@ def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
     return _bounded(replace(repeat, starting=None), replace(said, time=within))
 
 
-def is_of_day(time: Time) -> TypeGuard[Wall]:
+def is_of_day(time: object) -> TypeGuard[Wall]:
     """Whether it is a clock time or a part of any day."""
     said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
     return said and isinstance(time, Wall) and time.days is None

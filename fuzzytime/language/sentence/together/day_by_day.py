@@ -2,9 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 
 from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Coming, Duration, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.meaning.repeats_beside import bounded_repeat
@@ -34,6 +37,32 @@ def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
     both = (*series, lengths[0])
     return replace(
         sketch, phrases=tuple(replace(one, said=told) if one in both else one for one in sketch.phrases)
+    )
+
+
+def each_day_too(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
+    """Put a part of the day on each day that "and" joins to others: "before each meal and at bedtime"."""
+    for first, second in pairwise(sketch.phrases):
+        between = {word.text for word in words[first.end : second.first]}
+        series = [one.said.time for one in (first, second) if isinstance(one.said.time, Repeat)]
+        parts = [one.said for one in (first, second) if _is_part(one)]
+        if len(series) != 1 or len(parts) != 1 or not between or between - lexicon.closed.additions:
+            continue
+        more = in_parts_of_each_day(parts) if _is_daily_in_parts(series[0]) else None
+        if more is not None:
+            told = Said(replace(series[0], walls=(*series[0].walls, *more.walls)), Constraint.EVERY)
+            both = (first, second)
+            return replace(
+                sketch, phrases=tuple(replace(p, said=told) if p in both else p for p in sketch.phrases)
+            )
+    return sketch
+
+
+def _is_daily_in_parts(repeat: Repeat) -> bool:
+    """Whether it is in parts of every day, and nothing else."""
+    days = {(wall.days, wall.clock, wall.part is None) for wall in repeat.walls}
+    return days == {(Cycle(Unit.DAY), None, False)} and repeat == Repeat(
+        walls=repeat.walls, plural=repeat.plural
     )
 
 
