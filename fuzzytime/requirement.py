@@ -249,7 +249,12 @@ class TimeRequirement:
 def asked_words(requirements: Iterable[TimeRequirement], joint: str = ", ") -> str:
     """Give the words of requirements as they ask for times: "at six or at eight, for ten minutes"."""
     words = ""
+    last: TimeRequirement | None = None
     for requirement in requirements:
+        if last is not None and requirement.alternative and requirement.span == last.span:
+            # "One evening this week" is one time of several.
+            continue
+        last = requirement
         between = "" if not words else " or " if requirement.alternative else joint
         words += between + requirement.asked
     return words

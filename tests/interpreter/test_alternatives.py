@@ -2,6 +2,7 @@
 
 import pytest
 
+from fuzzytime.requirement import asked_words
 from interpreter.telling import notes, starts, told
 
 pytestmark = pytest.mark.model
@@ -108,3 +109,11 @@ def test_soon_behind_one_of_several_times_is_behind_the_one_that_is_taken() -> N
 def test_open_bounds_hold_together() -> None:
     assert starts(told(["Not before 9 am, call mum after 10 am"])) == {"s1": "10:00"}
     assert starts(told(["Not before 8 pm, call mum this evening"])) == {"s1": "20:00"}
+
+
+def test_one_evening_this_week_is_the_one_that_is_free_and_said_once() -> None:
+    made = told(["Water the pots one evening this week", "I am out from 5 pm to 11 pm today"])
+    watering = made.skills[0]
+    assert asked_words(watering.requirements) == "one evening this week"
+    assert made.instant(made.schedule.start_times[0]).hour in range(18, 22)
+    assert made.instant(made.schedule.start_times[0]).date() > made.instant(0).date()

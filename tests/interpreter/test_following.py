@@ -267,3 +267,20 @@ def test_a_condition_behind_what_comes_first_is_no_part_of_it() -> None:
     assert instruction.anchor is not None
     assert instruction.anchor.target == 0
     assert not any("none so far does" in note for note in notes(made))
+
+
+def test_what_is_not_to_be_done_for_so_long_after_another_is_that_long_after_it() -> None:
+    lines = [
+        "Give the baby the antibiotic at ten",
+        "Don't give the baby milk for two hours after the antibiotic",
+    ]
+    for said in (lines, lines[::-1]):
+        made = told(said)
+        medicine, milk = sorted(made.schedule.start_times)
+        assert made.skills[0].skill.name.startswith("give")
+        assert (medicine, milk - medicine >= 7200) == (3 * 3600, True)
+        assert list(made.schedule.satisfactions) == [1, 1]
+
+
+def test_minutes_to_the_hour_that_a_line_before_said_are_before_it() -> None:
+    assert starts(told(["Vet at ten", "Leave at twenty to"]))["s2"] == "09:40"

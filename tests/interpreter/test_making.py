@@ -118,3 +118,27 @@ def test_what_is_wished_within_a_time_of_another_follows_it_no_later(interpreter
     made = interpreter.interpret(Request(now=NOW, wishes=(SpokenWish(text=text, given=NOW),)))
     (order,) = made.precedences
     assert (order.minimum_lag, order.maximum_lag) == (0, HOUR)
+
+
+@pytest.mark.parametrize(
+    ("text", "times"),
+    [
+        ("Rub cream on her feet in the evening for three days", 3),
+        ("Give him antibiotics in the morning and at night for two days", 4),
+        ("Take the antibiotics three times a day with food for two days", 6),
+        ("Give him one spoonful at night for three nights", 3),
+        ("Call mum every day for three days", 3),
+        ("Water the pots for three mornings", 3),
+    ],
+)
+def test_what_is_done_for_so_many_days_is_done_as_often_on_each_and_no_longer(text: str, times: int) -> None:
+    made = told([text], now=datetime(2026, 3, 4, 9))  # noqa: DTZ001
+    assert len(made.skills) == times
+    assert all(one.skill.duration < HOUR for one in made.skills)
+
+
+def test_what_is_done_beside_meals_and_at_another_time_of_the_day_is_done_at_both() -> None:
+    made = told(["Check her blood pressure before breakfast and at bedtime"], now=datetime(2026, 3, 4, 5))  # noqa: DTZ001
+    first, second = (made.instant(time).hour for time in made.schedule.start_times)
+    assert (first < 7, second) == (True, 22)
+    assert list(made.schedule.satisfactions) == [1, 1]

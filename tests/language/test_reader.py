@@ -735,3 +735,18 @@ def test_otherwise_denies_the_condition_before_it() -> None:
     first, second = language().read("if the pan is hot flip it, otherwise heat the pan", now=NOW).instructions
     said = [i.requirements[0].condition for i in (first, second)]
     assert [condition is not None and condition.negated for condition in said] == [False, True]
+
+
+@pytest.mark.parametrize(
+    ("text", "earliest"),
+    [
+        ("Set the alarm for twenty to six", "2026-03-05T05:40"),
+        ("Soak the beans tonight, cook them in the morning", "2026-03-05T08:00"),
+        ("Call mum one evening this week", "2026-03-08T18:00"),
+    ],
+)
+def test_what_is_said_in_the_evening_is_ahead(text: str, earliest: str) -> None:
+    reading = language().read(text, now=NOW + timedelta(hours=11))
+    last = reading.instructions[-1].requirements[-1].earliest
+    assert last is not None
+    assert f"{NOW + timedelta(hours=11, seconds=last):%Y-%m-%dT%H:%M}" == earliest

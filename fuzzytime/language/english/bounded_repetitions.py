@@ -40,13 +40,14 @@ def repeat_at(repeat: Repeat, wall: Wall) -> Repeat | None:
 def clock_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """9am on sundays, 0815 on weekdays; but "two nights" are no nights at two."""
     sure = wall.clock is not None and wall.clock.full_day and wall.clock.grain is Unit.MINUTE
-    return None if (wall.bare and not sure) or wall.weak else narrowed_repeat(repeat, wall)
+    counts = wall.bare or _counts(wall, repeat)
+    return None if (counts and not sure) or wall.weak else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule("repeat", "at|@ <wall> ,|on? <repeat>", weight=0.2)
 def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
-    """At noon every day, at nine on weekdays."""
-    return narrowed_repeat(repeat, wall)
+    """At noon every day, at nine on weekdays; but "at night for three | nights" has no hour."""
+    return None if _counts(wall, repeat) and not wall.bare else narrowed_repeat(repeat, wall)
 
 
 @grammar.rule(
@@ -54,7 +55,7 @@ def at_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
 )
 def for_repeat(wall: Wall, repeat: Repeat, *more: Wall | Repeat) -> Said | None:
     """(an alarm) for six on weekdays and eight at weekends."""
-    found = narrowed_repeat(repeat, wall)
+    found = None if _counts(wall, repeat) else narrowed_repeat(repeat, wall)
     if more and found is not None:
         second, days = more
         other = (
@@ -67,7 +68,12 @@ def for_repeat(wall: Wall, repeat: Repeat, *more: Wall | Repeat) -> Said | None:
 @grammar.rule("repeat", "on|in <wall> ,|on? <repeat>", weight=0.2)
 def in_repeat(wall: Wall, repeat: Repeat) -> Repeat | None:
     """In the morning every day; but "in two working days" is none."""
-    return None if wall.bare else narrowed_repeat(repeat, wall)
+    return None if wall.bare or _counts(wall, repeat) else narrowed_repeat(repeat, wall)
+
+
+def _counts(wall: Wall, repeat: Repeat) -> bool:
+    """Whether the number that a time ends in says how many parts of the day those behind it are."""
+    return repeat.plural and wall.clock is not None and (wall.clock.bare or wall.part is not None)
 
 
 @grammar.rule("repeat", "<repeat> ,|and|or at|@? <wall>", "at|@? <wall> ,|and|or <repeat>", weight=0.3)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
-from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
+from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
 from fuzzytime.language.meaning.expressions import Duration, Edge, Ending, Rest, Wall
 from fuzzytime.language.meaning.feasts import Season
 from fuzzytime.language.meaning.nested import Share, WeekOf
@@ -44,6 +44,16 @@ def parts_of_days(found: Part, wall: Wall) -> Wall | None:
 def any_part(found: Part) -> Wall | None:
     """(come) any evening."""
     return None if found.is_point else Wall(part=found)
+
+
+@grammar.rule(
+    "wall", "one|some|any|an|a <part> <days>", "one|some|any|an|a <part> in|of|during <days>", weight=0.6
+)
+def some_part(found: Part, days: Calendar) -> Wall | None:
+    """One evening this week."""
+    weekend = isinstance(days, Deictic) and isinstance(days.of, Weekend)
+    several = days.grain is not Unit.DAY or weekend
+    return Wall(days, found) if several and not found.is_point else None
 
 
 @grammar.rule("end", "midnight between <days> and|& <days>", weight=0.9)

@@ -3,11 +3,12 @@
 from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Grammar
+from fuzzytime.language.grammar.numerals import Integer
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields, Weekend
-from fuzzytime.language.meaning.expressions import Duration, Edge, Repeat, Said, UnitWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Offset, Repeat, Said, UnitWord, Wall
 from fuzzytime.language.meaning.nested import Nth
 from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
-from fuzzytime.language.meaning.times_of_day import Clock, Part
+from fuzzytime.language.meaning.times_of_day import Clock, Half, Part
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -90,10 +91,26 @@ def weekends() -> Repeat:
     return Repeat(walls=(Wall(Weekend()),))
 
 
-@grammar.rule("repeat", "every|each single? <part>|<meal>", "in? the? <parts>", "on <parts>", "a <parts>")
+@grammar.rule(
+    "repeat", "every|each single? <part>|<meal>", "in the? <parts>", "the <parts>", "on <parts>", "a <parts>"
+)
 def every_part(part: Part) -> Repeat:
     """Every morning, in the evenings."""
     return Repeat(walls=(Wall(Cycle(Unit.DAY), part),))
+
+
+@grammar.rule("repeat", "<parts>")
+def plural_parts(part: Part) -> Repeat:
+    """(seven am) mornings."""
+    return replace(every_part(part), plural=True)
+
+
+@grammar.rule("repeat", "for|over|on the? next|coming? <integer> <parts>", weight=0.8)
+def so_many_parts(number: Integer, part: Part) -> Repeat | None:
+    """For three evenings, for the next two mornings; but "for three nights" is as long as that."""
+    if not 1 < number.value <= LONGEST_MONTH or part.half is Half.NIGHT:
+        return None
+    return replace(every_part(part), until=Offset(Duration(((number.value, Unit.DAY),))))
 
 
 @grammar.rule("repeat", "<share> every|each single? <part>", "every|each <part> ,? <share>", weight=0.4)

@@ -214,6 +214,7 @@ class Doing:
     beginning: Words
     ending: Words
     going_on: Words
+    for_days: Words
     running: Words
     taking: Words
     spent: Words

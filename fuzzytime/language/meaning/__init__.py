@@ -12,6 +12,7 @@ Values
 From values to requirements
     Grounding: ``grounding``, ``chosen_clocks``, ``dated_weekdays``, ``part_instants``,
     ``range_instants``; repetitions: ``series``.
+    One of several times: ``offered_days``.
     Two times as one: ``beside``, ``told_apart``, ``repeats_beside``, ``first_times``, ``distances``,
     ``intervals_on_days``, ``throughout``, ``offered``.
     What is handed on: ``requirements``, ``decisions``.

@@ -28,8 +28,8 @@ EARLY = time(4)
 def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall) -> Instants:
     """Choose among the moments that a clock time may mean, in ascending order."""
     named = wall.days is not None
-    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named)]
-    chosen = (plausible or sorted(moments, key=lambda moment: _off_usual(here, moment)))[0]
+    plausible = [moment for moment in moments if _is_plausible(here, moment, ahead=named or here.early)]
+    chosen = (plausible or moments)[0]
     if here.ends and not named and not here.usual and here.now.time() >= EARLY:
         # "Until ten", said at eight in the evening: what can still be kept today.
         chosen = next((moment for moment in moments if moment.date() == here.now.date()), chosen)
@@ -100,22 +100,14 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
         first = here.now.time()
     if ahead and moment.date() > here.now.date():
         first = min(first, here.policy.ahead_from)
+    # "Stay up until three": the end of usual hours is one of them.
+    closes = here.usual and moment.time() == last
     if first > last:
-        return moment.time() >= first or moment.time() < last
+        return moment.time() >= first or moment.time() < last or closes
     end = moment + timedelta(seconds=here.lasting)
-    return first <= moment.time() < last and (
+    return (first <= moment.time() < last or closes) and (
         not here.lasting or (end.date() == moment.date() and end.time() <= last)
     )
-
-
-def _off_usual(here: Standpoint, moment: datetime) -> timedelta:
-    """Give how far a moment is from the hours at which people do what is asked for; none if all are alike."""
-    if not here.usual:
-        return timedelta()
-    edges = (here.policy.plausible_from, here.policy.plausible_to)
-    near = (datetime.combine(moment.date(), edge, moment.tzinfo) - moment for edge in edges)
-    whole = timedelta(days=1)
-    return min(min(abs(off), whole - abs(off)) for off in near)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
@@ -142,4 +134,6 @@ def before_due(here: Standpoint, clock: Clock) -> list[datetime]:
     days = (midnight(here.due.date()) - timedelta(days=back) for back in (0, 1))
     moments = [day + timedelta(seconds=seconds) for day in days for seconds in clock.candidates()]
     last = max(moment for moment in moments if moment <= here.due)
-    return [last] if last > here.now and here.due - last <= FOLLOWING else []
+    # "My shift starts at nine, leave at five" is behind it.
+    early = not here.ends and not _is_plausible(here, last, ahead=True)
+    return [last] if last > here.now and here.due - last <= FOLLOWING and not early else []

@@ -198,7 +198,8 @@ class Repeat:
     tablets, six hours apart". ``closing`` is how much of the end of something else it is in: "every twenty
     minutes for the last hour". ``within`` are the days that an interval is on: "every five minutes on
     weekdays". ``at`` is the time of day of each on its day: "twice a week at noon". ``lent`` says that the
-    bounds are other instructions' times, and told of there.
+    bounds are other instructions' times, and told of there; ``plural`` that its days are named by nothing
+    else, and a number in front counts them: "three mornings".
     """
 
     every: Duration | None = None
@@ -213,6 +214,7 @@ class Repeat:
     within: "Repeat | None" = None
     at: Wall | None = None
     lent: bool = False
+    plural: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -154,6 +154,9 @@ class Grounding(Standpoint):
     def _chosen_day(self, calendar: Calendar, part: Part | None) -> Days:
         candidates = self.days(calendar)
         first = next(candidates)
+        if self.opens and part is None and not calendar.fixed and midnight(first.first) <= self.now:
+            # "Before winter", said in winter: the next.
+            return next((days for days in candidates if midnight(days.first) > self.now), first)
         if isinstance(calendar, Fields) and calendar.weekly and first.first == self.now.date():
             over = part is not None and midnight(first.first) + timedelta(seconds=part.end) <= self.now
             if over or (part is None and self.policy.same_weekday is SameWeekday.NEXT):
@@ -192,6 +195,10 @@ class Grounding(Standpoint):
                 moments = [moment + timedelta(days=1) for moment in moments]
             if days.first == self.now.date() and ahead:
                 moments = ahead
+            prepared = before_due(self, clock)
+            if prepared and days.first <= prepared[0].date() < days.end:
+                # Who has to be there on that day leaves on it.
+                moments = prepared
             return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
 

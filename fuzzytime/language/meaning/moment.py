@@ -21,7 +21,8 @@ class Moment:
     when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
     that this is what follows: "open it at eight and close it at six".
-    ``usual`` says that the hours of the policy are those at which people do what is asked for.
+    ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
+    this is so of those on days to come.
     """
 
     now: datetime | None
@@ -33,6 +34,7 @@ class Moment:
     carried: bool = False
     due: float | None = None
     usual: bool = False
+    early: bool = False
     leads: Clock | None = None
     onto: bool = False
 
@@ -60,6 +62,7 @@ class Moment:
             carried=self.carried,
             due=None if self.due is None else here + timedelta(seconds=self.due),
             usual=self.usual,
+            early=self.early,
             leads=self.leads,
             onto=self.onto,
         )

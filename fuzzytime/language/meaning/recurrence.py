@@ -81,7 +81,8 @@ class EvenRecurrence(PlainRecurrence):
 
     def occurrences(self, until: float) -> tuple[float, ...]:
         """Give the times from 0 to ``until``, in seconds from when the instruction was given."""
-        end = min(until, self.last)
+        # "Every day for three days": no fourth begins where the third is over.
+        end = min(until, self.last - (JUST_BEFORE if self.length else 0.0))
         start = self.first if self.first >= 0 else self.first % self.step
         if end < start:
             return ()
@@ -183,6 +184,16 @@ class CalendarRecurrence(PlainRecurrence):
             first, last = self.moment.seconds(start), self.moment.seconds(end)
             if first >= self.first:
                 yield first, min(last, max(self.last, first))
+
+    @property
+    def begun(self) -> float:
+        """Seconds since a part of the day began that is running; 0 where none is."""
+        now = self.moment.grounding().now
+        today = Today(now.date(), self.moment.policy)
+        parted = (wall for wall in self.walls if wall.part is not None and wall.clock is None)
+        days = ((wall, next(_series(wall.days).upcoming(today, today.day), None)) for wall in parted)
+        there = (self._on_days(wall, day) for wall, day in days if day is not None)
+        return max(((now - start).total_seconds() for start, end in there if start < now < end), default=0.0)
 
     def _on_days(self, wall: Wall, days: Days) -> tuple[datetime, datetime]:
         """Give where a wall-clock expression begins and is over, on its days."""

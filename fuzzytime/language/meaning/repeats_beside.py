@@ -5,6 +5,7 @@ from typing import TypeGuard
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
     Coming,
     Duration,
     Edge,
@@ -103,7 +104,7 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
         return None
     if isinstance(time, Duration):
         # "Twice a day for two minutes" says how long each lasts.
-        step = repeat.every.seconds if repeat.every is not None else DAY_SECONDS
+        step = repeat.every.seconds if repeat.every is not None else _apart(repeat)
         lasting = said.constraint is Constraint.FOR and time.seconds >= step
         bound = lasting or said.constraint is Constraint.BEFORE
         return replace(repeat, until=Offset(time)) if bound else None
@@ -123,6 +124,14 @@ def _bounded(repeat: Repeat, said: Said) -> Repeat | None:
     if said.constraint is Constraint.BETWEEN and isinstance(time, Range):
         return replace(repeat, starting=time.first, until=time.last)
     return None
+
+
+def _apart(repeat: Repeat) -> float:
+    """Give how far apart in seconds the days of a repetition are, on the whole: weekdays, or all."""
+    weekdays = {wall.days.weekday for wall in repeat.walls if isinstance(wall.days, Fields)}
+    weekly = all(isinstance(wall.days, Fields) and wall.days.weekly for wall in repeat.walls)
+    # "On mondays for three days" is as long as that.
+    return UNIT_SECONDS[Unit.WEEK] / len(weekdays) if weekly and weekdays else DAY_SECONDS
 
 
 def _is_in_day(time: object) -> bool:
@@ -194,7 +203,7 @@ def _bounded_mark(repeat: Repeat, said: Said) -> Repeat | None:
     return _bounded(replace(repeat, starting=None), replace(said, time=within))
 
 
-def is_of_day(time: Time) -> TypeGuard[Wall]:
+def is_of_day(time: object) -> TypeGuard[Wall]:
     """Whether it is a clock time or a part of any day."""
     said = isinstance(time, Wall) and (time.clock is not None or time.part is not None)
     return said and isinstance(time, Wall) and time.days is None

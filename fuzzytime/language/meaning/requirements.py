@@ -23,6 +23,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.instants import Instants, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.offered_days import on_each_day_offered
 from fuzzytime.language.meaning.relations import Away
 from fuzzytime.language.meaning.series import recurrence_of
 from fuzzytime.requirement import Constraint, Recurrence, TimeRequirement, Unit
@@ -47,7 +48,7 @@ class Grounded:
 
 
 def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
-    """Ground a phrase: one requirement, or two where it says a start and how long.
+    """Ground a phrase: one requirement; more where it says a start and how long, or one of several days.
 
     Raises
     ------
@@ -55,14 +56,15 @@ def grounded(phrase: Phrase, text: str, moment: Moment) -> tuple[Grounded, ...]:
         If its words name no time.
     """
     try:
-        first = _Grounder(phrase, text, moment).result()
+        offered = (replace(phrase, said=said) for said in on_each_day_offered(phrase.said, moment))
+        first = tuple(_Grounder(one, text, moment).result() for one in offered)
     except OverflowError as error:
         raise UngroundedError("a time must lie in the years 1 to 9999") from error
     if phrase.said.lasting is None:
-        return (first,)
+        return first
     length = phrase.said.lasting
     said = Said(replace(length, hedges=()), Constraint.FOR, "for", length.hedges)
-    return first, _Grounder(replace(phrase, said=said), text, moment).result()
+    return *first, _Grounder(replace(phrase, said=said), text, moment).result()
 
 
 class _Grounder:
@@ -181,7 +183,9 @@ class _Grounder:
         zone = _zone_in(time)
         lasting = self.said.lasting.seconds if self.said.lasting is not None else 0.0
         ends = self.said.constraint is Constraint.BEFORE
-        found = replace(self.moment.grounding(zone), lasting=lasting, ends=ends).instants(time)
+        opens = ends and self.said.edge is Edge.START
+        here = replace(self.moment.grounding(zone), lasting=lasting, ends=ends, opens=opens)
+        found = here.instants(time)
         start, end = self._bounds(time, found, zone)
         constraint = self.said.constraint or self._distance_bound(time)
         if constraint is None:

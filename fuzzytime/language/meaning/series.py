@@ -5,7 +5,15 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
-from fuzzytime.language.meaning.expressions import UNIT_SECONDS, HourMark, Repeat, Time, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import (
+    UNIT_SECONDS,
+    HourMark,
+    Offset,
+    Repeat,
+    Time,
+    TimeWord,
+    Wall,
+)
 from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
@@ -92,13 +100,16 @@ def _on_calendar(repeat: Repeat, moment: Moment) -> CalendarRecurrence:
     moment.grounding()
     first = _bound(repeat.starting, moment, last=False)
     last = _bound(repeat.until, moment, last=True)
-    return CalendarRecurrence(
+    found = CalendarRecurrence(
         walls=repeat.walls,
         moment=moment,
         skip=repeat.skip,
         first=0.0 if first is None else max(0.0, first),
         last=math.inf if last is None else last,
     )
+    counted = first is None and isinstance(repeat.until, Offset) and repeat.until.anchor is None
+    # "For three mornings", said in the first of them: two more.
+    return replace(found, last=found.last - found.begun - JUST_BEFORE) if counted and found.begun else found
 
 
 def begins_by_policy(repeat: Repeat) -> bool:

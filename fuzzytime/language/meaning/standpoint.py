@@ -35,10 +35,14 @@ class Standpoint(ABC):
         Whether another text said it.
     ends : bool
         Whether it is a deadline, which is not now: nothing can be done by then.
+    opens : bool
+        Whether it is a deadline where what it names begins, which is to come: "before winter".
     due : datetime, optional
         When that happens which is to be prepared.
     usual : bool
         Whether the plausible hours are those at which people do what is asked for.
+    early : bool
+        Whether the hours on days to come that are named are plausible on those that are not, too.
     leads : Clock, optional
         The clock time of what follows with the same thing.
     onto : bool
@@ -54,8 +58,10 @@ class Standpoint(ABC):
     follows: bool = False
     carried: bool = False
     ends: bool = False
+    opens: bool = False
     due: datetime | None = None
     usual: bool = False
+    early: bool = False
     leads: Clock | None = None
     onto: bool = False
 

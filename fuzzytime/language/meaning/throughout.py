@@ -1,8 +1,11 @@
 """What is on each day of a period: "at six for the rest of the week", "all week at noon"."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.repeats_beside import MOMENTS, bounded_repeat, narrowed_repeat
 from fuzzytime.requirement import Constraint, Unit
 
 LONGER = frozenset({Unit.WEEK, Unit.MONTH, Unit.YEAR})
@@ -28,6 +31,19 @@ def each_day(said: Said, bound: Said) -> Repeat | None:
     """Give a clock time on each day within a bound; None for what is none, or has a day."""
     daily = daily_at(said)
     return None if daily is None else bounded_repeat(daily, bound)
+
+
+def in_parts_of_each_day(said: Sequence[Said]) -> Repeat | None:
+    """Give what is in some parts of the day, or on one side of them, on each day; None for other times."""
+    walls: list[Wall] = []
+    for one in said:
+        moment = isinstance(one.time, Wall) and one.constraint in MOMENTS | {Constraint.BETWEEN}
+        daily = narrowed_repeat(DAILY, one.time) if isinstance(one.time, Wall) and moment else None
+        daily = bounded_repeat(DAILY, one) if daily is None and not moment else daily
+        if daily is None:
+            return None
+        walls += daily.walls
+    return replace(DAILY, walls=tuple(dict.fromkeys(walls))) if walls else None
 
 
 def is_rest_of_days(said: Said) -> bool:

@@ -50,6 +50,7 @@ from fuzzytime.language.sentence.together.lengths import (
     told_alone,
     unknown_length,
 )
+from fuzzytime.language.sentence.together.mornings import follows_night
 from fuzzytime.language.sentence.together.naming import naming_none
 from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
 from fuzzytime.language.sentence.together.sketches import sketches_of
@@ -150,8 +151,8 @@ class _Composer:
         return replace(
             self.moment,
             listed=place > 0 and sketch.part is sketches[place - 1].part,
-            follows=then,
-            due=due_of(self.draft.text, sketches[:place], sketch, instructions),
+            follows=then or follows_night(sketches, place),
+            due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment.since),
             leads=leads_to(sketches, place, self.draft.text),
             onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
         )

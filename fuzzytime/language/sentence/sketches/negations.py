@@ -15,6 +15,9 @@ TURNED = {
 }
 """What "don't … before", "don't … after" and "don't … for" ask for."""
 
+BESIDE = frozenset({Constraint.BEFORE, Constraint.AFTER})
+"""How a time binds on one side of which something is not to be done for so long."""
+
 LONGER = "more than"
 """The hedge of a length of time that is not to be exceeded."""
 
@@ -67,8 +70,31 @@ def without_denial(
     if operation is None or not operation.negated or not denied or operation.lemma in lexicon.doing.unwanted:
         return operation, requirements, duration
     lasting = any(r.constraint is Constraint.FOR and LONGER in r.fuzziness for r in requirements)
+    if duration is not None and not lasting:
+        requirements = _beside_times(requirements, duration)
     turned = [_turned(r, duration, begun) if r.span in denied else r for r in requirements]
     return replace(operation, negated=False), turned, duration if lasting else None
+
+
+def _beside_times(requirements: Iterable[TimeRequirement], length: float) -> list[TimeRequirement]:
+    """Read "not for two hours after lunch" as later than that, and "before lunch" as earlier than that."""
+    found: list[TimeRequirement] = []
+    for requirement in requirements:
+        last = found[-1] if found else requirement
+        joined = last.constraint is Constraint.FOR and requirement.span[0] <= last.span[1] + 1
+        if not joined or requirement.constraint not in BESIDE:
+            found.append(requirement)
+            continue
+        by = length if requirement.constraint is Constraint.AFTER else -length
+        anchor = requirement.anchor
+        found[-1] = replace(
+            requirement.shifted(by),
+            text=f"{last.text} {requirement.text}",
+            span=(last.span[0], requirement.span[1]),
+            anchor=None if anchor is None else replace(anchor, lag=anchor.lag + by),
+            denied=True,
+        )
+    return found
 
 
 def _denied_times(

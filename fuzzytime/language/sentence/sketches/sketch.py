@@ -134,7 +134,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if not operation.negated:
         kept = [_by_that_day(phrase, clauses) for phrase in kept]
     references = [_reference(part, phrase, action, lexicon, clauses) for phrase in kept]
-    if _is_there(operation, lexicon):
+    if is_there(operation, lexicon):
         kept = [_on_that_day(phrase) for phrase in kept]
     if not operation.negated and {operation.lemma, operation.phrase} & lexicon.moving:
         kept = [_put_off(phrase) for phrase in kept]
@@ -165,7 +165,7 @@ def _by_that_day(phrase: Phrase, clauses: Sequence[Clause]) -> Phrase:
     return replace(phrase, said=replace(said, constraint=Constraint.BEFORE, edge=Edge.LAST))
 
 
-def _is_there(operation: Operation, lexicon: Lexicon) -> bool:
+def is_there(operation: Operation, lexicon: Lexicon) -> bool:
     """Whether somebody is somewhere then, or no longer: what nobody does a day ahead."""
     alone = operation.complement is None and (operation.object is None or operation.place is None)
     if operation.phrase in lexicon.doing.being_there:

@@ -1,11 +1,14 @@
 """The hours at which people do what is asked for: dinner is in the evening, who wakes does in the morning."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from datetime import time
 
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.words import Word, words_of
+from fuzzytime.language.meaning.expressions import Offset, Range, Wall
 from fuzzytime.language.meaning.moment import Moment
+from fuzzytime.language.meaning.times_of_day import DAY_SECONDS, Clock
 from fuzzytime.language.sentence.sketches.said_of_time import DATED
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
@@ -26,10 +29,29 @@ def at_usual_hours(moment: Moment, sketch: Sketch, text: str, lexicon: Lexicon) 
     if form is None:
         return moment
     first, last = lexicon.usual_hours[form]
+    if last is not None and not all(_is_in(clock, first, last) for clock in _clocks_of(sketch)):
+        # "Wake grandma from her nap at three": not at its usual hours.
+        return moment
     policy = replace(moment.policy, ahead_from=first)
     if last is not None:
         policy = replace(policy, plausible_from=first, plausible_to=last, workday_from=first)
-    return replace(moment, policy=policy, usual=last is not None)
+    return replace(moment, policy=policy, usual=last is not None, early=last is None)
+
+
+def _clocks_of(sketch: Sketch) -> Iterator[Clock]:
+    """Give the clock times of an instruction, also those that others are counted from."""
+    for phrase in sketch.phrases:
+        said = phrase.said.time
+        ends = (said.first, said.last) if isinstance(said, Range) else (said,)
+        walls = (end.anchor if isinstance(end, Offset) else end for end in ends)
+        yield from (wall.clock for wall in walls if isinstance(wall, Wall) and wall.clock is not None)
+
+
+def _is_in(clock: Clock, first: time, last: time) -> bool:
+    """Whether a clock time may be in some hours, or where they are over."""
+    begins = first.hour * 3600 + first.minute * 60
+    length = (last.hour * 3600 + last.minute * 60 - begins) % DAY_SECONDS
+    return any((seconds - begins) % DAY_SECONDS <= length for seconds in clock.candidates())
 
 
 def _is_thing(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

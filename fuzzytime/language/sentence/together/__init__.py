@@ -4,7 +4,7 @@ Words and times
     ``lending``, ``pairs``, ``said_again``, ``several_times``, ``both_sides``, ``again_between``, ``turns``,
     ``first_times``, ``at_once``, ``for_all``.
 Days and lengths
-    ``headings``, ``days_apart``, ``lengths``, ``waited``, ``consequences``.
+    ``headings``, ``days_apart``, ``mornings``, ``day_by_day``, ``lengths``, ``waited``, ``consequences``.
 What is none
     ``doubts``, ``denials``, ``naming``.
 """

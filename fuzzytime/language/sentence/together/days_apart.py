@@ -22,21 +22,26 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.intervals_on_days import on_days
 from fuzzytime.language.meaning.repeats_beside import names_day_of
 from fuzzytime.language.meaning.throughout import each_day, is_clock_time, is_rest_of_days
-from fuzzytime.language.meaning.times_of_day import Half
+from fuzzytime.language.meaning.times_of_day import Half, Part
 from fuzzytime.language.meaning.told_apart import told_apart
 from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
+from fuzzytime.language.sentence.together.mornings import is_morning_after, part_said
 from fuzzytime.requirement import Constraint, Unit
 
 
 @dataclass(frozen=True, slots=True)
 class _Day:
-    """A day that holds for instructions behind; ``phrase`` where it holds for those without a time too."""
+    """A day that holds for instructions behind; ``phrase`` where it holds for those without a time too.
+
+    ``part`` is what was said of that day with it.
+    """
 
     said: Said
     phrase: Phrase | None = None
+    part: Part | None = None
 
     @property
     def days(self) -> tuple[Said, ...]:
@@ -263,7 +268,9 @@ def _on_day(sketch: Sketch, held: _Day) -> Sketch:
     phrases = []
     for phrase in sketch.phrases:
         told = None
-        for day in held.days if _is_open(phrase.said, held.said) else ():
+        # "Soak the beans tonight, cook them in the morning"
+        later = held.part is not None and is_morning_after(phrase.said, held.part)
+        for day in held.days if _is_open(phrase.said, held.said) and not later else ():
             told = told or told_apart(phrase.said, day)
         phrases.append(phrase if told is None else replace(phrase, said=told))
     return replace(sketch, phrases=tuple(phrases))
@@ -275,8 +282,8 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
     for phrase in sketch.phrases:
         said = phrase.said
         if said.is_day and (heads or phrase.span[1] <= start):
-            return _Day(said, phrase)
+            return _Day(said, phrase, part_said(said))
         time = said.time
         if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
-            return _Day(Said(Wall(time.days)))
+            return _Day(Said(Wall(time.days)), part=time.part)
     return None

@@ -7,7 +7,9 @@ from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Duration, Phrase, Repeat, TimeWord, Wall
+from fuzzytime.language.meaning.repeats_beside import is_of_day
 from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.language.sentence.together.mornings import part_said
 from fuzzytime.language.sentence.together.said_again import (
     apart,
     is_weekday,
@@ -72,7 +74,8 @@ def _joined(
         if not between or between - closed.additions - closed.alternatives:
             break
         either = not between.isdisjoint(closed.alternatives)
-        if not all(
+        both = not either and _are_two_of_a_day(group[-1], following)
+        if not both and not all(
             _is_when(one) or (either and one.said.constraint in BOUNDS) for one in (group[-1], following)
         ):
             break
@@ -164,6 +167,25 @@ def _with_part_behind(phrases: Sequence[Phrase]) -> list[Phrase]:
 def _days_of(phrase: Phrase) -> Fields | None:
     days = phrase.said.time.days if isinstance(phrase.said.time, Wall) else None
     return days if isinstance(days, Fields) else None
+
+
+def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
+    """Whether one of two is beside a meal, and both bound no stretch: "before breakfast and at six"."""
+    meals = [one for one in (first, second) if _is_beside_meal(one)]
+    others = [one for one in (first, second) if not _is_beside_meal(one)]
+    if not meals or not all(_is_when(one) and is_of_day(one.said.time) for one in others):
+        return False
+    parts = {one.said.constraint: part_said(one.said) for one in meals}
+    begins, ends = parts.get(Constraint.AFTER), parts.get(Constraint.BEFORE)
+    # "Before dinner and after work"
+    return begins is None or ends is None or begins.end > ends.start
+
+
+def _is_beside_meal(phrase: Phrase) -> bool:
+    """Whether it is before or after a meal of a day that is not said."""
+    said, part = phrase.said, part_said(phrase.said)
+    beside = said.constraint in BOUNDS and said.preposition in {"before", "after"}
+    return beside and part is not None and part.meal and is_of_day(said.time)
 
 
 def _is_when(phrase: Phrase) -> bool:

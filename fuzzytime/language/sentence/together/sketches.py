@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
+from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
@@ -31,8 +32,11 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     sketches = [sketch_of(draft, part, lexicon) for part in draft.parts]
     sketches = repeated(led(sketches, draft.text), draft.text, lexicon)
     told = shared(at_once(within(sketches, draft.text, lexicon), draft.text), draft.text, lexicon)
-    told = under_first_line(told, draft.text)
     words = draft.scanned.words
+    told = [
+        day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon)
+        for sketch in under_first_line(told, draft.text)
+    ]
     split = (
         counted_apart(one, words, lexicon)
         for sketch in told

@@ -1,0 +1,103 @@
+"""What is done day by day for so long: "three times a day with food for two days", "at night for a week"."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.words import Word
+from fuzzytime.language.instruction import Operation
+from fuzzytime.language.meaning.calendar import Cycle
+from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Coming, Duration, Phrase, Repeat, Said, Wall
+from fuzzytime.language.meaning.instants import SUB_DAY
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat
+from fuzzytime.language.meaning.throughout import in_parts_of_each_day
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+from fuzzytime.requirement import Constraint, Reference, Unit
+
+
+def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
+    """Let a length of days bound the repetition beside it, or put what is in a part of the day on each day.
+
+    Of several parts of the day, each is on each day; what is at a clock time may begin there.
+    """
+    lengths = [phrase for phrase in sketch.phrases if _is_of_days(phrase.said)]
+    if len(lengths) != 1:
+        return sketch
+    bound = lengths[0].said
+    bound = replace(bound, constraint=Constraint.FOR) if isinstance(bound.time, Duration) else bound
+    series = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Repeat)]
+    if not series and not _goes_on(sketch, lexicon):
+        series = _of_each_day(sketch, text, lexicon)
+    repeat = _repeated(series)
+    bounded = None if repeat is None else bounded_repeat(repeat, bound)
+    if bounded is None:
+        return sketch
+    told = Said(bounded, Constraint.EVERY, series[0].said.preposition, series[0].said.hedges)
+    both = (*series, lengths[0])
+    return replace(
+        sketch, phrases=tuple(replace(one, said=told) if one in both else one for one in sketch.phrases)
+    )
+
+
+def each_day_too(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Sketch:
+    """Put a part of the day on each day that "and" joins to others: "before each meal and at bedtime"."""
+    for first, second in pairwise(sketch.phrases):
+        between = {word.text for word in words[first.end : second.first]}
+        series = [one.said.time for one in (first, second) if isinstance(one.said.time, Repeat)]
+        parts = [one.said for one in (first, second) if _is_part(one)]
+        if len(series) != 1 or len(parts) != 1 or not between or between - lexicon.closed.additions:
+            continue
+        more = in_parts_of_each_day(parts) if _is_daily_in_parts(series[0]) else None
+        if more is not None:
+            told = Said(replace(series[0], walls=(*series[0].walls, *more.walls)), Constraint.EVERY)
+            both = (first, second)
+            return replace(
+                sketch, phrases=tuple(replace(p, said=told) if p in both else p for p in sketch.phrases)
+            )
+    return sketch
+
+
+def _is_daily_in_parts(repeat: Repeat) -> bool:
+    """Whether it is in parts of every day, and nothing else."""
+    days = {(wall.days, wall.clock, wall.part is None) for wall in repeat.walls}
+    return days == {(Cycle(Unit.DAY), None, False)} and repeat == Repeat(
+        walls=repeat.walls, plural=repeat.plural
+    )
+
+
+def _repeated(series: Sequence[Phrase]) -> Repeat | None:
+    """Give the repetition that is said, or that parts of the day are on each day."""
+    if len(series) == 1 and isinstance(series[0].said.time, Repeat):
+        return series[0].said.time
+    return in_parts_of_each_day([phrase.said for phrase in series])
+
+
+def _is_of_days(said: Said) -> bool:
+    """Whether it is a length of two days or more, said in days or longer units."""
+    time = said.time
+    length = time.duration if isinstance(time, Coming) and time.direction > 0 else time
+    if not isinstance(length, Duration) or said.constraint not in {Constraint.FOR, Constraint.BETWEEN}:
+        return False
+    return length.unit not in SUB_DAY and length.seconds > UNIT_SECONDS[Unit.DAY]
+
+
+def _of_each_day(sketch: Sketch, text: str, lexicon: Lexicon) -> list[Phrase]:
+    """Give the parts of a day that is not said, where all of them are meant."""
+    times = [phrase for phrase in sketch.phrases if _is_part(phrase)]
+    between = text[times[0].span[1] : times[-1].span[0]].lower().split() if times else []
+    return times if lexicon.closed.alternatives.isdisjoint(between) else []
+
+
+def _is_part(phrase: Phrase) -> bool:
+    """Whether it is a part of a day that is not said, or one side of it."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.days is None and time.clock is None and time.part is not None
+
+
+def _goes_on(sketch: Sketch, lexicon: Lexicon) -> bool:
+    """Whether it is what goes on for days itself: "rent a car in the morning for three days"."""
+    operation: Operation | None = sketch.operation
+    if operation is None or operation.stated or Reference.THROUGHOUT in sketch.references:
+        return True
+    return operation.lemma in lexicon.doing.for_days | lexicon.timing

@@ -1,0 +1,29 @@
+"""Mornings behind a later part of the day that was said before: "tonight …, … in the morning"."""
+
+from collections.abc import Sequence
+
+from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.times_of_day import NOON, Part
+from fuzzytime.language.sentence.sketches.sketch import Sketch
+
+
+def part_said(said: Said) -> Part | None:
+    """Give the part of the day that is said, with a clock time or without."""
+    return said.time.part if isinstance(said.time, Wall) else None
+
+
+def is_morning_after(said: Said, before: Part) -> bool:
+    """Whether it is a morning, without its day, behind a part of the day that was said before."""
+    time = said.time
+    alone = isinstance(time, Wall) and time.days is None and time.clock is None
+    part = part_said(said)
+    if not alone or part is None or part.end > NOON:
+        return False
+    return before.half.is_late or part.end <= before.start
+
+
+def follows_night(sketches: Sequence[Sketch], place: int) -> bool:
+    """Whether an instruction is in the morning behind the part of the day that was said last before it."""
+    said = (part_said(phrase.said) for sketch in sketches[:place][::-1] for phrase in sketch.phrases[::-1])
+    last = next((part for part in said if part is not None), None)
+    return last is not None and any(is_morning_after(one.said, last) for one in sketches[place].phrases)
