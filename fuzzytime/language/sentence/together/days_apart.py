@@ -28,7 +28,7 @@ from fuzzytime.language.sentence.references.phrase_anchors import ORDERING
 from fuzzytime.language.sentence.segments.drafts import Heading
 from fuzzytime.language.sentence.segments.segment import ENDS, JOINED
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
-from fuzzytime.language.sentence.together.mornings import is_morning_after, part_said
+from fuzzytime.language.sentence.together.mornings import is_morning_after, part_before
 from fuzzytime.requirement import Constraint, Unit
 
 
@@ -282,8 +282,8 @@ def _day_of(sketch: Sketch, *, heads: bool) -> _Day | None:
     for phrase in sketch.phrases:
         said = phrase.said
         if said.is_day and (heads or phrase.span[1] <= start):
-            return _Day(said, phrase, part_said(said))
+            return _Day(said, phrase, part_before(sketch, said))
         time = said.time
         if isinstance(time, Wall) and time.days is not None and (time.clock or time.part) is not None:
-            return _Day(Said(Wall(time.days)), part=time.part)
+            return _Day(Said(Wall(time.days)), part=part_before(sketch, said))
     return None

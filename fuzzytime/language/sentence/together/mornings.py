@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from fuzzytime.language.meaning.expressions import Said, Wall
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import NOON, Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 
@@ -22,8 +23,20 @@ def is_morning_after(said: Said, before: Part) -> bool:
     return before.half.is_late or part.end <= before.start
 
 
+def part_before(sketch: Sketch, said: Said) -> Part | None:
+    """Give the part of the day behind which a morning is; of what happens on a day to come, none.
+
+    "The party is tomorrow evening, buy drinks in the morning" is before it.
+    """
+    time, operation = said.time, sketch.operation
+    days = time.days if isinstance(time, Wall) else None
+    happens = operation is not None and operation.stated and days not in {None, Relative(0)}
+    return None if happens else part_said(said)
+
+
 def follows_night(sketches: Sequence[Sketch], place: int) -> bool:
     """Whether an instruction is in the morning behind the part of the day that was said last before it."""
-    said = (part_said(phrase.said) for sketch in sketches[:place][::-1] for phrase in sketch.phrases[::-1])
+    before = ((one, phrase.said) for one in sketches[:place][::-1] for phrase in one.phrases[::-1])
+    said = (part_before(one, said) for one, said in before)
     last = next((part for part in said if part is not None), None)
     return last is not None and any(is_morning_after(one.said, last) for one in sketches[place].phrases)
