@@ -49,6 +49,14 @@ def for_number(number: Integer) -> Said | None:
     return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR, "for")
 
 
+@grammar.rule("said", "<integer>", weight=-0.9)
+def number_left(number: Integer) -> Said | None:
+    """(let it rest) 40, which is no hour: so many minutes."""
+    if number.value <= DAY_HOURS:
+        return None
+    return Said(Duration(((number.value, Unit.MINUTE),), bare_end=True), Constraint.FOR)
+
+
 @grammar.rule("said", "for <integer> more|longer", "for another <integer>", weight=-0.4)
 def for_more(number: Integer) -> Said | None:
     """(blend) for 10 more: of the unit that was said before."""

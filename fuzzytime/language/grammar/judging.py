@@ -7,7 +7,7 @@ from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.due import is_due
 from fuzzytime.language.grammar.further import Further
 from fuzzytime.language.grammar.lengths import Lengths
-from fuzzytime.language.grammar.lent import Lent, lacks_unit
+from fuzzytime.language.grammar.lent import Lent, is_left_for, lacks_unit
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.ranges import Ranges
@@ -68,18 +68,15 @@ class Judge:
             return self.lent.accept(piece, said)
         number = isinstance(time, Wall) and (time.bare or _is_pair(time.clock))
         number = number or (isinstance(time, Repeat) and self._is_number_for(piece))
-        lent = is_due(self.texts, piece.start, self.lexicon)
-        lent = lent or any(self.around.is_unit(place) for place in range(piece.start))
-        if self.lent.seats(piece, time):
-            return False
         if (
-            said.preposition == "for"
-            and number
-            and not (
-                lent or self.lent.times(piece) or (self._appoints(piece) and not self._is_behind_hour(piece))
-            )
+            number
+            and said.preposition is None
+            and is_left_for(self.texts, piece.start, piece.end, self.lexicon)
         ):
-            # "Cook for eight", "sell it for 5.50"; but "rotate for two seconds and wait for one".
+            return True
+        counts = said.preposition == "for" and number and not self._tells_time(piece)
+        if counts or self.lent.seats(piece, time):
+            # "Cook for eight", "sell it for 5.50"
             return False
         share = isinstance(time, Duration) and time.bare_end and self._is_share(piece)
         if said.preposition == "in" and share:
@@ -96,6 +93,12 @@ class Judge:
             set_to = self.around.before(piece) in self.lexicon.appointing
             return not set_to and self.around.follower(piece) in ({""} | self.beside.behind_gone_on)
         return self._accepts_other(piece, said)
+
+    def _tells_time(self, piece: Piece) -> bool:
+        """Whether "for" and a number are a time: "rotate for two seconds and wait for one"."""
+        lent = any(self.around.is_unit(place) for place in range(piece.start))
+        appointed = self._appoints(piece) and not self._is_behind_hour(piece)
+        return lent or appointed or self.lent.times(piece) or is_due(self.texts, piece.start, self.lexicon)
 
     def _accepts_other(self, piece: Piece, said: Said) -> bool:
         time = said.time

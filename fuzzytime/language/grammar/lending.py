@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from fuzzytime.english import PARTICIPLE
-from fuzzytime.language.grammar.lent import is_heated, lasts_minutes
+from fuzzytime.language.grammar.lent import is_heated, is_left_for, lasts_minutes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
@@ -74,6 +74,9 @@ def in_minutes(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phras
     clock = said.time.clock if isinstance(said.time, Wall) else None
     texts = [word.text for word in words[: phrase.first]]
     before, alone = set(texts), lasts_minutes(texts, lexicon) or is_heated(texts, said.time)
+    left = is_left_for([word.text for word in words], phrase.first, phrase.end, lexicon)
+    if left and said.preposition is None and clock is not None:
+        return replace(phrase, said=Said(Duration(((clock.hour, Unit.MINUTE),)), Constraint.FOR))
     measured = before & lexicon.timing and not before & lexicon.appointing
     if not bare or clock is None or not (alone or measured):
         return phrase

@@ -38,6 +38,19 @@ def lasts_minutes(before: Sequence[str], lexicon: Lexicon) -> bool:
     return settles or bool(lexicon.timing_alone.intersection(before[-1:]))
 
 
+def is_left_for(texts: Sequence[str], first: int, end: int, lexicon: Lexicon) -> bool:
+    """Whether a number alone, from ``first`` to ``end``, is how many minutes it is left: "let it rest five".
+
+    What comes next ends the order, or says what comes behind it.
+    """
+    resting = first > 0 and texts[first - 1] in lexicon.doing.resting
+    left = resting and not lexicon.letting.isdisjoint(texts[: first - 1])
+    behind = texts[end] if end < len(texts) else ""
+    return left and behind in (
+        {"", "before"} | lexicon.beside.behind_minutes | lexicon.closed.adverbs_of_repetition
+    )
+
+
 def is_heated(before: Sequence[str], time: Time | Duration | Repeat) -> bool:
     """Whether so many minutes are said behind a temperature: "bake it at 180 for ten"; but not "for four"."""
     at, degrees = before[-2:] if len(before) > 1 else ("", "")
@@ -60,6 +73,8 @@ class Lent:
             # "Roast the chicken for an hour", and in the next line "turn it halfway through"
             return self.around.follower(piece) in {"", ".", ",", ";", "!", "and"} or piece.start == 0
         lent = any(self.around.is_unit(place) for place in range(piece.start))
+        if said.preposition is None and isinstance(said.time, Duration):
+            return is_left_for(self.texts, piece.start, piece.end, self.lexicon)
         if said.constraint is Constraint.FOR and isinstance(said.time, Duration):
             return self.times(piece) or (lent and self.around.may_end(piece))
         if not lent or not self.around.may_end(piece):

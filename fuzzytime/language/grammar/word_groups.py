@@ -253,5 +253,6 @@ class Doing:
     hesitating: Words
     bringing: Words
     meeting: Words
+    resting: Words
     watching: Words
     past_alike: Words
