@@ -46,7 +46,7 @@ class BareHours(Standing):
         if degrees and self.lexicon.measure_verbs & set(self.texts):
             # "Bake it at 180 for an hour, then half an hour at 200"
             return False
-        if said.preposition == "to" and self.around.puts_off(piece):
+        if said.preposition == "to" and self.given.puts_off(piece):
             # "Move my three o'clock to five"
             return True
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
@@ -55,9 +55,9 @@ class BareHours(Standing):
 
     def accept_pair(self, piece: Piece, said: Said) -> bool:
         """Whether two numbers are hour and minute: "at five thirty", not the "to three fifty" of an oven."""
-        if said.preposition == "to" and self.measures.measured(piece) and not self.around.puts_off(piece):
+        if said.preposition == "to" and self.measures.measured(piece) and not self.given.puts_off(piece):
             return False
-        if said.preposition is None and self.around.is_caught(piece):
+        if said.preposition is None and self.given.is_caught(piece):
             # "Catch the 4.15 train"
             return True
         # "At five thirty pick up bread": no amount is said like that.

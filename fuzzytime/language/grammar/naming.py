@@ -16,7 +16,7 @@ class Naming(Standing):
     def hold(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether it only names something, or belongs to what does."""
         before = self.around.before(piece)
-        if said.preposition is None and wall.clock is not None and self.around.is_caught(piece):
+        if said.preposition is None and wall.clock is not None and self.given.is_caught(piece):
             # What is caught is caught then: "catch the 7:42 to York".
             return False
         if said.preposition is None and (self.around.describes(piece) or self.around.names(piece, wall)):
@@ -32,7 +32,7 @@ class Naming(Standing):
             return True
         if (said.preposition is None or wall.clock is not None) and self._is_next_in_row(piece, wall):
             return True
-        if said.preposition is None and wall.clock is not None and self.around.is_put_off(piece):
+        if said.preposition is None and wall.clock is not None and self.given.is_put_off(piece):
             # "Move the 3 pm to five"
             return True
         last, behind = self.texts[piece.end - 1], self.around.follower(piece)

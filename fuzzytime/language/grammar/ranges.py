@@ -11,7 +11,7 @@ class Ranges(Standing):
 
     def accept(self, piece: Piece, said: Said, time: Range) -> bool:
         """Whether a stretch of time is one here."""
-        if self.around.is_put_off(piece):
+        if self.given.is_put_off(piece):
             # As in "Reschedule the 3 pm to 4:30".
             return False
         if self.texts[piece.start] in self.closed.noun_openers and not self.around.may_end(piece):

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import Measures
 from fuzzytime.language.grammar.surroundings import Surroundings
@@ -19,6 +20,7 @@ class Standing:
         self.texts = [word.text for word in words]
         self.measures = measures
         self.around = around
+        self.given = GivenTimes(lexicon, around)
 
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""

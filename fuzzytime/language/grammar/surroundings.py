@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon, longest_match
-from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.calendar import Fields, Weekend
 from fuzzytime.language.meaning.expressions import Said, Wall
@@ -250,24 +249,6 @@ class Surroundings:
         """Whether whose it is stands before it: "my three o'clock", "tomorrow's ten o'clock"."""
         return self.before(piece) in self.closed.possessives or self.before(piece).endswith("'s")
 
-    def is_put_off(self, piece: Piece) -> bool:
-        """Whether it is what has a time, and is given another: "move the 3 pm to five"."""
-        owner = piece.start if self.texts[piece.start] in self.closed.noun_openers else piece.start - 1
-        owning = owner > 0 and (self.texts[owner] in self.closed.noun_openers or self.is_owned(piece))
-        return owning and self.texts[owner - 1] in self.lexicon.rescheduling
-
-    def is_caught(self, piece: Piece) -> bool:
-        """Whether it is what is caught, called by its time: "catch the 7:42", "take the 9:15 to York".
-
-        So it is where somebody is met off it: "meet gran off the 3.20 bus".
-        """
-        owner = piece.start - 1
-        behind = self.follower(piece)
-        ends = not behind[:1].isalnum() or behind in self.beside.bound_for | self.lexicon.travelling
-        led = self.texts[owner - 1] if owner > 0 else ""
-        met = led in self.beside.getting_off and not self.lexicon.doing.meeting.isdisjoint(self.texts[:owner])
-        return (led in self.lexicon.catching or met) and (ends or self.timely(piece.end))
-
     def cites(self, place: int) -> bool:
         """Whether two numbers with a colon are of a text, or a ratio: "John 3:16"; but "call John 3:16"."""
         before = self.texts[max(0, place - 3) : place]
@@ -278,21 +259,6 @@ class Surroundings:
             and before[-1] in self.lexicon.citing
             and not self.lexicon.addressing & {*before}
         )
-
-    def puts_off(self, piece: Piece) -> bool:
-        """Whether it is the new time of what has one: "move my 3 o'clock to 5", "change the alarm to 7"."""
-        place = piece.start - 1
-        while place > 0 and self.texts[place] in self.beside.put_off:
-            place -= 1
-        begin = place
-        while begin > 0 and (
-            self.words[begin].is_digits
-            or self.texts[begin] in self.beside.of_clocks | self.lexicon.numbers.keys()
-        ):
-            begin -= 1
-        clock = begin < place and self.texts[begin] in self.closed.noun_openers
-        named = clock or self.texts[place] in self.lexicon.events
-        return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
     def is_unit(self, place: int) -> bool:
         """Whether the word at a place is a unit, which a number before it counts."""

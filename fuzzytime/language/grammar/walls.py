@@ -90,7 +90,7 @@ class Walls(Standing):
             first
             and self.texts[first - 1] == "to"
             and self._is_ratio(first)
-            and not self.around.puts_off(piece)
+            and not self.given.puts_off(piece)
         ):
             # "Fill the tub to 3/4 at eight"
             return True
