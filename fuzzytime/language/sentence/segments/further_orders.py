@@ -31,6 +31,9 @@ SHORTEST = 2
 """Words of an order at least, before a participle that goes on beside it."""
 
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
+LEAST_TOLD = 4
+"""Words of "dinner is at ten", at least."""
+
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
 
@@ -41,7 +44,11 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
     else; what counts is a bare verb without a subject behind "and" or a comma.
     """
     timed = {place for span in times for place in tree.at(*span)}
-    first = (order_behind_order(tree, root, timed), order_behind_statement(tree, root, timed))
+    first = (
+        order_behind_order(tree, root, timed),
+        order_behind_statement(tree, root, timed),
+        _behind_told(tree, root, timed, lexicon),
+    )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
         if place in timed and place != root:
@@ -50,6 +57,23 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         if start is not None:
             found.append(start)
     return found
+
+
+def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give an order that has what is told before it below it: "dinner is at seven, lay the table at six"."""
+    node, comma = tree.nodes[root], root - 1
+    bare = node.may_act and (node.lower == node.lemma or node.lower in lexicon.doing.past_alike)
+    if comma < LEAST_TOLD or tree.nodes[comma].text != "," or comma - 1 not in timed or not bare:
+        return None
+    if tree.children(root, *ANY_SUBJECTS, "aux", "mark"):
+        return None
+    told = any(
+        tree.nodes[place].tag == "VBZ"
+        and tree.nodes[place].head == root
+        and tree.children(place, *ANY_SUBJECTS)
+        for place in range(comma)
+    )
+    return root if told else None
 
 
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
