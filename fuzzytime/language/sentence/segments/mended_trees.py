@@ -105,7 +105,7 @@ def _with_list(tree: Tree) -> Tree:
     thing, comma = things[0], things[0] + 1
     if comma >= len(tree.nodes) or tree.nodes[comma].text != ",":
         return tree
-    further = [*tree.children(root, "conj"), *tree.children(thing, "conj", "appos")]
+    further = [*tree.children(root, "conj", "dep"), *tree.children(thing, "conj", "appos")]
     listed = next((p for p in further if tree.nodes[p].tag in NOUNS and _is_led(tree, p, comma + 1)), None)
     if listed is None or not tree.children(listed, "conj"):
         return tree
