@@ -284,3 +284,8 @@ def test_what_is_not_to_be_done_for_so_long_after_another_is_that_long_after_it(
 
 def test_minutes_to_the_hour_that_a_line_before_said_are_before_it() -> None:
     assert starts(told(["Vet at ten", "Leave at twenty to"]))["s2"] == "09:40"
+
+
+def test_an_hour_behind_what_happens_later_is_near_it() -> None:
+    made = told(["Dinner is at seven, lay the table at half six"], now=datetime(2026, 3, 4, 6))  # noqa: DTZ001
+    assert starts(made) == {"s1": "19:00", "s1.2": "18:30"}

@@ -56,6 +56,9 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         if not follows and here.onto and not here.carried:
             # "Open it at noon and close it at ten", however late that is.
             follows = [moment for moment in moments if here.since < moment]
+        if not follows and not here.carried:
+            # "Dinner is at seven, lay the table at half six", said early in the day
+            follows = [moment for moment in plausible[::-1] if here.since - CLOSE <= moment < here.since]
         chosen = next(iter(follows), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)

@@ -42,7 +42,7 @@ def _chosen(
     begun = (moment.now.hour * 3600 + moment.now.minute * 60 + since) % DAY_SECONDS
     if bound is Constraint.BETWEEN or (bound, constraint) == (Constraint.BEFORE, Constraint.AFTER):
         # "This afternoon or at eight", "before six or after eight"
-        return min((one for one in candidates if one > begun), default=None)
+        return min((one for one in candidates if one > begun), default=max(candidates))
     if bound not in {Constraint.AT, constraint}:
         return None
     policy = moment.policy
