@@ -27,7 +27,7 @@ from fuzzytime.language.sentence.segments.segment import segments_of
 from fuzzytime.language.sentence.segments.told_lengths import told_lengths
 from fuzzytime.language.sentence.segments.waiting import Part, Source, Waiting
 from fuzzytime.language.sentence.trees.tree import Tree, Trees
-from fuzzytime.language.sentence.verbs.called import with_called, with_worker
+from fuzzytime.language.sentence.verbs.called import with_called, with_event, with_worker
 from fuzzytime.language.sentence.verbs.statement_trees import as_statement
 
 CARRIERS = ("", "please ", "you should ")
@@ -223,7 +223,7 @@ def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[T
             if bare.nodes and not waiting[place].doubts(bare, lexicon):
                 found[place] = bare
     found = [
-        with_called(with_worker(tree, lexicon), one.timed(tree), lexicon)
+        with_called(with_worker(with_event(tree, lexicon), lexicon), one.timed(tree), lexicon)
         for one, tree in zip(waiting, found, strict=True)
     ]
     travelling = lexicon.travelling

@@ -77,6 +77,21 @@ def with_worker(tree: Tree, lexicon: Lexicon) -> Tree:
     return tree.with_nodes(_acting(tree, verb, {root}))
 
 
+def with_event(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give the tree of "charge drone 2 when drone 1 lands" the verb of its clause, taken for a plural."""
+    for verb in range(3, len(tree.nodes)):
+        marker, name, called, word = tree.nodes[verb - 3 : verb + 1]
+        own = {verb - 2, verb - 1, verb}
+        outside = [node.head for node in (name, called, word) if node.head not in own]
+        begins = (marker.lower,) in lexicon.clauses and word.tag == "NNS"
+        if begins and outside and tree.root not in own and _acts(name, called, word, lexicon):
+            nodes = _acting(tree, verb, {verb - 2})
+            nodes[verb] = replace(nodes[verb], head=outside[0], relation="advcl")
+            nodes[verb - 3] = replace(marker, head=verb, relation="advmod")
+            return tree.with_nodes(nodes)
+    return tree
+
+
 def _acting(tree: Tree, verb: int, heads: AbstractSet[int | None]) -> list[Node]:
     """Give the nodes of a tree in which what stands before a word does it, and has what hung on ``heads``."""
     nodes = [replace(node, head=verb) if node.head in heads else node for node in tree.nodes]
