@@ -51,7 +51,7 @@ def _told_before(scene: Scene, number: int) -> list[int]:
     names = [one for one in scene.plan.skills if one.told_by[-1:] == (f"s{number}",)]
     others = {one.wish.identifier for one in scene.plan.skills} | {f"s{number}"}
     wishes = {name for one in names for name in (f"s{number_of(one.identifier)}", *one.told_by)}
-    known = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    known = {entry.identifier for entry in scene.conversation.state.entries}
     return [number_of(name) for name in sorted(wishes & known - others)]
 
 

@@ -100,7 +100,7 @@ class Conversation:
         It stands in the order in which it was said, so that what is said anew may refer to what came between.
         """
         current = state if state is not None else self.state
-        known = {f"s{entry.number}" for entry in current.entries}
+        known = {entry.identifier for entry in current.entries}
         started = [one for one in self.store.started(self.name) if one.identifier.partition(".")[0] in known]
         agents = self.agents if current.agents is None else current.agents
         return Request(
@@ -189,7 +189,7 @@ class Conversation:
 
     def running(self, now: datetime) -> list[Started]:
         """Give the skills that have started and are not done at a moment."""
-        known = {f"s{entry.number}" for entry in self.state.entries}
+        known = {entry.identifier for entry in self.state.entries}
         return [
             one
             for one in self.store.started(self.name)
@@ -207,7 +207,7 @@ def wish_of(entry: Entry) -> SpokenWish:
     return SpokenWish(
         text=entry.text,
         given=entry.given,
-        identifier=f"s{entry.number}",
+        identifier=entry.identifier,
         hands_on=entry.hands_on,
         elapsed=entry.elapsed,
         priority=entry.priority,

@@ -66,7 +66,7 @@ def _all_later(scene: Scene, by: float) -> Reply:
     """Move everything that has not started; what is told to happen then stays, and is named."""
     entries, stays, left = [], [], waiting(scene)
     for entry in scene.conversation.state.entries:
-        mine = [(place, one) for place, one in left if one.wish.identifier == f"s{entry.number}"]
+        mine = [(place, one) for place, one in left if one.wish.identifier == entry.identifier]
         if any(one.stated for _, one in mine):
             stays.append(f"{entry.number} ({mine[0][1].skill.name})")
         elif mine and not _follows(scene, mine, left):

@@ -18,7 +18,7 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     """
     running = {number_of(one.identifier) for one in scene.conversation.running(scene.now)}
     latest = scene.conversation.state.entries[::-1]
-    labelled = next((entry for entry in latest if names == {f"s{entry.number}"}), None)
+    labelled = next((entry for entry in latest if names == {entry.identifier}), None)
     if labelled is not None:
         return labelled
     to_do = [e for e in latest if called(scene, e.number) is not None or e.number in running]
@@ -38,10 +38,10 @@ def entry_of(scene: Scene, names: frozenset[str]) -> Entry | None:
     happening = {
         one.wish.identifier: content_words(one.skill.name) for one in scene.plan.skills if one.stated
     }
-    comes = (e for e in entries if names <= happening.get(f"s{e.number}", frozenset()))
+    comes = (e for e in entries if names <= happening.get(e.identifier, frozenset()))
     own = (entry for entry in entries if names <= content_words(entry.text))
     # "It" in its words is what it is called by.
-    by_name = (e for e in entries if names <= skills.get(f"s{e.number}", frozenset()) | content_words(e.text))
+    by_name = (e for e in entries if names <= skills.get(e.identifier, frozenset()) | content_words(e.text))
     return next(comes, None) or next(own, None) or next(by_name, None)
 
 
@@ -64,7 +64,7 @@ def identifier_meant(scene: Scene, text: str) -> str:
     running = running_one(scene, names)
     if running is not None and number_of(running.identifier) == entry.number:
         return running.identifier
-    return called(scene, entry.number) or f"s{entry.number}"
+    return called(scene, entry.number) or entry.identifier
 
 
 def called(scene: Scene, number: int) -> str | None:
@@ -97,7 +97,7 @@ def running_one(scene: Scene, names: frozenset[str]) -> Started | None:
 
 def all_called(scene: Scene, names: frozenset[str]) -> list[Started]:
     """Give what has started and is named by all of some words, the latest last; without words all."""
-    known = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    known = {entry.identifier for entry in scene.conversation.state.entries}
     begun = scene.conversation.store.started(scene.conversation.name)
     return sorted(
         (one for one in begun if one.identifier.partition(".")[0] in known and names <= _words(scene, one)),

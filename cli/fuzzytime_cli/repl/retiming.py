@@ -22,7 +22,7 @@ def with_time(scene: Scene, entry: Entry, about: About) -> str:
     FuzzytimeError
         If it has several.
     """
-    mine = [one for one in scene.plan.skills if one.wish.identifier == f"s{entry.number}"]
+    mine = [one for one in scene.plan.skills if one.wish.identifier == entry.identifier]
     if len(mine) == 1 and mine[0].told_by:
         # "They are ten minutes late" has no time of its own to be replaced.
         return f"{mine[0].skill.name} {about.time} instead"

@@ -96,7 +96,7 @@ def _load_lines(scene: Scene, path: Path, texts: list[str]) -> Reply:
     planned = {interpreted.wish.identifier for interpreted in made.skills}
     faulty = {problem.text for problem in made.problems if problem.kind in UNREAD}
     new = trial.entries[len(known.entries) :]
-    unread = [entry for entry in new if f"s{entry.number}" not in planned and entry.text in faulty]
+    unread = [entry for entry in new if entry.identifier not in planned and entry.text in faulty]
     kept = [entry.text for entry in new if entry not in unread]
     faults = [problem for problem in made.problems if problem.text in {entry.text for entry in unread}]
     lines = [line for problem in faults[:MOST_FAULTS] for line in problem_lines(problem, scene.width)]

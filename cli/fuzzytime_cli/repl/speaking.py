@@ -97,7 +97,7 @@ def _check_labels(scene: Scene, reading: Reading) -> None:
     FuzzytimeError
         If something is to be done with a label, or begins with one.
     """
-    labels = {f"s{entry.number}" for entry in scene.conversation.state.entries}
+    labels = {entry.identifier for entry in scene.conversation.state.entries}
     objects = (one.operation.object for one in reading.instructions if one.operation is not None)
     for said in (reading.text.partition(" ")[0], *objects):
         if said in labels:

@@ -24,6 +24,11 @@ class Entry:
     moved_by: float = 0.0
     moved_to: datetime | None = None
 
+    @property
+    def identifier(self) -> str:
+        """The label that it is called by: "s2"."""
+        return f"s{self.number}"
+
 
 @dataclass(frozen=True, slots=True)
 class KeptReading:

@@ -199,6 +199,7 @@ class BesideTimes:
     contrary: Words
     taken_back: Words
     courteous: Words
+    second_choice: Words
     obliging: Words
     obliged: Words
 

@@ -63,11 +63,9 @@ def _joined(
     group, joints = [phrases[0]], set[str]()
     for following in phrases[1:]:
         between = {word.text for word in words[group[-1].end : following.first]}
-        if between & {"otherwise", "else"}:
-            between -= lexicon.beside.courteous
-        if "failing" in between:
-            # "At noon or, failing that, at two"
-            between -= closed.singular_anaphors
+        if between & lexicon.beside.second_choice:
+            # "Today if you can, otherwise tomorrow", "at noon or, failing that, at two"
+            between -= lexicon.beside.courteous | closed.singular_anaphors
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
             # "Monday wednesday and friday", as it is said; "mon/wed/fri"
             between = {","}
