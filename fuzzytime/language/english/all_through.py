@@ -1,5 +1,6 @@
 """Clock times all through a period: "at six for the rest of the week", "all week at noon"."""
 
+from fuzzytime.language.english.counted import for_the_next_one
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord, Wall
@@ -30,6 +31,13 @@ def clock_all_week(said: Said, unit: UnitWord) -> Repeat | None:
     return each_day(said, Said(Duration(((1, unit.unit),)), Constraint.FOR)) if long else None
 
 
+@grammar.rule("repeat", "<said> ,? for the next|coming <unit>", weight=0.6)
+def clock_for_the_next(said: Said, unit: UnitWord) -> Repeat | None:
+    """At six for the next week."""
+    coming = for_the_next_one(unit)
+    return None if coming is None else each_day(said, coming)
+
+
 @grammar.rule("repeat", "all <unit> ,? <said>", "all <unit> long ,? <said>", weight=0.6)
 def all_week_at(unit: UnitWord, said: Said) -> Repeat | None:
     """All week at six."""
@@ -43,7 +51,7 @@ def all_next_week_at(days: Calendar, said: Said) -> Repeat | None:
     return None if daily is None else narrowed_repeat(daily, Wall(days))
 
 
-@grammar.rule("repeat", "<said> all <days>", weight=0.6)
+@grammar.rule("repeat", "<said> all <days>", "<said> for all of? <days>", weight=0.6)
 def clock_all_next_week(said: Said, days: Calendar) -> Repeat | None:
-    """At noon all next week."""
+    """At noon all next week, at noon for all of next week."""
     return all_next_week_at(days, said)

@@ -16,6 +16,7 @@ from fuzzytime.language.meaning.expressions import (
     UnitWord,
     Wall,
 )
+from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -162,6 +163,14 @@ def for_another(number: Integer) -> Said:
 def over_the_next(duration: Duration) -> Said:
     """Over the next two hours: any time in them."""
     return Said(Coming(replace(duration, hedges=())), Constraint.BETWEEN, "during", duration.hedges)
+
+
+@grammar.rule("said", "for the next|coming <unit>", weight=0.5)
+def for_the_next_one(unit: UnitWord) -> Said | None:
+    """For the next week, as for the next seven days: from now on."""
+    if len(unit.form) == 1 or unit.unit in SUB_DAY or unit.unit is Unit.DAY:
+        return None
+    return over_the_next(Duration(((unit.count, unit.unit),)))
 
 
 @grammar.rule("said", "for the? first <duration>", weight=0.5)

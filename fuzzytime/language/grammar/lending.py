@@ -22,7 +22,7 @@ STOPS = frozenset({".", ";", "!", "?"})
 NOON = 12 * 3600
 
 
-def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
+def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Lend a number the unit of the length of time before it: "for two minutes, … and for one".
 
     Behind "after" a number is an hour, unless it is said what goes on meanwhile: "rotating it after 20".
@@ -58,6 +58,9 @@ def in_unit(phrase: Phrase, before: Phrase, words: Sequence[Word]) -> Phrase:
     between = words[before.end : phrase.first]
     meanwhile = any(word.text.endswith(PARTICIPLE) for word in between)
     if clock is None or clock.grain is not Unit.HOUR or (said.preposition == "after" and not meanwhile):
+        return phrase
+    if between and between[-1].text in lexicon.events:
+        # "Set a timer for ten minutes and an alarm for seven"
         return phrase
     duration = Duration(((clock.hour, unit),))
     constraint = Constraint.FOR if said.preposition == "for" else said.constraint

@@ -143,7 +143,7 @@ def phrases_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Phrase, ...]:
         for one in (one_by_one(phrase, scanned.words, lexicon) if phrase.said.listed else (phrase,))
     ]
     for place in range(1, len(found)):
-        found[place] = in_unit(found[place], found[place - 1], scanned.words)
+        found[place] = in_unit(found[place], found[place - 1], scanned.words, lexicon)
     found = [in_minutes(phrase, scanned.words, lexicon) for phrase in found]
     found = [due_then(phrase, scanned.words, lexicon) for phrase in found]
     found = [appointed(moved_to(phrase, scanned.words, lexicon), scanned.words, lexicon) for phrase in found]

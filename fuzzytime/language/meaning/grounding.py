@@ -1,6 +1,6 @@
 """From what was said to instants: the time now and the policy decide what the words leave open."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from datetime import date, datetime, timedelta
 from itertools import islice
@@ -179,7 +179,7 @@ class Grounding(Standpoint):
         night = wall.part is not None and wall.part.half.is_late
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
-        for days in islice(self.days(calendar), 3):
+        for days in self._beginning_today(islice(self.days(calendar), 3)):
             moments = [midnight(days.first) + timedelta(seconds=seconds) for seconds in clock.candidates()]
             if night:
                 moments = [self._of_night(moment, days.first) for moment in moments]
@@ -188,7 +188,8 @@ class Grounding(Standpoint):
             # A weekday or a date that is today means today only while its clock time is ahead.
             ahead = [moment for moment in moments if moment >= self.now]
             dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
-            if not ahead and not calendar.fixed and not dated:
+            goes_on = days.first == self.now.date() and (days.end - days.first).days > 1
+            if not ahead and (goes_on or (not calendar.fixed and not dated)):
                 continue
             if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:
                 # "This morning at three", said at half past four, is the morning to come.
@@ -201,6 +202,15 @@ class Grounding(Standpoint):
                 moments = prepared
             return decided(self, sorted(moments), clock, wall)
         raise UngroundedError("a time of day must lie on its day")
+
+    def _beginning_today(self, periods: Iterable[Days]) -> Iterator[Days]:
+        """Give what is to come of periods of several days: "at six this week" is no day that is over."""
+        today = self.now.date()
+        for days in periods:
+            begun = days.first < today < days.end
+            yield replace(days, first=today) if begun else days
+            if begun and today + timedelta(days=1) < days.end:
+                yield replace(days, first=today + timedelta(days=1))
 
     def _of_night(self, moment: datetime, day: date) -> datetime:
         """Put the small hours into the night that began the evening before, unless that night is now."""

@@ -16,7 +16,7 @@ from fuzzytime.language.sentence.segments.orders_in_front import (
     order_behind_order,
 )
 from fuzzytime.language.sentence.segments.overlooked_orders import is_overlooked
-from fuzzytime.language.sentence.trees.tags import IMPERATIVE
+from fuzzytime.language.sentence.trees.tags import DETERMINERS, IMPERATIVE, SINGULAR
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.actions import action_of, gone_to_do
 from fuzzytime.language.sentence.verbs.statements import (
@@ -33,6 +33,11 @@ SHORTEST = 2
 FINITE = frozenset({"VBZ", "VBD", "VBP", "MD"})
 LEAST_TOLD = 4
 """Words of "dinner is at ten", at least."""
+LEAST_NAMED = 2
+"""Words of "dinner today", at least."""
+
+NAMING = frozenset({*SINGULAR, *DETERMINERS, "JJ"})
+"""Tags of words that name one thing."""
 
 EMBEDDED = frozenset({"xcomp", "ccomp", "relcl", "acl", "pcomp"})
 
@@ -48,6 +53,7 @@ def further_verbs(tree: Tree, root: int, lexicon: Lexicon, times: Sequence[Span]
         order_behind_order(tree, root, timed),
         order_behind_statement(tree, root, timed),
         _behind_told(tree, root, timed, lexicon),
+        _behind_named(tree, root, timed, lexicon),
     )
     found = [start for start in first if start is not None]
     for place in range(len(tree.nodes)):
@@ -74,6 +80,25 @@ def _behind_told(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> in
         for place in range(comma)
     )
     return root if told else None
+
+
+def _behind_named(tree: Tree, root: int, timed: set[int], lexicon: Lexicon) -> int | None:
+    """Give an order that has what is named with a time before it: "dentist at three, pick up the kids at four".
+
+    A machine is named to be asked: "robot at three, dock".
+    """
+    comma = root - 1
+    if comma < LEAST_NAMED or tree.nodes[comma].text != "," or not tree.nodes[root].may_act:
+        return None
+    named = next((place for place in range(comma) if place in timed), 0)
+    if not named or not timed.issuperset(range(named, comma)):
+        return None
+    things = tree.nodes[:named]
+    asked = {node.lower for node in things} & (lexicon.machines | lexicon.addresses)
+    if asked or things[-1].tag not in SINGULAR or any(node.tag not in NAMING for node in things):
+        return None
+    bare = tree.nodes[root].tag in IMPERATIVE and tree.nodes[root].lower == tree.nodes[root].lemma
+    return root if bare and not tree.children(root, "aux", "mark", "neg") else None
 
 
 def _start_at(tree: Tree, place: int, root: int, timed: set[int], lexicon: Lexicon) -> int | None:

@@ -101,18 +101,17 @@ def _names_another(
     if listed and not happens:
         # "Story at seven, lights out by half past": one word says what becomes of the thing.
         return all(tag == "RP" for tag in others[1:])
-    if not _binds_alike(old, new, happens=happens):
+    opened = between[1].text in lexicon.closed.noun_openers
+    lasting = opened and bool(objects) and Constraint.FOR in {old.said.constraint, new.said.constraint}
+    if not (lasting or _binds_alike(old, new, happens=happens)):
+        # "An alarm for seven and a timer for ten minutes"
         return False
     places = part.tree.children(root, "prep") if root is not None else ()
     # "Stop for a brew at ten and for lunch at noon"
     prepositions = set() if objects else {part.tree.nodes[p].lower for p in places}
     led = between[1].text in prepositions
     has_object = one.segment.verbless or (root is not None and bool(part.tree.children(root, "dobj", "intj")))
-    named = (
-        led
-        or between[1].text in lexicon.closed.noun_openers
-        or (has_object and between[0].text in {"and", ","})
-    )
+    named = led or opened or (has_object and between[0].text in {"and", ","})
     return named and not others
 
 

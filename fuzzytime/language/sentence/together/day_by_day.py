@@ -83,8 +83,13 @@ def _is_of_days(said: Said) -> bool:
 
 
 def _of_each_day(sketch: Sketch, text: str, lexicon: Lexicon) -> list[Phrase]:
-    """Give the parts of a day that is not said, where all of them are meant."""
+    """Give the parts of a day that is not said, where all of them are meant.
+
+    So of clock times, if what is to be done is soon over: "water the plants at seven for a week".
+    """
     times = [phrase for phrase in sketch.phrases if _is_part(phrase)]
+    if not times and sketch.operation is not None and _is_soon_over(sketch.operation, lexicon):
+        times = [phrase for phrase in sketch.phrases if _is_clock(phrase)]
     between = text[times[0].span[1] : times[-1].span[0]].lower().split() if times else []
     return times if lexicon.closed.alternatives.isdisjoint(between) else []
 
@@ -93,6 +98,18 @@ def _is_part(phrase: Phrase) -> bool:
     """Whether it is a part of a day that is not said, or one side of it."""
     time = phrase.said.time
     return isinstance(time, Wall) and time.days is None and time.clock is None and time.part is not None
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time of a day that is not said."""
+    time = phrase.said.time
+    return isinstance(time, Wall) and time.days is None and time.clock is not None
+
+
+def _is_soon_over(operation: Operation, lexicon: Lexicon) -> bool:
+    """Whether what is done takes no days: "take the pill at seven for a week"."""
+    brought = operation.lemma in lexicon.doing.bringing and operation.place is not None
+    return not brought and operation.lemma in lexicon.dosing | lexicon.doing.by_the_day
 
 
 def _goes_on(sketch: Sketch, lexicon: Lexicon) -> bool:
