@@ -12,7 +12,8 @@ from itertools import pairwise
 
 from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted
-from fuzzytime.interpreter.steps import Row, Step, is_anchored
+from fuzzytime.interpreter.procedures import procedures
+from fuzzytime.interpreter.steps import Row, Step, is_anchored, is_asked, repeats
 from fuzzytime.language import (
     Instruction,
     Lexicon,
@@ -61,7 +62,7 @@ class Rows:
 
     def add(self, skills: Sequence[Interpreted], places: range, instruction: int) -> None:
         """Add what an instruction, by its place, asks for; what happens, or again and again, is no step."""
-        if len(places) == 1 and _is_asked(skills[places[0]]):
+        if len(places) == 1 and is_asked(skills[places[0]]):
             self.row.add(Step(places[0], skills[places[0]], instruction))
 
     def join(
@@ -73,8 +74,19 @@ class Rows:
     ) -> None:
         """Let what one sentence joins by "and" follow, where it goes on with the same thing, or with none.
 
-        Behind a comma alone, only what leaves its thing unsaid follows: "boil the rice, drain, serve".
+        Behind a comma alone, only what leaves its thing unsaid follows: "boil the rice, drain, serve". Three
+        steps or more are a procedure: "take off at ten, circle the field, land".
         """
+        for steps in procedures(reading, made, skills, lexicon):
+            row = Row()
+            for step in steps:
+                if _waits(step, lexicon):
+                    # Who waits follows as ``pause`` says.
+                    self.precedences += row.precedences
+                    row = Row()
+                else:
+                    row.add(step)
+            self.precedences += row.precedences
         for (first, before), (second, after) in pairwise(made):
             between = reading.text[first.span[1] : second.span[0]].strip()
             joined = between.strip(" ,").lower() == "and" and _goes_on_with(first, second)
@@ -98,7 +110,7 @@ class Rows:
             return
         first, *inside, last = (Step(places[0], skills[places[0]]) for _, places in made[opened:])
         for step in inside:
-            if _is_asked(step.interpreted) and step.ordered:
+            if is_asked(step.interpreted) and step.ordered:
                 pairs = ((first, step), (step, last))
                 # Of two with times of their own, the times say which comes first.
                 self.precedences += [a.precedence(b) for a, b in pairs if not (a.timed and b.timed)]
@@ -113,12 +125,12 @@ class Rows:
             one, other = Step(before, skills[before]), Step(made[0], skills[made[0]])
             if not other.timed and all(map(_may_follow, other.interpreted.requirements)):
                 self.precedences.append(one.precedence(other))
-        if not any(map(_repeats, (skills[place] for place in made))):
+        if not any(map(repeats, (skills[place] for place in made))):
             self.latest[operation.object] = made[-1]
 
     def pause(self, made: Sequence[int], skills: Sequence[Interpreted], lexicon: Lexicon) -> None:
         """Let who waits do so right behind what was asked for before, and what comes next follow on that."""
-        steps = [Step(place, skills[place]) for place in made if _is_asked(skills[place])]
+        steps = [Step(place, skills[place]) for place in made if is_asked(skills[place])]
         if len(steps) != 1:
             return
         (step,), before = steps, self.asked
@@ -179,7 +191,7 @@ def of_places(skills: Sequence[Interpreted]) -> Iterator[Precedence]:
 
     Where two have times of their own, these say their order, unless they are the same.
     """
-    steps = [Step(place, one) for place, one in enumerate(skills) if _is_asked(one)]
+    steps = [Step(place, one) for place, one in enumerate(skills) if is_asked(one)]
     for step in steps:
         order = _order_of(step)
         for other in steps if order is not None else ():
@@ -198,11 +210,6 @@ def _waits(step: Step, lexicon: Lexicon) -> bool:
     operation = step.interpreted.operation
     waits = operation is not None and operation.lemma in lexicon.doing.waiting and operation.object is None
     return waits and not any(part.condition or part.anchor for part in step.interpreted.requirements)
-
-
-def _is_asked(made: Interpreted) -> bool:
-    """Whether something is asked for, once."""
-    return made.operation is not None and not made.stated and not _repeats(made)
 
 
 def without_now(instruction: Instruction) -> Instruction:
@@ -260,10 +267,6 @@ def _shuts(closing: Instruction, opening: Instruction, lexicon: Lexicon) -> bool
     if one is None or other is None or not other.again or one.object != other.object:
         return False
     return undoes(other, one, lexicon)
-
-
-def _repeats(interpreted: Interpreted) -> bool:
-    return any(part.recurrence is not None for part in interpreted.requirements)
 
 
 def _may_follow(part: TimeRequirement) -> bool:

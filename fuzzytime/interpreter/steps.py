@@ -102,3 +102,13 @@ def is_anchored(part: TimeRequirement) -> bool:
 
 def _is_behind(part: TimeRequirement) -> bool:
     return part.anchor is not None and part.anchor.edge is Edge.END and not part.anchor.exact
+
+
+def is_asked(made: Interpreted) -> bool:
+    """Whether something is asked for, once."""
+    return made.operation is not None and not made.stated and not repeats(made)
+
+
+def repeats(interpreted: Interpreted) -> bool:
+    """Whether it is done again and again."""
+    return any(part.recurrence is not None for part in interpreted.requirements)

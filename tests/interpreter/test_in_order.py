@@ -28,6 +28,26 @@ def test_what_leaves_its_thing_out_follows_behind_a_comma() -> None:
     assert not told(["boil the rice, chop the onion, wash the pan"]).interpretation.order
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Take off at 9:30, circle for ten minutes, land",
+        "Undock at 9:30, drive to shelf 4, scan it, come back",
+        "Melt the butter, add the flour, pour in the milk, whisk",
+        "At 9:30 start the pump; stop it after 90 seconds; report",
+    ],
+)
+def test_a_sentence_of_several_steps_is_a_procedure(text: str) -> None:
+    made = told([text])
+    names = [f"s1.{place}" if place > 1 else "s1" for place in range(1, len(made.schedule.skills) + 1)]
+    assert order(made) == names
+
+
+def test_chores_of_one_sentence_wait_for_no_other() -> None:
+    made = told(["call mum at six pm, wash the car, buy milk"])
+    assert order(made)[-1] == "s1"
+
+
 def test_a_numbered_list_says_that_its_order_holds() -> None:
     lines = [f"{number}. {line}" for number, line in enumerate(RECIPE, 1)]
     assert order(told([*lines, "water the plants"]))[:4] == ["s1", "s2", "s3", "s4"]
