@@ -46,6 +46,8 @@ class FuzzySkill:
         no moment was named, and earlier is better.
     alternatives
         Further starts that were named, one of which will do as well: "at six or at eight".
+    until
+        When it is over, in seconds, whenever it starts: "play jazz until ten". It takes ``elapsed`` at least.
     happens
         Whether it happens by itself and needs no agent, whatever else is done meanwhile: "the train leaves at
         9:15". Its duration is 0 then.
@@ -67,6 +69,7 @@ class FuzzySkill:
     agent: int | None = None
     preferred: float | None = None
     alternatives: tuple[float, ...] = ()
+    until: float | None = None
     happens: bool = False
 
     def __post_init__(self) -> None:
@@ -88,6 +91,10 @@ class FuzzySkill:
         """Seconds from start until the result is there."""
         return self.duration if self.elapsed is None else self.elapsed
 
+    def done_at(self, start: float) -> float:
+        """Give when the result is there of what starts at a time, or when it is over."""
+        return max(start + self.time_until_done, -math.inf if self.until is None else self.until)
+
     @property
     def named(self) -> tuple[float, ...]:
         """The starts that were named, the preferred one first."""
@@ -108,6 +115,7 @@ class SpecificSkill:
     parameters: Mapping[str, str] = field(default_factory=dict, hash=False)
     elapsed: float | None = None
     agent: int = 1
+    until: float | None = None
 
     @property
     def end(self) -> float:
@@ -116,8 +124,9 @@ class SpecificSkill:
 
     @property
     def done(self) -> float:
-        """When the result is there."""
-        return self.start + (self.duration if self.elapsed is None else self.elapsed)
+        """When the result is there, or when it is over."""
+        done = self.start + (self.duration if self.elapsed is None else self.elapsed)
+        return done if self.until is None else max(done, self.until)
 
 
 @dataclass(frozen=True, slots=True)

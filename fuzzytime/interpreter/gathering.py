@@ -13,7 +13,6 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links
 from fuzzytime.interpreter.remarks import is_spoiled, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, SpokenWish, Wish
-from fuzzytime.interpreter.retold import released, then_behind
 from fuzzytime.interpreter.told_anew import meant, on_its_day, told_anew
 from fuzzytime.language import (
     Instruction,
@@ -131,10 +130,6 @@ class Gathering:
             return timed[-1:]
         step = without_now(instruction) if listed and self.rows.begun else instruction
         made = self._make(wish, reading, step)
-        for target in then_behind(instruction):
-            before = [self.skills[place] for place in self._skills_at(target)]
-            for place in made:
-                self.skills[place] = released(self.skills[place], before, self.maker.request)
         if listed:
             self.rows.add(self.skills, made, len(self.links.instructions))
         self._go_there(wish, reading, instruction, len(self.links.instructions))

@@ -15,6 +15,7 @@ from fuzzytime.interpreter.making import Maker
 from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
+from fuzzytime.interpreter.retold import behind_ends
 from fuzzytime.interpreter.told_anew import as_they_happened
 from fuzzytime.language import Language, Reading, check_length, with_words
 from fuzzytime.language.instruction import Span, overlap
@@ -129,6 +130,7 @@ class Interpreter:
         problems += called
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)
         order = free_of_circles((*gathered.rows.kept(), *of_places(skills)), precedences)
+        skills = behind_ends(skills, (*precedences, *order))
         following = {entry.second for entry in order}
         skills = [replace(one, in_order=place in following) for place, one in enumerate(skills)]
         horizon = horizon_of(skills, request)

@@ -11,7 +11,7 @@ from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both, either, with_alternatives
 from fuzzytime.interpreter.lasting import with_lasting
 from fuzzytime.interpreter.request import MAX_HORIZON, WITHOUT_END, DirectWish, Request, SpokenWish, Wish
-from fuzzytime.interpreter.retold import from_to, going_to, occurrence, waiting_until
+from fuzzytime.interpreter.retold import from_to, going_to, occurrence, until_then, waiting_until
 from fuzzytime.interpreter.waits import with_waits
 from fuzzytime.language import Instruction, Lexicon, Operation, Reading
 from fuzzytime.requirement import Constraint, Reference, TimeRequirement
@@ -120,6 +120,9 @@ class Maker:
         if not reason and function.support.empty:
             reason = "what is said about its time contradicts itself"
         skill = self._skill(wish, operation.name if operation is not None else wish.text, function, duration)
+        ends = until_then(instruction, self.lexicon)
+        if ends is not None:
+            skill = replace(skill, until=ends + seconds_between(self.request.now, wish.given))
         return Interpreted(
             identifier=wish.identifier,
             wish=wish,

@@ -1,44 +1,39 @@
 """Instructions in other words: two ends as start and length, one occurrence of many, the way somewhere."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from fuzzytime.interpreter.interpretation import Interpreted
 from fuzzytime.interpreter.joining import both
-from fuzzytime.interpreter.request import Request
 from fuzzytime.language import Instruction, Lexicon, Operation
 from fuzzytime.requirement import Anchor, Constraint, Edge, Reference, TimeRequirement
 from fuzzytime.satisfaction import Rectangle
-from fuzzytime.times import seconds_between
+from fuzzytime.skills import Precedence
 
 RIGHT_THEN = "exactly"
 """How near what somebody goes to follows the way there."""
 
 UNTIL = "until"
-THEN = "then"
 LASTING = frozenset({"be", "have"})
 """What is said of somebody or something that is so for a while: "I'm out until four"."""
 
 
-def then_behind(instruction: Instruction) -> list[int]:
-    """Give the instructions that words such as "then" put one behind."""
-    anchors = (part.anchor for part in instruction.requirements if part.preposition == THEN)
-    return [anchor.target for anchor in anchors if anchor is not None and anchor.target is not None]
+def behind_ends(skills: Sequence[Interpreted], entries: Iterable[Precedence]) -> list[Interpreted]:
+    """Let skills begin no sooner than until when those before them go on: "mop until ten, then rest".
 
-
-def released(made: Interpreted, before: Sequence[Interpreted], request: Request) -> Interpreted:
-    """Let a skill begin no sooner than until when those before it are done: "mop until ten, then rest"."""
-    ends = [
-        part.latest + seconds_between(request.now, one.wish.given)
-        for one in before
-        for part in one.requirements
-        if part.preposition == UNTIL and part.anchor is None and part.latest is not None
-    ]
-    if not ends:
-        return made
-    function = both(made.skill.satisfaction, Rectangle(max(ends), math.inf))
-    return replace(made, skill=replace(made.skill, satisfaction=function))
+    Where that would leave one no time, it keeps those it has.
+    """
+    found = list(skills)
+    for entry in entries:
+        until, second = found[entry.first].skill.until, found[entry.second].skill
+        if until is None or entry.minimum_lag < 0:
+            continue
+        function = both(second.satisfaction, Rectangle(until + entry.minimum_lag, math.inf))
+        if not function.support.empty:
+            skill = replace(second, satisfaction=function)
+            found[entry.second] = replace(found[entry.second], skill=skill)
+    return found
 
 
 def waiting_until(instruction: Instruction, lexicon: Lexicon) -> Instruction:
@@ -55,6 +50,28 @@ def waiting_until(instruction: Instruction, lexicon: Lexicon) -> Instruction:
         for part in instruction.requirements
     )
     return replace(instruction, requirements=requirements)
+
+
+def until_then(instruction: Instruction, lexicon: Lexicon) -> float | None:
+    """Give until when goes on what is asked for: "play jazz until ten", but "post the letter until ten".
+
+    None where how long it takes is said, or nothing says when it is over.
+    """
+    operation = instruction.operation
+    if operation is None or not operation.is_asked or instruction.duration is not None:
+        return None
+    if operation.lemma in lexicon.doing.by_then:
+        return None
+    ends = [
+        part.latest
+        for part in instruction.requirements
+        if part.preposition == UNTIL
+        and part.constraint is Constraint.BEFORE
+        and part.reference is not Reference.FINISH
+        and part.anchor is None
+        and not part.alternative
+    ]
+    return ends[0] if len(ends) == 1 else None
 
 
 def from_to(instruction: Instruction) -> Instruction:

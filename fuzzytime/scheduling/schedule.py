@@ -156,7 +156,9 @@ class Schedule:
         """The skills with their start times, in the task's order."""
         rows = zip(self.task.skills, self.start_times, self.agents, strict=True)
         return tuple(
-            SpecificSkill(skill.name, start, skill.duration, skill.parameters, skill.elapsed, agent)
+            SpecificSkill(
+                skill.name, start, skill.duration, skill.parameters, skill.elapsed, agent, skill.until
+            )
             for skill, start, agent in rows
         )
 

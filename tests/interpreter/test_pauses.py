@@ -46,6 +46,23 @@ def test_what_comes_then_waits_until_the_other_is_over(text: str) -> None:
     assert starts(made)["s1.2"] == "10:00"
 
 
+@pytest.mark.parametrize("text", ["Play jazz until 10 am", "Keep the soup warm until 10 am", "Mow till 10 am"])
+def test_what_is_done_until_a_time_goes_on_until_then(text: str) -> None:
+    made = told([text, "Call mum at 9 am"])
+    first, call = made.schedule.skills
+    assert (first.start, first.done, call.start) == (0, 3 * 3600, 2 * 3600)
+
+
+@pytest.mark.parametrize("text", ["Post the letter until 10 am", "Finish the report until 10 am"])
+def test_what_is_done_at_one_moment_is_done_by_then(text: str) -> None:
+    assert told([text]).schedule.skills[0].done < 3 * 3600
+
+
+def test_a_step_behind_it_waits_in_a_list_too() -> None:
+    made = told(["Charge the mower", "Mow until 10 am", "Dock"], in_order=True)
+    assert made.schedule.skills[2].start == 3 * 3600
+
+
 def test_what_is_waited_for_is_no_pause() -> None:
     made = told(["Mop the hall", "Weigh the flour"])
     assert made.schedule.task.precedences == ()

@@ -33,7 +33,7 @@ def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
     assumed = [
         (position, format_duration(interpreted.skill.duration or interpreted.skill.time_until_done))
         for position, interpreted in enumerate(plan.skills)
-        if interpreted.duration.assumed
+        if interpreted.duration.assumed and interpreted.skill.until is None
     ]
     if assumed:
         yield Text("durations assumed: " + ", ".join(_lengths(assumed, labels)), style="dim")

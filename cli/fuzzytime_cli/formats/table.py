@@ -75,7 +75,7 @@ class PlanView:
             for position, skill in enumerate(self.schedule.skills)
             if not self.schedule.rejected[position]
         ]
-        times = [time for skill in planned for time in (skill.start, skill.end)]
+        times = [time for skill in planned for time in (skill.start, skill.done)]
         brief = any(0 < skill.duration < MINUTE for skill in planned)
         if brief or max(times, default=0.0) < COARSE:
             return Clock.for_times(self.plan.request.now, times)
@@ -119,13 +119,11 @@ class PlanView:
         return ", ".join(filter(None, (moved_words(interpreted.wish.moved), words)))
 
     def times(self, position: int) -> tuple[str, str]:
-        """Give when a skill starts and ends, by the clock; one that is rejected does neither."""
+        """Give when a skill starts and is done, by the clock; one that is rejected does neither."""
         if self.schedule.rejected[position]:
             return "–", "–"
         specific = self.schedule.skills[position]
-        happens = self.plan.skills[position].skill.happens
-        end = specific.done if happens else specific.end
-        return self.clock.of(specific.start), self.clock.end_of(specific.start, end)
+        return self.clock.of(specific.start), self.clock.end_of(specific.start, specific.done)
 
     def doer(self, position: int) -> str:
         """Give the agent that does a skill; what is rejected, or happens by itself, is nobody's."""

@@ -225,14 +225,14 @@ class Dispatcher:
             instruction=waiting.interpreted.words,
             planned_s=waiting.start,
             end_s=now + skill.duration,
-            done_s=now + skill.time_until_done,
+            done_s=skill.done_at(now),
             agent=waiting.agent,
             satisfaction=self._satisfaction(waiting, now),
             parameters=dict(skill.parameters),
             fuzzy_parameters=tuple(parameter.text for parameter in skill.fuzzy_parameters),
         )
         start = replace(start, command=self.progress.executor.command_for(start))
-        yield from self.progress.begin(start, skill.time_until_done - skill.duration)
+        yield from self.progress.begin(start, skill.done_at(now) - now - skill.duration)
 
     def _happen(self, waiting: Waiting, now: float) -> Event:
         """Tell what happens by itself; it does so at its time, though nobody looked then."""
@@ -242,7 +242,7 @@ class Dispatcher:
             name=waiting.name,
             instruction=waiting.interpreted.words,
             planned_s=waiting.start,
-            done_s=waiting.start + waiting.interpreted.skill.time_until_done,
+            done_s=waiting.interpreted.skill.done_at(waiting.start),
             satisfaction=waiting.satisfaction,
         )
         return self.progress.happen(event)

@@ -216,6 +216,7 @@ class Doing:
     ending: Words
     going_on: Words
     for_days: Words
+    by_then: Words
     by_the_day: Words
     running: Words
     taking: Words
