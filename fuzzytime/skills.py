@@ -51,12 +51,14 @@ class FuzzySkill:
     happens
         Whether it happens by itself and needs no agent, whatever else is done meanwhile: "the train leaves at
         9:15". Its duration is 0 then.
+    in_passing
+        Whether it is done in passing, beside whatever else keeps its agent. Its duration is 0 then, too.
 
     Raises
     ------
     FuzzytimeError
         If a duration is negative or not finite, the priority is not above 0, a start that was named is not
-        finite, or what happens by itself has a duration.
+        finite, or what happens by itself or in passing has a duration.
     """
 
     name: str
@@ -71,11 +73,13 @@ class FuzzySkill:
     alternatives: tuple[float, ...] = ()
     until: float | None = None
     happens: bool = False
+    in_passing: bool = False
 
     def __post_init__(self) -> None:
-        if self.happens and self.duration:
+        if self.needs_nobody and self.duration:
+            what = "happens by itself" if self.happens else "is done in passing"
             raise FuzzytimeError(
-                f"what happens by itself must take no agent's time, got a duration of {self.duration:g} s"
+                f"what {what} must take no agent's time, got a duration of {self.duration:g} s"
             )
         for named in self.named:
             if not math.isfinite(named):
@@ -85,6 +89,11 @@ class FuzzySkill:
                 raise FuzzytimeError(f"a skill's {name} must be finite and at least 0, got {value}")
         if not 0 < self.priority < math.inf:
             raise FuzzytimeError(f"a skill's priority must be above 0 and finite, got {self.priority}")
+
+    @property
+    def needs_nobody(self) -> bool:
+        """Whether it keeps no agent from anything else."""
+        return self.happens or self.in_passing
 
     @property
     def time_until_done(self) -> float:

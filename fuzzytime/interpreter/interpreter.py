@@ -12,6 +12,7 @@ from fuzzytime.interpreter.horizon import horizon_of, within_horizon
 from fuzzytime.interpreter.in_order import Rows, free_of_circles, of_places
 from fuzzytime.interpreter.interpretation import Interpretation, Problem, ProblemKind
 from fuzzytime.interpreter.making import Maker
+from fuzzytime.interpreter.passing import in_passing
 from fuzzytime.interpreter.references import Links, link
 from fuzzytime.interpreter.remarks import notes_of, problem_of, remarks_of
 from fuzzytime.interpreter.request import DirectWish, Request, SpokenWish
@@ -125,7 +126,8 @@ class Interpreter:
                     self._remark(reading_left, wish, admitted, problems)
                 gathered.spoken(wish, reading_left, told)
         gathered.finish()
-        happened = as_they_happened(gathered.skills, request.started)
+        happened, passing = in_passing(as_they_happened(gathered.skills, request.started), self.rulebook)
+        problems += passing
         skills, called = by_agents(happened, request)
         problems += called
         skills, precedences, unresolved = link(skills, gathered.links, self.rulebook, request.now)

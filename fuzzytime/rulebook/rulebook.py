@@ -166,6 +166,11 @@ class Rulebook:
         """Give the hands-on seconds of what goes on by itself for a length, by the table of durations."""
         return self.tables.durations.left_alone(duration, length, verb)
 
+    def in_passing(self, hands_on: float, interval: float) -> bool:
+        """Say whether what takes hands so long, again and again, may be done beside something else."""
+        times = self.tables.durations.in_passing
+        return times is not None and interval >= times * hands_on
+
     def duration_of(self, lemma: str | None, thing: str | None = None) -> OperationDuration:
         """Give how long an operation takes where nobody said it, by its verb's lemma and its object."""
         return self.tables.durations.of(lemma, thing)

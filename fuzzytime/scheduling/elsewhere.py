@@ -130,7 +130,7 @@ def _around(schedule: Schedule, members: list[int], within: Interval) -> FuzzyTa
     busy = [
         Busy(specific[position].start, specific[position].end, agent=specific[position].agent)
         for position in sorted(set(range(len(specific))) - {*members, *pinned})
-        if not schedule.rejected[position] and not task.skills[position].happens
+        if not schedule.rejected[position] and not task.skills[position].needs_nobody
     ]
     part = task.select([*members, *pinned])
     return replace(part, skills=tuple(skills), busy=(*task.busy, *busy))

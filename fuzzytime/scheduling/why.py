@@ -214,7 +214,7 @@ def _bond(schedule: Schedule, position: int, other: int, starts: Interval) -> Bo
             continue
         if starts.intersection(allowed).empty:
             return Bond.ORDER
-    both_work = not (mine.happens or schedule.task.skills[other].happens)
+    both_work = not (mine.needs_nobody or schedule.task.skills[other].needs_nobody)
     same = both_work and mine.agent in {None, its.agent} and not schedule.rejected[other]
     if same and its.start < starts.high + mine.duration and starts.low < its.end:
         return Bond.OVERLAP

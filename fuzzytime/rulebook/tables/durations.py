@@ -56,11 +56,15 @@ class Durations:
     rows: Mapping[Key, OperationDuration] = field(default_factory=lambda: MappingProxyType({}))
     default: OperationDuration | None = None
     begun: Begun | None = None
+    in_passing: float | None = None
+    """How many times as long as it takes the time between is at least, for what is repeated in passing."""
 
     def overridden(self, by: "Durations") -> "Durations":
         """Give these rows with another's laid over them."""
         rows = MappingProxyType({**self.rows, **by.rows})
-        return Durations(rows, by.default or self.default, by.begun or self.begun)
+        return Durations(
+            rows, by.default or self.default, by.begun or self.begun, by.in_passing or self.in_passing
+        )
 
     def left_alone(self, row: OperationDuration, length: float, verb: str | None = None) -> float | None:
         """Give the hands-on seconds of what goes on by itself for so many seconds; None where it does not.

@@ -67,7 +67,7 @@ def _only_orders(task: FuzzyTask, entry: Precedence) -> bool:
     """Tell whether a precedence only says which of two skills comes first, on one agent who does both."""
     first, second = task.skills[entry.first], task.skills[entry.second]
     low = first.time_until_done + entry.minimum_lag
-    works = not (first.happens or second.happens)
+    works = not (first.needs_nobody or second.needs_nobody)
     return works and -second.duration < low <= first.duration and entry.maximum_lag == math.inf
 
 
@@ -77,7 +77,7 @@ def _by_size(task: FuzzyTask, watch: Stopwatch) -> tuple[int, ...] | None:
     members = [
         position
         for position, spans in enumerate(windows)
-        if not (spans and task.skills[position].happens) and not _is_never_over(task, position, spans)
+        if not (spans and task.skills[position].needs_nobody) and not _is_never_over(task, position, spans)
     ]
     before = {
         position: {entry.first for entry in task.precedences if entry.second == position}
@@ -112,7 +112,7 @@ def _windows(task: FuzzyTask) -> list[tuple[Interval, ...]]:
     taken = tuple(sorted((Interval(busy.start, busy.end) for busy in task.busy), key=lambda span: span.low))
     wanted = (strictly_above(skill.satisfaction, TINY, horizon) for skill in task.skills)
     return [
-        spans if skill.happens else free_of(spans, taken, skill.duration)
+        spans if skill.needs_nobody else free_of(spans, taken, skill.duration)
         for spans, skill in zip(wanted, task.skills, strict=True)
     ]
 

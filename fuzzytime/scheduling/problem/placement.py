@@ -56,7 +56,7 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
         for agent in everybody if busy.agent is None else [busy.agent]:
             rota.take(agent, busy.start, busy.end)
     for skill, start, agent in zip(task.skills, starts, agents, strict=True):
-        if not math.isnan(start) and not skill.happens:
+        if not math.isnan(start) and not skill.needs_nobody:
             rota.take(agent, start, start + skill.duration)
     pairs = zip(task.skills, starts, strict=True)
     end_of_all = max((start + skill.duration for skill, start in pairs if not math.isnan(start)), default=0.0)
@@ -80,7 +80,7 @@ def place_rest(task: FuzzyTask, jobs: Sequence[Job], starts: list[float], agents
                 f"every skill needs a time when an agent is free for it, got none for {skill.name!r}"
             )
         starts[job.position], agents[job.position] = start, agent
-        if not skill.happens:
+        if not skill.needs_nobody:
             rota.take(agent, start, start + job.duration)
 
 

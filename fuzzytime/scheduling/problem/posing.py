@@ -96,8 +96,8 @@ def _united(spans: Sequence[Interval], others: Sequence[Interval]) -> tuple[Inte
 
 def _may_do(lane: Lane, skill: FuzzySkill, task: FuzzyTask) -> bool:
     """Tell whether a lane is for a skill: that of nobody for what happens by itself, and for nothing else."""
-    if skill.happens or lane.agents == (task.agents + 1,):
-        return skill.happens and lane.agents == (task.agents + 1,)
+    if skill.needs_nobody or lane.agents == (task.agents + 1,):
+        return skill.needs_nobody and lane.agents == (task.agents + 1,)
     return skill.agent in {None, *lane.agents}
 
 
@@ -113,7 +113,7 @@ def _lanes(task: FuzzyTask) -> tuple[Lane, ...]:
         Lane(tuple(members), tuple(Interval(low, high) for low, high in times))
         for (times, _), members in agents.items()
     ]
-    if any(skill.happens for skill in task.skills):
+    if any(skill.needs_nobody for skill in task.skills):
         lanes.append(Lane((task.agents + 1,), ()))
     return tuple(lanes)
 
@@ -182,7 +182,7 @@ def _free(task: FuzzyTask, jobs: list[Job]) -> list[int]:
     happening = {
         position
         for position, skill in enumerate(task.skills)
-        if skill.happens
+        if skill.needs_nobody
         and any(jobs[position].windows)
         and (position not in bound or jobs[position].earliest == jobs[position].latest)
     }

@@ -12,9 +12,9 @@ _TIMES = ("hands_on", "elapsed")
 
 
 def read_durations(scope: Scope, node: Node, key: str) -> Durations:
-    """Read a default, operations by verb with rows for single objects, and what is only begun."""
+    """Read a default, operations by verb with rows for single objects, what is begun or done in passing."""
     reader = scope.reader
-    found = reader.mapping(node, key, ("default", "operations", "begun"))
+    found = reader.mapping(node, key, ("default", "operations", "begun", "in_passing"))
     default = None
     if "default" in found:
         times = scope.row(found["default"], f"{key}.default", _TIMES)
@@ -35,7 +35,15 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
             begun = Begun(hands_on, length, frozenset(map(str.lower, verbs)))
         else:
             reader.missing(found["begun"], path, ("hands_on", "times"))
-    return Durations(MappingProxyType(rows), default, begun)
+    passing = None
+    if "in_passing" in found:
+        path = f"{key}.in_passing"
+        bounds = scope.row(found["in_passing"], path, ("times",))
+        if "times" in bounds:
+            passing = reader.number(bounds["times"], f"{path}.times", 1.0, 1000.0)
+        else:
+            reader.missing(found["in_passing"], path, ("times",))
+    return Durations(MappingProxyType(rows), default, begun, passing)
 
 
 def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
