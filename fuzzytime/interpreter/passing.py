@@ -12,6 +12,9 @@ from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKi
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.rulebook import Rulebook
 
+FAIR = 0.5
+"""Satisfaction with which an occurrence may still give way to something else."""
+
 
 def in_passing(
     skills: Sequence[Interpreted], rulebook: Rulebook
@@ -41,12 +44,15 @@ def _longer(one: Interpreted, skills: Sequence[Interpreted], rulebook: Rulebook)
     interval, hands_on = _interval(one), one.skill.duration
     if interval is None or not hands_on or not rulebook.in_passing(hands_on, interval):
         return None
+    around = one.skill.satisfaction.acceptable(FAIR)
+    # One may be as early, and the next as late, as satisfies fairly.
+    between = interval - hands_on + around.high - around.low
     return next(
         (
             other
             for other in skills
             if _interval(other) is None
-            and other.skill.duration > interval - hands_on
+            and other.skill.duration > between
             and (other.skill.agent is None or one.skill.agent in {None, other.skill.agent})
         ),
         None,

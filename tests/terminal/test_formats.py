@@ -10,6 +10,7 @@ from xml.dom import minidom
 import icalendar
 import pytest
 
+from fuzzytime_cli.formats.series import SHOWN
 from terminal.running import ran
 
 NOW = ("--now", "2026-03-04T09:00", "--zone", "Europe/Berlin")
@@ -202,3 +203,12 @@ def test_seconds_are_shown_where_minutes_are_not_enough(tmp_path: Path) -> None:
     assert "s2 09:21 09:31" in minutes
     assert "s1 09:00:42 09:01:42" in table("Stir the soup now")
     assert "s1 09:00:42 09:01:12" in table("Pour the coffee now", "Call mum in about 20 minutes")
+
+
+def test_many_occurrences_that_go_as_asked_stand_in_one_row(tmp_path: Path) -> None:
+    said = ("-i", "check the ewe every 20 minutes until noon", "-i", "milk at 11 am")
+    lines = ran("plan", *said, *NOW, folder=tmp_path).out.splitlines()
+    rows = [line for line in lines if "check the ewe" in line or "more, until" in line]
+    assert len(rows) == SHOWN + 1
+    assert rows[-1].split() == ["…", "10:20", "and", "6", "times", "more,", "until", "12:02"]
+    assert len(json.loads(written(tmp_path, "json", *said))["skills"]) == SHOWN + 6 + 1

@@ -72,6 +72,7 @@ def _skill(plan: Plan, position: int, interpreted: Interpreted) -> Json:
         "name": skill.name,
         "operation": _operation(interpreted),
         "happens": skill.happens,
+        "in_passing": skill.in_passing,
         "fuzzy_parameters": [
             {"text": parameter.text, "noun": parameter.noun, "quantity": parameter.quantity}
             for parameter in skill.fuzzy_parameters

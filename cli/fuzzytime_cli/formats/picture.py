@@ -10,6 +10,7 @@ from fuzzytime_cli.drawing.markup import element, picture, words
 from fuzzytime_cli.drawing.svg import path
 from fuzzytime_cli.drawing.ticks import ticks
 from fuzzytime_cli.formats.clock import date_of
+from fuzzytime_cli.formats.series import folded
 from fuzzytime_cli.render import plain, width_of
 
 WIDTH, LEFT, RIGHT, LANE, TOP, BOTTOM = 820, 210, 76, 38, 26, 56
@@ -36,12 +37,15 @@ class _Picture:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         self.skills = plan.schedule.skills
-        planned = [skill for skill, out in zip(self.skills, plan.schedule.rejected, strict=True) if not out]
+        self.folded = folded(plan)
+        hidden = {position for more in self.folded.values() for position in more}
+        self.shown = [position for position in plan.schedule.order if position not in hidden]
+        planned = [self.skills[place] for place in self.shown if not plan.schedule.rejected[place]]
         ends = [max(skill.done, skill.end) for skill in planned] or [600.0]
-        windows = [interpreted.skill.satisfaction.acceptable(0.02) for interpreted in plan.skills]
+        windows = [plan.skills[place].skill.satisfaction.acceptable(0.02) for place in self.shown]
         wishes = [window.high for window in windows if not window.empty and window.high < 2 * max(ends)]
         self.end = max(*ends, *wishes, 60.0) * 1.02
-        self.bottom = TOP + LANE * len(self.skills)
+        self.bottom = TOP + LANE * len(self.shown)
         self.busy = [busy for busy in plan.request.busy if busy.start < self.end and busy.end > 0]
 
     def across(self, time: float) -> float:
@@ -51,7 +55,7 @@ class _Picture:
     def document(self) -> str:
         """Give the whole picture."""
         parts = [*self._head(), *self._axis(), *self._busy()]
-        for row, position in enumerate(self.plan.schedule.order):
+        for row, position in enumerate(self.shown):
             parts += self._lane(position, TOP + LANE * (row + 1) - 8)
         title = f"Plan from {self.plan.request.now:%Y-%m-%d %H:%M}"
         return picture(WIDTH, self.bottom + BOTTOM, title, STYLE, "".join(parts) + self._legend())
@@ -121,6 +125,8 @@ class _Picture:
         start, end, done = (self.across(time) for time in (specific.start, specific.end, specific.done))
         said = element("title", words(interpreted.words or specific.name))
         figure = "rejected" if rejected else f"{satisfaction:.2f}"
+        if position in self.folded:
+            figure = f"+ {len(self.folded[position])}: {figure}"
         if self.plan.schedule.task.agents > 1 and not rejected and not interpreted.skill.happens:
             figure = f"by {specific.agent}: {figure}"
         parts = [

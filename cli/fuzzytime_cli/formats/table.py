@@ -12,6 +12,7 @@ from fuzzytime_cli.drawing.ticks import axis
 from fuzzytime_cli.formats.clock import Clock
 from fuzzytime_cli.formats.notes import note_lines
 from fuzzytime_cli.formats.reasons import MOST_SECONDS, clash_sentence, loss_lines, moved_words
+from fuzzytime_cli.formats.series import folded
 from fuzzytime_cli.formats.timeline import TAKEN, Window, lane, shades, taken
 from fuzzytime_cli.formats.whole import how_near, whole
 from fuzzytime_cli.render import fitted, plain, width_of, wrapped_text
@@ -63,9 +64,13 @@ class PlanView:
         self.seconds = seconds
         self.plan, self.width, self.unicode = plan, width, unicode
         self.schedule = plan.schedule
+        self.folded = folded(plan)
+        hidden = {position for more in self.folded.values() for position in more}
+        self.shown = [position for position in self.schedule.order if position not in hidden]
         self.clock = self._clock()
         self.labels = [plain(interpreted.identifier) for interpreted in plan.skills]
-        labels = [*self.labels, *(["busy"] if plan.request.busy else [])]
+        labels = [self.labels[position] for position in self.shown]
+        labels += ["busy"] if plan.request.busy else []
         self.label_width = min(12, max(map(width_of, labels), default=2))
 
     def _clock(self) -> Clock:
@@ -134,7 +139,7 @@ class PlanView:
 
     def _columns(self) -> _Columns:
         """Share the width: bar and asked words give way first, then the end, then the name is cut."""
-        positions = range(len(self.plan.skills))
+        positions = self.shown
         time, longest_end = (
             max(5, *map(width_of, moments)) for moments in zip(*map(self.times, positions), strict=True)
         )
@@ -159,7 +164,21 @@ class PlanView:
         cells += [fitted("satisfied" if columns.bar else "", columns.bar + 5 if columns.bar else 4)]
         cells += ["asked"] if columns.asked else []
         heading = Text(" ".join(cells).rstrip(), style="bold")
-        return [heading, *(self._row(position, columns) for position in self.schedule.order)]
+        rows = [heading]
+        for position in self.shown:
+            rows.append(self._row(position, columns))
+            if position in self.folded:
+                rows.append(self._further(self.folded[position], columns))
+        return rows
+
+    def _further(self, positions: tuple[int, ...], columns: _Columns) -> Text:
+        """Give one row for further occurrences of a repetition: how many, and from when to when."""
+        first, last = (self.schedule.skills[place] for place in (positions[0], positions[-1]))
+        begins, ends = self.clock.of(first.start), self.clock.end_of(first.start, last.done)
+        row = Text(fitted("…", self.label_width) + " " + fitted(begins, columns.time), style="dim")
+        row.append(" " * (columns.end + 1 if columns.end else 0) + " " * (3 if columns.agent else 0))
+        row.append(f" and {len(positions)} times more, until {ends}")
+        return row
 
     def _row(self, position: int, columns: _Columns) -> Text:
         specific, satisfaction = self.schedule.skills[position], self.schedule.satisfactions[position]
@@ -188,7 +207,7 @@ class PlanView:
         skills = self.schedule.skills
         window = Window(0.0, self._end(), self.width - self.label_width - 2)
         yield self._axis(window)
-        for position in self.schedule.order:
+        for position in self.shown:
             specific, function = skills[position], self.plan.skills[position].skill.satisfaction
             rejected = self.schedule.rejected[position]
             cells = (
@@ -211,9 +230,10 @@ class PlanView:
 
     def _end(self) -> float:
         """Give where the timeline ends: behind all work, and behind wishes that end not much later."""
-        planned = zip(self.schedule.skills, self.schedule.rejected, strict=True)
-        last = max((max(skill.done, skill.end) for skill, rejected in planned if not rejected), default=600.0)
-        wishes = [interpreted.skill.satisfaction.acceptable(0.02).high for interpreted in self.plan.skills]
+        planned = [position for position in self.shown if not self.schedule.rejected[position]]
+        skills = self.schedule.skills
+        last = max((max(skills[place].done, skills[place].end) for place in planned), default=600.0)
+        wishes = [self.plan.skills[place].skill.satisfaction.acceptable(0.02).high for place in self.shown]
         return max(60.0, 1.02 * max([last, *(wish for wish in wishes if wish < 2 * last)]))
 
     def _axis(self, window: Window) -> Text:
