@@ -9,8 +9,11 @@ from fuzzytime.interpreter import Plan, Problem, ProblemKind
 from fuzzytime.times import format_duration
 from fuzzytime_cli.render import plain
 
-MOST_NOTES = 5
+MOST_NOTES = 12
 """Notes that are told at most."""
+
+ADVICE = ": say am or pm"
+"""How notes end that tell which half of the day was taken: many, and mostly right."""
 
 MOST_TOGETHER = 8
 """Of notes that end in the same advice, so many are told."""
@@ -40,18 +43,22 @@ def note_lines(plan: Plan, labels: Sequence[str]) -> Iterator[Text]:
 
 
 def _together(notes: Sequence[Problem]) -> list[str]:
-    """Give the sentences of notes; those that end in the same advice ("…: say am or pm") are one."""
+    """Give the sentences of notes; those that end in the same advice ("…: say am or pm") are one, and last.
+
+    Others begin with the skill, or the line, that they are about.
+    """
     found: dict[tuple[str, str], dict[str, None]] = {}
-    for problem in notes:
+    for problem in sorted(notes, key=lambda one: one.message.endswith(ADVICE)):
         head, colon, advice = plain(problem.message).rpartition(": ")
-        kind = (plain(problem.identifier), f"{colon}{advice}")
+        place = "" if problem.line is None or problem.message.endswith(ADVICE) else f"line {problem.line}"
+        kind = (plain(problem.identifier) or place, f"{colon}{advice}")
         found.setdefault(kind, {})[head] = None
     sentences = []
-    for (identifier, advice), heads in found.items():
+    for (about, advice), heads in found.items():
         named = list(heads)
         more = f"; and {len(named) - MOST_TOGETHER} more" if len(named) > MOST_TOGETHER + 1 else ""
         told = "; ".join(named[:MOST_TOGETHER] if more else named)
-        sentences.append(f"{identifier}: {told}{more}{advice}" if identifier else f"{told}{more}{advice}")
+        sentences.append(f"{about}: {told}{more}{advice}" if about else f"{told}{more}{advice}")
     return sentences
 
 

@@ -2,6 +2,7 @@
 
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.standing import Standing
+from fuzzytime.language.grammar.timetables import in_timetable
 from fuzzytime.language.grammar.words import joins
 from fuzzytime.language.meaning.expressions import Said, Wall
 from fuzzytime.requirement import Unit
@@ -50,7 +51,7 @@ class BareHours(Standing):
             # "Move my three o'clock to five"
             return True
         if said.preposition in {None, "to", "in", "on", "of", "during", "sometime"}:
-            return said.preposition is None and bool(said.hedges)
+            return said.preposition is None and (bool(said.hedges) or self._is_listed(piece))
         return True
 
     def accept_pair(self, piece: Piece, said: Said) -> bool:
@@ -66,7 +67,9 @@ class BareHours(Standing):
         unit = self.around.is_unit(piece.end) or self.measures.measured(piece)
         bound = said.preposition is not None or bool(said.hedges)
         # "Pick up the kids three fifteen": it is no number that is picked.
-        alone = not (bound or self.around.is_unit(piece.end)) and self._ends_behind_object(piece)
+        alone = not (bound or self.around.is_unit(piece.end)) and (
+            self._ends_behind_object(piece) or self._is_listed(piece)
+        )
         return alone or (bound and (self.around.may_end(piece) or (sure and not unit)))
 
     def _ends_behind_object(self, piece: Piece) -> bool:
@@ -80,6 +83,10 @@ class BareHours(Standing):
         happens = before in self.lexicon.happening - self.lexicon.measure_nouns
         ends = {"", ".", "!", ",", ";"} | self.closed.further_clause
         return spelt and (someone or named or happens) and self.around.follower(piece) in ends
+
+    def _is_listed(self, piece: Piece) -> bool:
+        """Whether it is the hour of an entry of a list: "vet 10, dentist 3"."""
+        return in_timetable(self.words, piece.start, piece.end, self.lexicon)
 
     def _leads_to_distance(self, piece: Piece) -> bool:
         """Whether so long before or after something follows: "at ten two days before the fair"."""

@@ -34,7 +34,14 @@ class Further(Standing):
         if isinstance(time, Range) or time.clock is None:
             return self._further_days(piece, cells, chosen)
         joint = self.around.follower(piece)
-        if joint not in {"and", "or", ","} or any(one.start == place for one in chosen):
+        if joint == "," and self.texts[place] in {"and", "or"}:
+            # "At nine, or ten"
+            joint, place = self.texts[place], place + 1
+        if (
+            place >= len(self.words)
+            or joint not in {"and", "or", ","}
+            or any(one.start == place for one in chosen)
+        ):
             return []
         if self.doses.count(place):
             return []

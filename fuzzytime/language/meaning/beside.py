@@ -41,7 +41,8 @@ def joined(first: Wall, second: Wall) -> Wall | None:
     # "Dinner on thursday" is a thing with its time; "tomorrow lunch" is a time.
     if (first.bare and second.bare) or (first.weak and first.part is not None):
         return None
-    if second.weak and second.part is not None and second.part.place:
+    if second.weak and second.part is not None and (second.part.place or (first.clock and second.part.meal)):
+        # "Gym at noon, lunch at one"
         return None
     # "The second on friday" is another thing's; "friday the second" is a day.
     if _is_ordinal(first) and isinstance(second.days, Fields) and second.days.weekly:

@@ -110,11 +110,13 @@ def _behind_happening(phrases: Sequence[Phrase], words: Sequence[Word], lexicon:
         all(word.text in lexicon.closed.noun_openers | lexicon.taken for word in words[: first.first])
         and first.first > 1
     )
-    if not named and words[first.first - 1].text not in lexicon.happening:
+    # "Vet 10, dentist 3"
+    listed = first.first == 1 and words[0].text in lexicon.taken and len(phrases) > 1
+    if not (named or listed) and words[first.first - 1].text not in lexicon.happening:
         return
     behind = first.end + 1
     if behind < len(words) and words[first.end].text in {",", "-", ":"}:
-        taken = lexicon.function_words | lexicon.places
+        taken = lexicon.function_words | lexicon.places | lexicon.closed.alternatives
         if words[behind].is_letters and words[behind].text not in taken and phrases[-1].first != behind:
             yield behind
 
