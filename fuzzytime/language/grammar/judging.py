@@ -57,7 +57,7 @@ class Judge:
     def accepts(self, piece: Piece) -> bool:
         """Whether a reading is a time here."""
         said: Said = piece.value
-        if self.borders.refuse(piece):
+        if self.borders.refuse(piece) or self.measures.is_level(piece):
             return False
         time = said.time
         if self._counts_from_thing(piece, time):

@@ -8,6 +8,8 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.meaning.expressions import Range, Said, Wall
 from fuzzytime.requirement import Constraint, Unit
 
+AT = "at"
+
 AMOUNTED = frozenset({"by", "until", "through", "from", "between"})
 """Bounds that amounts have too: "by 10", "until 10"; "before 10" and "after 10" are times."""
 
@@ -57,6 +59,36 @@ class Measures:
             self.lexicon.particles.get(word, frozenset()) for word in before if word in self.beside.switched
         )
         return any(not found.isdisjoint(before) for found in verbs)
+
+    def is_level(self, piece: Piece) -> bool:
+        """Whether something is kept or left at a number: "keep the fridge at four", "stay at 18 until six".
+
+        Who keeps an appointment at four does so then, and so who leaves the house at six.
+        """
+        at = piece.start
+        while at and self.is_number(at):
+            at -= 1
+        place = at + 1
+        while self.is_number(place):
+            place += 1
+        hour = not self.beside.of_clocks.isdisjoint(self.texts[place : place + 1])
+        if self.texts[at] != AT or place == at + 1 or hour or self.texts[place : place + 1] == ["."]:
+            return False
+        before = self.texts[max(0, at - NEAR) : at]
+        verb = next((p for p in reversed(range(len(before))) if before[p] in self._keeping), None)
+        if verb is None:
+            return False
+        thing = before[verb + 1 :]
+        inside = self.closed.prepositions_of_time | self.lexicon.particles.keys() | self.closed.additions
+        timed = self.lexicon.events | self.lexicon.happening | self.lexicon.taken | self.lexicon.results
+        if not inside.isdisjoint(thing) or not timed.isdisjoint(thing[-1:]):
+            return False
+        levels = before[verb] in self.beside.kept_at
+        return levels or not self.beside.with_levels.isdisjoint(thing[-1:])
+
+    @property
+    def _keeping(self) -> frozenset[str]:
+        return self.beside.kept_at | self.beside.left_at
 
     def _is_other_order(self, place: int) -> bool:
         """Whether what stands before a word begins another order: "dim it and lock the door by 10"."""

@@ -142,6 +142,9 @@ class BesideTimes:
     being_late: Words
     prefixes: Words
     greeting: Words
+    kept_at: Words
+    left_at: Words
+    with_levels: Words
     of_hours: Words
     of_clocks: Words
     clock_subjects: Words
