@@ -149,6 +149,10 @@ def _is_noun(piece: Piece, around: Surroundings) -> bool:
     if piece.category == "unit" and "by" in around.texts[max(0, piece.start - 3) : piece.start]:
         # "Push the meeting back by half an hour": how much later, and no time.
         return True
+    verb = around.texts[piece.start - 2] if piece.start > 1 else ""
+    if piece.category == "unit" and verb in around.beside.amounts_of_time:
+        # "Rewind two minutes"
+        return True
     numbered = piece.end < len(around.words) and around.words[piece.end].is_digits
     if piece.category == "unit" and numbered and around.words[piece.start].capital:
         # "Year 4"

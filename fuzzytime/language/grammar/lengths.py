@@ -20,6 +20,8 @@ class Lengths(Standing):
             return False
         if said.preposition is None and self._is_of_word_before(piece, duration):
             return False
+        if said.preposition != self.texts[piece.start] and self._is_amount(piece):
+            return False
         if said.preposition != "for" and self._is_ahead(piece.end):
             # "Confirm it 24 hours in advance": of what, is not said.
             return False
@@ -48,6 +50,16 @@ class Lengths(Standing):
         if said.constraint is Constraint.FOR and said.preposition is None:
             return self._accepts_length(piece)
         return True
+
+    def _is_amount(self, piece: Piece) -> bool:
+        """Whether it says how much, and not how long: "add another five minutes to it", "go back 30 s".
+
+        "Get back an hour before they come" says when.
+        """
+        opened = self.around.before(piece) in self.closed.noun_openers | self.closed.indefinite_determiners
+        verb = self.texts[max(0, piece.start - 1 - opened)]
+        amounts = self.beside.amounts_of_time | self.beside.amount_particles
+        return verb in amounts and not self._is_before_marker(piece.end)
 
     def _is_of_word_before(self, piece: Piece, duration: Duration) -> bool:
         """Whether the word before a length without a preposition makes it none."""

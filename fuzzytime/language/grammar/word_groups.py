@@ -157,6 +157,8 @@ class BesideTimes:
     distances: Words
     ahead: Words
     no_length: Words
+    amount_particles: Words
+    amounts_of_time: Words
     not_how_long: Words
     as_long_as: Words
     behind_gone_on: Words

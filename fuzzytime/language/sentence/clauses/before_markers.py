@@ -111,8 +111,11 @@ class BeforeMarker:
         return Phrase(said, first, place, (self.words[first].start, self.words[place - 1].end), rule)
 
     def _lasts(self, place: int) -> bool:
-        """Whether a verb that takes a length of time stands here: "rest five minutes before slicing"."""
-        return place >= 0 and self.words[place].text in self.lexicon.lasting
+        """Whether a verb that takes a length of time stands here: "rest five minutes before slicing".
+
+        What has a time is none: "remind me of the meeting an hour before it starts".
+        """
+        return place >= 0 and self.words[place].text in self.lexicon.lasting - self.lexicon.events
 
 
 def _before_now(phrase: Phrase) -> Phrase | None:
