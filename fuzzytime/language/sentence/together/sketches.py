@@ -17,6 +17,7 @@ from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
+from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
@@ -37,6 +38,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon)
         for sketch in under_first_line(told, draft.text)
     ]
+    told = days_on(told, draft.text, lexicon)
     split = (
         counted_apart(one, words, lexicon)
         for sketch in told
