@@ -27,6 +27,9 @@ BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"
 EXTREMES = frozenset({"latest", "earliest"})
 """The ends of "at the latest" and "at the earliest"."""
 
+OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"})
+"""The rules of days side by side, of which each will do."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
@@ -122,12 +125,14 @@ class Borders:
         return offered and self.measures.is_number(piece.end - 1) and not self.around.may_end(piece)
 
     def _offers_more(self, piece: Piece) -> bool:
-        """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
+        """Whether one of some days has a time of its own, or all are bounds: "by monday or tuesday"."""
         led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
         # "On friday or saturday to the fair", "on friday or saturday about the report"
         place = piece.end + any(p.category in BINDING for p in self.around.pieces(piece.end))
         timed = self.around.timely(place) or self.measures.is_number(place)
-        return piece.rule == "ranges.either_day" and (led or timed)
+        # "On monday or tuesday or friday"
+        more = self.texts[piece.end : piece.end + 1] == ["or"] and self.around.timely(piece.end + 1)
+        return piece.rule in OFFERED_DAYS and (led or timed or more)
 
     def _likens(self, piece: Piece) -> bool:
         """Whether its "like" is what something looks like: "what is the weather like on friday"."""

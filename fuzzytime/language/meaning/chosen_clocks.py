@@ -37,6 +37,9 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
+    again = _at_same_hour(here, moments)
+    if again is not None:
+        return Instants(again, again, clock.grain, tuple(moments), wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None:
         chosen = morning
@@ -62,6 +65,18 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         chosen = next(iter(follows), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the moment in the half of the day that the same number was in before, of the same thing.
+
+    "At six on wednesday, thursday and friday": all in the evening, or none.
+    """
+    since = here.since
+    if since is None or not here.listed or len({moment.date() for moment in moments}) > 1 or len(moments) < 2:
+        return None
+    days_apart = since.date() != moments[0].date()
+    return next((moment for moment in moments if days_apart and moment.time() == since.time()), None)
 
 
 def _of_morning(
@@ -111,6 +126,11 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     return (first <= moment.time() < last or closes) and (
         not here.lasting or (end.date() == moment.date() and end.time() <= last)
     )
+
+
+def is_unusual(here: Standpoint, moments: Sequence[datetime]) -> bool:
+    """Whether people do what is asked for at none of some moments, as far as its usual hours are known."""
+    return here.usual and not any(_is_plausible(here, moment, ahead=True) for moment in moments)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:

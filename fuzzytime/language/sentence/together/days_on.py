@@ -1,4 +1,4 @@
-"""What is done day by day from a day on: "starting tomorrow wake me at six", "from now on lock it at eleven"."""
+"""What is done day by day from a day on: "starting tomorrow wake me at six", "from now on lock it at ten"."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -72,7 +72,7 @@ def _beginning(repeat: Repeat, first: Said) -> Repeat | None:
 
 
 def _is_first_day(said: Said) -> bool:
-    """Whether it says from which day on something holds: "starting monday", "from now on"; not "after monday"."""
+    """Whether it says from which day on something holds: "from now on", and not "after monday"."""
     if said.constraint is not Constraint.AFTER or said.edge is not Edge.START or said.hedges:
         return False
     time = said.time

@@ -15,6 +15,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
+from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
 from fuzzytime.language.sentence.together.days_on import days_on
@@ -48,7 +49,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     )
     for one in split:
         whole, later = _first_offered(one, draft.text)
-        remarks += (not_used(draft.text, span) for span in later)
+        whole, others = first_of_choices(whole, words, lexicon)
+        remarks += (not_used(draft.text, span) for span in (*later, *others))
         found += of_several_times(whole, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
     placed = on_their_days(found, draft.text, draft.heading)
