@@ -10,6 +10,7 @@ import yaml
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
@@ -60,7 +61,9 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 series = instruction.repeats
                 coming = (
                     series.coming(len(value))
-                    if isinstance(series, CalendarRecurrence | EvenRecurrence | RecurrenceOnDays)
+                    if isinstance(
+                        series, CalendarRecurrence | EvenRecurrence | RecurrenceByMonths | RecurrenceOnDays
+                    )
                     else ()
                 )
                 found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]

@@ -6,7 +6,7 @@ from dataclasses import replace
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Edge, Phrase, Repeat, Said, TimeWord, Wall
 from fuzzytime.language.meaning.first_times import STARTING, beginning
-from fuzzytime.language.meaning.throughout import in_parts_of_each_day, is_clock_time
+from fuzzytime.language.meaning.throughout import in_part, in_parts_of_each_day, is_clock_time
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
 from fuzzytime.requirement import Constraint
@@ -48,7 +48,9 @@ def _from_day_on(sketch: Sketch, first: Phrase, text: str, lexicon: Lexicon) -> 
     if not series and first.said.preposition in HABITS and _is_habit(sketch, lexicon):
         series = _clocks(others, text, lexicon)
         part = first.said.time.part if isinstance(first.said.time, Wall) else None
-        repeat = in_parts_of_each_day([_in_part(clock.said, part) for clock in series])
+        repeat = in_parts_of_each_day(
+            [one.said if part is None else in_part(one.said, part) for one in series]
+        )
     if not isinstance(repeat, Repeat) or not repeat.walls:
         return sketch
     began = _beginning(repeat, first.said)
@@ -100,10 +102,3 @@ def _clocks(phrases: Sequence[Phrase], text: str, lexicon: Lexicon) -> list[Phra
     between = text[clocks[0].span[1] : clocks[-1].span[0]].lower().split() if clocks else []
     whole = len(clocks) == len(phrases) and lexicon.closed.alternatives.isdisjoint(between)
     return clocks if whole else []
-
-
-def _in_part(said: Said, part: object) -> Said:
-    """Give a clock time in a part of the day: "starting tonight turn the lights off at ten"."""
-    time = said.time
-    within = isinstance(time, Wall) and time.part is None and part is not None
-    return replace(said, time=replace(time, part=part)) if within else said
