@@ -6,7 +6,7 @@ import pytest
 
 from fuzzytime.language import Language
 
-NOW = datetime(2026, 3, 4, 9)
+NOW = datetime(2026, 3, 4, 9)  # noqa: DTZ001 - said on the wall clock
 
 
 @pytest.mark.parametrize(

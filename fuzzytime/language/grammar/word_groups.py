@@ -217,6 +217,8 @@ class Doing:
     going_on: Words
     for_days: Words
     by_the_day: Words
+    shutting: Words
+    lit: Words
     running: Words
     taking: Words
     spent: Words

@@ -6,8 +6,9 @@ from datetime import datetime, time, timedelta
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.instants import Instants, midnight
 from fuzzytime.language.meaning.standpoint import Standpoint
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 
+NOON = 12
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
 
@@ -37,9 +38,10 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
-    again = _at_same_hour(here, moments)
-    if again is not None:
-        return Instants(again, again, clock.grain, tuple(moments), wall.zone)
+    told = _at_same_hour(here, moments) or _of_night(here, moments)
+    if told is not None:
+        choices = tuple(moments) if told in moments else ()
+        return Instants(told, told, clock.grain, choices, wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None:
         chosen = morning
@@ -77,6 +79,17 @@ def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | N
         return None
     days_apart = since.date() != moments[0].date()
     return next((moment for moment in moments if days_apart and moment.time() == since.time()), None)
+
+
+def _of_night(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the evening, or the morning behind it: "close it at eight and open it at seven"."""
+    if here.overnight is None:
+        return None
+    if here.overnight is Half.EVENING:
+        return next((moment for moment in moments if moment.hour >= NOON), None)
+    mornings = [moment for moment in moments if moment.hour < NOON]
+    since = here.since or here.now
+    return next((m + timedelta(days=m <= since) for m in mornings), None)
 
 
 def _of_morning(

@@ -150,6 +150,11 @@ def is_weekday(phrase: Phrase) -> bool:
     return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
 
 
+def is_from_today(phrase: Phrase) -> bool:
+    """Whether it is so many days from today: "tomorrow"."""
+    return isinstance(phrase.said.time, Wall) and isinstance(phrase.said.time.days, Relative)
+
+
 def _is_weekday(wall: Wall) -> bool:
     return isinstance(wall.days, Fields) and wall.days.weekly
 

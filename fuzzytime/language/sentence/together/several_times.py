@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.mornings import part_said
 from fuzzytime.language.sentence.together.said_again import (
     apart,
+    is_from_today,
     is_weekday,
     with_shared_clock,
     with_shared_part,
@@ -45,7 +46,9 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
             rest = [phrase for phrase in sketch.phrases if phrase not in group]
             if joints & closed.alternatives:
                 shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
-                first, *others = _on_one_day(with_shared_clock(shared), words)
+                # "Today if you can, otherwise tomorrow at ten": today at any time
+                near = any(map(is_from_today, shared))
+                first, *others = _on_one_day(shared if near else with_shared_clock(shared), words)
                 others = [
                     _bound_as(first, replace(one, said=replace(one.said, alternative=True))) for one in others
                 ]
