@@ -139,6 +139,13 @@ def test_a_word_about_time_that_names_a_thing_is_not_pointed_at(text: str) -> No
     assert language().read(text, now=NOW).remarks == ()
 
 
+def test_a_date_of_what_is_named_is_pointed_at() -> None:
+    text = "book a flight for the ninth returning the sixteenth"
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+    assert text[slice(*remark.span)] == "the sixteenth"
+
+
 def test_what_and_joins_to_a_denial_is_said_to_be_denied_too() -> None:
     (remark,) = language().read("don't open the lid and stir it", now=NOW).remarks
     assert remark.message == "'stir it' is taken as denied, too: what is to be done stands behind 'but'"

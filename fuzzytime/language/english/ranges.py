@@ -7,7 +7,7 @@ from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.beside import refined
+from fuzzytime.language.meaning.beside import lasts_then, refined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -264,6 +264,12 @@ def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     if not isinstance(goal, Goal) or not isinstance(duration, Duration) or not isinstance(goal.time, Wall):
         return None
     return Said(goal.time, None, "at", goal.hedges, lasting=duration)
+
+
+@grammar.rule("said", "from <duration>|<integer> to <duration>", weight=-2)
+def changed_length(first: Duration | Integer, second: Duration) -> Said | None:
+    """(change the timer) from ten to fifteen minutes: the second is how long it is then."""
+    return None if second.until is not None else lasts_then(second)
 
 
 @grammar.rule("said", "for|during|in|over the? last|final <duration> before the? <wall>", weight=1.2)

@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.events import Events
+from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
@@ -30,6 +31,9 @@ EXTREMES = frozenset({"latest", "earliest"})
 OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"})
 """The rules of days side by side, of which each will do."""
 
+CHANGED_LENGTH = "ranges.changed_length"
+"""The rule of what gets another length: "from ten to fifteen minutes"."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
@@ -45,6 +49,7 @@ class Borders:
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
         self.dining = Dining(lexicon, around)
+        self.given = GivenTimes(lexicon, around)
         self.events = Events(words, lexicon, around, self.measures)
 
     def refuse(self, piece: Piece) -> bool:
@@ -73,8 +78,16 @@ class Borders:
             or any(map(self.doses.count, range(piece.start, piece.end)))
             or self.dining.is_purpose(piece)
             or self._offers_more(piece)
+            or self._begins_order(piece)
+            or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
         )
+
+    def _begins_order(self, piece: Piece) -> bool:
+        """Whether its last word is an order behind a day: "tomorrow close the blinds"."""
+        orders = piece.end - piece.start > 1 and self.texts[piece.end - 1] in self.lexicon.undoing
+        things = self.closed.noun_openers | self.closed.object_pronouns
+        return orders and self.around.follower(piece) in things
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""
