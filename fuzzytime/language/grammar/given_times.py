@@ -49,7 +49,7 @@ class GivenTimes:
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
 
     def changes_length(self, piece: Piece) -> bool:
-        """Whether what goes on for some time gets another length: "change the timer from 10 to 15 minutes"."""
+        """Whether what goes on for so long gets another length: "change the timer from 10 to 15 minutes"."""
         before = self.texts[max(0, piece.start - NEAR) : piece.start]
         return before[-1:] != [] and before[-1] in self.lexicon.lasting and self._reschedules(before)
 

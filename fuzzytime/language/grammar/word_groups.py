@@ -186,6 +186,7 @@ class BesideTimes:
     sentence_starts: Words
     stops: Words
     behind_things: Words
+    holy: Words
     dated: Words
     polite_ends: Words
     calls: Words
