@@ -115,7 +115,8 @@ def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
     # "Switch my alarm from six to seven", but "switch my lights from six to seven"
     verbs = lexicon.moving | lexicon.switching if event else lexicon.moving
-    if not named or not verbs & set(before):
+    # "I have the late shift from two to ten": what has the time is no order
+    if not named or not verbs & set(before[:-1]):
         return phrase
     first, last = said.time.first, said.time.last
     if isinstance(first, Wall) and isinstance(last, Wall) and last.days is None and first.clock is not None:

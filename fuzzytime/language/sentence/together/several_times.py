@@ -72,6 +72,9 @@ def _joined(
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
             # "Monday wednesday and friday", as it is said; "mon/wed/fri"
             between = {","}
+        if not between and _is_clock(group[-1]) and _is_clock(following):
+            # "For 6 am 6 15 am and 6 30 am", as it is said
+            between = {","}
         if not between or between - closed.additions - closed.alternatives:
             break
         either = not between.isdisjoint(closed.alternatives)
@@ -180,6 +183,11 @@ def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
     begins, ends = parts.get(Constraint.AFTER), parts.get(Constraint.BEFORE)
     # "Before dinner and after work"
     return begins is None or ends is None or begins.end > ends.start
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time of a day that is not said."""
+    return is_of_day(phrase.said.time) and phrase.said.time.clock is not None
 
 
 def _is_beside_meal(phrase: Phrase) -> bool:
