@@ -4,6 +4,7 @@ from typing import Any
 
 from fuzzytime.language.instruction import Instruction, Operation, Reading
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Comparison, Recurrence, TimeRequirement
 from fuzzytime.times import instant_after
@@ -144,7 +145,7 @@ def _instant(seconds: float | None, reading: Reading) -> str | None:
 
 def _coming(recurrence: Recurrence | None, count: int) -> tuple[tuple[float, float], ...]:
     """Give where the next occurrences begin and are over, at most so many."""
-    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence, RecurrenceOnDays)):
+    if isinstance(recurrence, (EvenRecurrence, CalendarRecurrence, RecurrenceByMonths, RecurrenceOnDays)):
         return recurrence.coming(count)
     return ()
 

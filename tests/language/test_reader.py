@@ -10,6 +10,7 @@ import yaml
 from fuzzytime.errors import InstructionError
 from fuzzytime.language import Instruction, Language, Operation, RemarkKind
 from fuzzytime.language.meaning.recurrence import CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.requirement import Constraint, Edge, TimeRequirement
 from language.corpus_rows import FOLDER, instant
@@ -60,7 +61,9 @@ def _said(instruction: Instruction, wanted: dict[str, Any]) -> dict[str, Any]:
                 series = instruction.repeats
                 coming = (
                     series.coming(len(value))
-                    if isinstance(series, CalendarRecurrence | EvenRecurrence | RecurrenceOnDays)
+                    if isinstance(
+                        series, CalendarRecurrence | EvenRecurrence | RecurrenceByMonths | RecurrenceOnDays
+                    )
                     else ()
                 )
                 found[key] = [f"{NOW + timedelta(seconds=first):%Y-%m-%dT%H:%M}" for first, _ in coming]
@@ -134,6 +137,13 @@ def test_the_end_of_nothing_that_was_said_is_pointed_at(text: str) -> None:
 )
 def test_a_word_about_time_that_names_a_thing_is_not_pointed_at(text: str) -> None:
     assert language().read(text, now=NOW).remarks == ()
+
+
+def test_a_date_of_what_is_named_is_pointed_at() -> None:
+    text = "book a flight for the ninth returning the sixteenth"
+    (remark,) = language().read(text, now=NOW).remarks
+    assert remark.kind is RemarkKind.NOT_UNDERSTOOD
+    assert text[slice(*remark.span)] == "the sixteenth"
 
 
 def test_what_and_joins_to_a_denial_is_said_to_be_denied_too() -> None:

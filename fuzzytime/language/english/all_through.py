@@ -5,7 +5,7 @@ from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.meaning.calendar import Calendar
 from fuzzytime.language.meaning.expressions import Duration, Repeat, Rest, Said, UnitWord, Wall
 from fuzzytime.language.meaning.repeats_beside import narrowed_repeat
-from fuzzytime.language.meaning.throughout import LONGER, daily_at, each_day, is_rest_of_days
+from fuzzytime.language.meaning.throughout import LONGER, THROUGHOUT, daily_at, each_day, is_rest_of_days
 from fuzzytime.requirement import Constraint
 
 grammar = Grammar()
@@ -55,3 +55,9 @@ def all_next_week_at(days: Calendar, said: Said) -> Repeat | None:
 def clock_all_next_week(said: Said, days: Calendar) -> Repeat | None:
     """At noon all next week, at noon for all of next week."""
     return all_next_week_at(days, said)
+
+
+@grammar.rule("said", "all of? <days>", "for|through all of? <days>", "throughout <days>", weight=0.4)
+def all_of_days(days: Calendar) -> Said | None:
+    """All of next week; with a clock time elsewhere it is on each day."""
+    return Said(Wall(days), None, THROUGHOUT) if days.grain in LONGER else None

@@ -18,7 +18,7 @@ from fuzzytime.language.meaning.expressions import (
 )
 from fuzzytime.language.meaning.first_times import ending_with
 from fuzzytime.language.meaning.intervals_on_days import on_days
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat, is_of_day, narrowed_repeat
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat, is_of_day, narrowed_repeat, timed_as
 from fuzzytime.requirement import Constraint, Unit
 
 grammar = Grammar()
@@ -76,7 +76,7 @@ def _counts(wall: Wall, repeat: Repeat) -> bool:
     return repeat.plural and wall.clock is not None and (wall.clock.bare or wall.part is not None)
 
 
-@grammar.rule("repeat", "<repeat> ,|and|or at|@? <wall>", "at|@? <wall> ,|and|or <repeat>", weight=0.3)
+@grammar.rule("repeat", "<repeat> ,|and at|@? <wall>", "at|@? <wall> ,|and <repeat>", weight=0.3)
 def more_clocks(first: Repeat | Wall, second: Wall | Repeat) -> Repeat | None:
     """Every day at 8 am and 8 pm, at eight and nine every day."""
     repeat, wall = (first, second) if isinstance(first, Repeat) else (second, first)
@@ -149,6 +149,7 @@ def both(first: Repeat, second: Wall | Repeat, third: Repeat | None = None) -> R
         other = narrowed_repeat(third, second)
     if other is None or not all(_is_plain(repeat) for repeat in (first, other)):
         return None
+    first = timed_as(first, other)
     return replace(first, every=None, walls=tuple(dict.fromkeys((*first.walls, *other.walls))))
 
 

@@ -114,13 +114,19 @@ def or_later(goal: Goal) -> Said | None:
 @grammar.rule(
     "said",
     "at|on|from|by <goal> or|and later|after|onwards|onward",
-    "from <goal> on|onwards|onward",
     "at|on <goal> at the very? earliest|soonest",
     weight=0.4,
 )
 def at_or_later(goal: Goal) -> Said:
     """At 3 pm or later."""
     return said_of(goal, "not before", Constraint.AFTER, Edge.START)
+
+
+@grammar.rule("said", "from <goal> on|onwards|onward", weight=0.4)
+def from_then_on(goal: Goal) -> Said:
+    """From monday on, from now on; but "from 3 pm onwards" is not before that."""
+    of_day = isinstance(goal.time, Wall) and (goal.time.clock is not None or goal.time.days is None)
+    return said_of(goal, "not before" if of_day else "from", Constraint.AFTER, Edge.START)
 
 
 @grammar.rule(

@@ -7,7 +7,7 @@ from fuzzytime.language.english.minutes_past import moved
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Preposition
 from fuzzytime.language.grammar.numerals import Integer
-from fuzzytime.language.meaning.beside import refined
+from fuzzytime.language.meaning.beside import lasts_then, refined
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Fields
 from fuzzytime.language.meaning.expressions import (
     Duration,
@@ -22,7 +22,6 @@ from fuzzytime.language.meaning.expressions import (
     Wall,
 )
 from fuzzytime.language.meaning.nested import Nth
-from fuzzytime.language.meaning.relations import Away, Relative
 from fuzzytime.language.meaning.times_of_day import Clock
 from fuzzytime.requirement import Constraint, Unit
 
@@ -267,6 +266,12 @@ def lasting(first: Goal | Duration, second: Duration | Goal) -> Said | None:
     return Said(goal.time, None, "at", goal.hedges, lasting=duration)
 
 
+@grammar.rule("said", "from <duration>|<integer> to <duration>", weight=-2)
+def changed_length(first: Duration | Integer, second: Duration) -> Said | None:
+    """(change the timer) from ten to fifteen minutes: the second is how long it is then."""
+    return None if second.until is not None else lasts_then(second)
+
+
 @grammar.rule("said", "for|during|in|over the? last|final <duration> before the? <wall>", weight=1.2)
 def last_before(duration: Duration, wall: Wall) -> Said | None:
     """For the last half hour before bedtime."""
@@ -274,26 +279,3 @@ def last_before(duration: Duration, wall: Wall) -> Said | None:
         return None
     begins = Offset(replace(duration, hedges=()), -1, wall)
     return Said(Range(begins, wall), Constraint.BETWEEN, "during", duration.hedges)
-
-
-@grammar.rule("said", "either? <preposition_at>? <wall> ,? or maybe|perhaps|on? <wall>", weight=0.9)
-def either_day(preposition: Preposition | None, first: Wall, second: Wall) -> Said | None:
-    """Today or tomorrow, on saturday or sunday: days side by side are one stretch."""
-    if preposition is not None and preposition.name not in {"sometime", "on", "for"}:
-        return None
-    if any(wall.part is not None or wall.clock is not None or wall.weak for wall in (first, second)):
-        return None
-    day, other = first.days, second.days
-    if day is None or not _is_behind(day, other):
-        return None
-    return Said(Range(first, Wall(Away(1, Unit.DAY, day))), Constraint.BETWEEN, "sometime")
-
-
-def _is_behind(day: Calendar, other: Calendar | None) -> bool:
-    """Whether a day is the one behind another."""
-    if isinstance(other, Relative):
-        known = isinstance(day, Relative) and other.days == day.days + 1
-        return day.grain is Unit.DAY and (other.days == 1 if other.onward else known)
-    if isinstance(day, Fields) and isinstance(other, Fields) and day.weekly and other.weekly:
-        return other.weekday == ((day.weekday or 0) + 1) % 7
-    return False

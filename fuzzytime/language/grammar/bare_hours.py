@@ -16,6 +16,9 @@ class BareHours(Standing):
 
     def accept_number(self, piece: Piece, said: Said, wall: Wall) -> bool:
         """Whether a number alone is a clock time: "at six", not the "at 180" of an oven."""
+        listed = said.preposition in {"at", "for"} and bool(self.run_on.behind(wall.clock, piece.end))
+        if listed:
+            return True
         ends = self.around.may_end(piece) or self._leads_to_distance(piece)
         if not ends or self.around.is_unit(piece.end):
             return False

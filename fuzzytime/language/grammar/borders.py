@@ -7,6 +7,7 @@ from fuzzytime.language.grammar.cuts import Cuts
 from fuzzytime.language.grammar.dining import Dining
 from fuzzytime.language.grammar.doses import Doses
 from fuzzytime.language.grammar.events import Events
+from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR, Measures
 from fuzzytime.language.grammar.particles import Particles
@@ -27,6 +28,12 @@ BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"
 EXTREMES = frozenset({"latest", "earliest"})
 """The ends of "at the latest" and "at the earliest"."""
 
+OFFERED_DAYS = frozenset({"offered_days.either_day", "offered_days.another_day"})
+"""The rules of days side by side, of which each will do."""
+
+CHANGED_LENGTH = "ranges.changed_length"
+"""The rule of what gets another length: "from ten to fifteen minutes"."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
@@ -42,6 +49,7 @@ class Borders:
         self.particles = Particles(lexicon, around)
         self.doses = Doses(lexicon, around)
         self.dining = Dining(lexicon, around)
+        self.given = GivenTimes(lexicon, around)
         self.events = Events(words, lexicon, around, self.measures)
 
     def refuse(self, piece: Piece) -> bool:
@@ -70,8 +78,16 @@ class Borders:
             or any(map(self.doses.count, range(piece.start, piece.end)))
             or self.dining.is_purpose(piece)
             or self._offers_more(piece)
+            or self._begins_order(piece)
+            or (piece.rule == CHANGED_LENGTH and not self.given.changes_length(piece))
             or self._is_from_the_past(piece)
         )
+
+    def _begins_order(self, piece: Piece) -> bool:
+        """Whether its last word is an order behind a day: "tomorrow close the blinds"."""
+        orders = piece.end - piece.start > 1 and self.texts[piece.end - 1] in self.lexicon.undoing
+        things = self.closed.noun_openers | self.closed.object_pronouns
+        return orders and self.around.follower(piece) in things
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""
@@ -122,12 +138,14 @@ class Borders:
         return offered and self.measures.is_number(piece.end - 1) and not self.around.may_end(piece)
 
     def _offers_more(self, piece: Piece) -> bool:
-        """Whether one of two days has a time of its own, or both are bounds: "by monday or tuesday"."""
+        """Whether one of some days has a time of its own, or all are bounds: "by monday or tuesday"."""
         led = self.around.before(piece) in self.closed.prepositions_of_time | self.closed.negators
         # "On friday or saturday to the fair", "on friday or saturday about the report"
         place = piece.end + any(p.category in BINDING for p in self.around.pieces(piece.end))
         timed = self.around.timely(place) or self.measures.is_number(place)
-        return piece.rule == "ranges.either_day" and (led or timed)
+        # "On monday or tuesday or friday"
+        more = self.texts[piece.end : piece.end + 1] == ["or"] and self.around.timely(piece.end + 1)
+        return piece.rule in OFFERED_DAYS and (led or timed or more)
 
     def _likens(self, piece: Piece) -> bool:
         """Whether its "like" is what something looks like: "what is the weather like on friday"."""

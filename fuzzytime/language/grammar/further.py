@@ -33,6 +33,9 @@ class Further(Standing):
             return []
         if isinstance(time, Range) or time.clock is None:
             return self._further_days(piece, cells, chosen)
+        run_on = self.run_on.behind(time.clock, piece.end) if _is_open(piece) else []
+        if run_on:
+            return [p for first, end in run_on for p in _clock_from(cells[first], end)]
         joint = self.around.follower(piece)
         if joint == "," and self.texts[place] in {"and", "or"}:
             # "At nine, or ten"
@@ -62,7 +65,7 @@ class Further(Standing):
     def _further_days(self, piece: Piece, cells: Sequence[Cell], chosen: Sequence[Piece]) -> list[Piece]:
         """Give the days of a month behind another: "on the 1st and 15th", "on the 3rd, 10th and 17th"."""
         place = piece.end + 1
-        listed = self.around.follower(piece) in {"and", "&", ","} and _is_day_of_month(piece)
+        listed = self.around.follower(piece) in {"and", "&", "or", ","} and _is_day_of_month(piece)
         if not listed or place >= len(self.words) or any(one.start == place for one in chosen):
             return []
         found = [
@@ -71,6 +74,12 @@ class Further(Standing):
             if _is_day_of_month(p) and isinstance(p.value.time, Wall) and self.around.may_end(p)
         ][:1]
         return found + [more for one in found for more in self._further_days(one, cells, chosen)]
+
+
+def _clock_from(cell: Cell, end: int) -> list[Piece]:
+    """Give the clock time in a cell that ends at a place."""
+    said = (p for p in cell.get("said", {}).values() if p.end == end and isinstance(p.value.time, Wall))
+    return [p for p in said if _is_open(p)][:1]
 
 
 def _is_open(piece: Piece) -> bool:

@@ -1,5 +1,7 @@
 """Times of what has one: it is caught then, or gets another: "catch the 7:42", "move my 3 o'clock to 5"."""
 
+from collections.abc import Sequence
+
 from fuzzytime.language.grammar.chart import Piece
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
@@ -45,3 +47,12 @@ class GivenTimes:
         clock = begin < place and self.texts[begin] in self.closed.noun_openers
         named = clock or self.texts[place] in self.lexicon.events
         return named and bool(self.lexicon.rescheduling & set(self.texts[max(0, begin - NEAR) : begin + 1]))
+
+    def changes_length(self, piece: Piece) -> bool:
+        """Whether what goes on for so long gets another length: "change the timer from 10 to 15 minutes"."""
+        before = self.texts[max(0, piece.start - NEAR) : piece.start]
+        return before[-1:] != [] and before[-1] in self.lexicon.lasting and self._reschedules(before)
+
+    def _reschedules(self, texts: Sequence[str]) -> bool:
+        """Whether one of some words gives something another time."""
+        return not (self.lexicon.rescheduling | self.lexicon.moving).isdisjoint(texts)

@@ -46,6 +46,7 @@ def _looking(scanned: Scanned, explained: Sequence[Span], lexicon: Lexicon) -> I
     """Give the places of words that look like time, and are no part of a noun: "the Sunday dress"."""
     around = Surroundings(scanned.words, lexicon)
     yield from _weekends(scanned, explained, around)
+    yield from _dates(scanned, explained, around)
     for start, cell in enumerate(scanned.cells):
         for category in TELLING & cell.keys():
             for piece in cell[category].values():
@@ -90,6 +91,20 @@ def _weekends(scanned: Scanned, explained: Sequence[Span], around: Surroundings)
         )
         if led is not None:
             yield from range(led + 2, place + 1)
+
+
+def _dates(scanned: Scanned, explained: Sequence[Span], around: Surroundings) -> Iterator[int]:
+    """Give the places of dates of what a thing is then: "a flight for the ninth returning the sixteenth"."""
+    for place in range(1, len(scanned.words) - 1):
+        word = scanned.words[place + 1]
+        ends = around.texts[place + 2 : place + 3]
+        typed = word.is_digits and not around.beside.ordinal_endings.isdisjoint(ends)
+        led = around.texts[place] == "the" and around.texts[place - 1] in around.beside.dated
+        known = any(first < word.end and word.start < end for first, end in explained)
+        behind = around.texts[place + 2 + typed : place + 3 + typed]
+        named = any(text.isalpha() and text not in around.lexicon.function_words for text in behind)
+        if led and not known and not named and (typed or word.text in around.lexicon.ordinals):
+            yield from range(place, place + 2 + typed)
 
 
 def _binds(around: Surroundings, place: int) -> bool:

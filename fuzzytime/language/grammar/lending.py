@@ -8,7 +8,8 @@ from fuzzytime.language.grammar.lent import is_heated, is_left_for, lasts_minute
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import NEAR
 from fuzzytime.language.grammar.words import Word
-from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Repeat, Said, Wall
+from fuzzytime.language.meaning.beside import lasts_then
+from fuzzytime.language.meaning.expressions import Duration, Offset, Phrase, Range, Repeat, Said, Wall
 from fuzzytime.language.meaning.relations import Relative, days_away
 from fuzzytime.language.meaning.times_of_day import DAY_HOURS, Half
 from fuzzytime.requirement import Constraint, Unit
@@ -104,18 +105,38 @@ def _as_taken(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Said |
 def moved_to(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:
     """Read the second of two times as that of what is given another: "move the meeting from two to three"."""
     said, before = phrase.said, [word.text for word in words[max(0, phrase.first - NEAR) : phrase.first]]
+    if _is_length_changed(before, lexicon) and isinstance(said.time, Offset):
+        return replace(phrase, said=_lengthened(said, said.time))
     if not isinstance(said.time, Range) or words[phrase.first].text != "from" or not before:
         return phrase
-    named = before[-1] in lexicon.events or (len(before) > 1 and before[-2] in lexicon.closed.possessives)
+    event = before[-1] in lexicon.events | lexicon.taken
+    named = event or (len(before) > 1 and before[-2] in lexicon.closed.possessives)
     # "Move bingo from two to three": what has no article is done, and is no thing.
     named = named or (len(before) > 1 and before[-2] in lexicon.moving and not before[-1].endswith("s"))
-    if not named or not lexicon.moving & set(before):
+    # "Switch my alarm from six to seven", but "switch my lights from six to seven"
+    verbs = lexicon.moving | lexicon.switching if event else lexicon.moving
+    # "I have the late shift from two to ten": what has the time is no order
+    if not named or not verbs & set(before[:-1]):
         return phrase
     first, last = said.time.first, said.time.last
     if isinstance(first, Wall) and isinstance(last, Wall) and last.days is None and first.clock is not None:
         # "From nine to ten on friday": the day is said of both
         last = replace(last, days=first.days)
     return replace(phrase, said=Said(last, None, "to"))
+
+
+def _is_length_changed(before: Sequence[str], lexicon: Lexicon) -> bool:
+    """Whether what goes on for some time is given another: "change the timer from ten minutes to fifteen"."""
+    gives = lexicon.rescheduling | lexicon.moving
+    return bool(before) and before[-1] in lexicon.lasting and not gives.isdisjoint(before)
+
+
+def _lengthened(said: Said, time: Offset) -> Said:
+    """Read so long before a number as two lengths, of which the second is meant."""
+    clock = time.anchor.clock if isinstance(time.anchor, Wall) else None
+    if clock is None or clock.grain is not Unit.HOUR or time.direction > 0 or said.preposition != "from":
+        return said
+    return lasts_then(_counted(Duration(((clock.hour, Unit.HOUR),)), time.duration.unit))
 
 
 def appointed(phrase: Phrase, words: Sequence[Word], lexicon: Lexicon) -> Phrase:

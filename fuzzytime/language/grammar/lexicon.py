@@ -207,6 +207,7 @@ class Lexicon:
     machines: frozenset[str]
     workers: frozenset[str]
     moving: frozenset[str]
+    switching: frozenset[str]
     rescheduling: frozenset[str]
     events: frozenset[str]
     addressing: frozenset[str]

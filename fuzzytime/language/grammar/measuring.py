@@ -126,8 +126,14 @@ class Measures:
         return any(verb == text and set(rest) <= set(following) for verb, *rest in lexicon.changing)
 
     def is_amount(self, place: int) -> bool:
-        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6"."""
-        beside = (*self.texts[max(0, place - 1) : place], *self.texts[place + 1 : place + 2])
+        """Whether a number here is what is measured, so that the next is none: "heat it to 200 by 6".
+
+        It may be of several words: "set it to seventy two by six".
+        """
+        begin = place
+        while self.is_number(begin - 1):
+            begin -= 1
+        beside = (*self.texts[max(0, begin - 1) : begin], *self.texts[place + 1 : place + 2])
         amount = any(text in {"to", "at"} or text in self.lexicon.measure_nouns for text in beside)
         return amount and self.is_number(place)
 

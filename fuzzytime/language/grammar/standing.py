@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.given_times import GivenTimes
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.grammar.measuring import Measures
+from fuzzytime.language.grammar.run_on_hours import RunOnHours
 from fuzzytime.language.grammar.surroundings import Surroundings
 from fuzzytime.language.grammar.words import Word
 
@@ -21,6 +22,7 @@ class Standing:
         self.measures = measures
         self.around = around
         self.given = GivenTimes(lexicon, around)
+        self.run_on = RunOnHours(lexicon, around)
 
     def is_ambiguous(self, place: int) -> bool:
         """Whether the word at a place is an English word with another meaning, too: "may", "sun"."""

@@ -59,6 +59,11 @@ class Titles(Standing):
             other = place > 0 and self.texts[place - 1] in self.lexicon.other_calendars
             if other and any(one.category == "feast" for one in self.around.pieces(place)):
                 return True
+            calendar, named = ("", "", *self.texts[:place])[-2:]
+            named_there = calendar in self.lexicon.other_calendars and named in self.beside.holy
+            if named_there and self.around.is_weekday(place):
+                # "Orthodox great friday"
+                return True
             if self.texts[max(0, place - 2) : place] == BANK_HOLIDAY and self.around.is_weekday(place):
                 # "On bank holiday monday"
                 return True

@@ -191,6 +191,8 @@ class BesideTimes:
     sentence_starts: Words
     stops: Words
     behind_things: Words
+    holy: Words
+    dated: Words
     polite_ends: Words
     calls: Words
     visiting: Words
@@ -223,6 +225,8 @@ class Doing:
     for_days: Words
     by_then: Words
     by_the_day: Words
+    shutting: Words
+    lit: Words
     running: Words
     taking: Words
     spent: Words

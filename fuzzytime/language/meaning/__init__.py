@@ -6,7 +6,7 @@ leave open.
 Values
     What was said: ``expressions``, ``calendar``, ``times_of_day``, ``nested``, ``relations``,
     ``feasts``, ``workdays``, ``recurrence``, ``closing_recurrence``,
-    ``recurrence_on_days``.
+    ``recurrence_by_months``, ``recurrence_on_days``.
     What is reckoned with: ``instants``, ``moment``, ``standpoint``.
 
 From values to requirements

@@ -4,6 +4,7 @@ from dataclasses import replace
 
 from fuzzytime.language.meaning.calendar import Calendar, Fields
 from fuzzytime.language.meaning.expressions import (
+    Duration,
     Range,
     Said,
     Wall,
@@ -123,3 +124,8 @@ def _as_clock(wall: Wall) -> Wall:
 def _is_weekday(wall: Wall) -> bool:
     """Whether it is a day of any week, and no time of it."""
     return isinstance(wall.days, Fields) and wall.days.weekly and wall.clock is None and wall.part is None
+
+
+def lasts_then(length: Duration) -> Said:
+    """Give the new length of what goes on for another: "from ten minutes to fifteen"."""
+    return Said(replace(length, hedges=()), Constraint.FOR, "to", length.hedges)

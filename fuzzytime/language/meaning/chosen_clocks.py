@@ -6,8 +6,9 @@ from datetime import datetime, time, timedelta
 from fuzzytime.language.meaning.expressions import Wall
 from fuzzytime.language.meaning.instants import Instants, midnight
 from fuzzytime.language.meaning.standpoint import Standpoint
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 
+NOON = 12
 FOLLOWING = timedelta(hours=6)
 """How long after a clock time the next one of a text, without am or pm, hardly is before it."""
 
@@ -37,6 +38,10 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         # "Unlock it at 7:45 and lock it at 18:10": the 7:45 that is before.
         leading = (moment for moment in plausible if _leads(here, moment, here.leads))
         chosen = next(leading, chosen)
+    told = _at_same_hour(here, moments) or _of_night(here, moments)
+    if told is not None:
+        choices = tuple(moments) if told in moments else ()
+        return Instants(told, told, clock.grain, choices, wall.zone)
     morning = _of_morning(here, moments, clock, named=named)
     if morning is not None:
         chosen = morning
@@ -62,6 +67,29 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
         chosen = next(iter(follows), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
+
+
+def _at_same_hour(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the moment in the half of the day that the same number was in before, of the same thing.
+
+    "At six on wednesday, thursday and friday": all in the evening, or none.
+    """
+    since = here.since
+    if since is None or not here.listed or len({moment.date() for moment in moments}) > 1 or len(moments) < 2:
+        return None
+    days_apart = since.date() != moments[0].date()
+    return next((moment for moment in moments if days_apart and moment.time() == since.time()), None)
+
+
+def _of_night(here: Standpoint, moments: Sequence[datetime]) -> datetime | None:
+    """Give the evening, or the morning behind it: "close it at eight and open it at seven"."""
+    if here.overnight is None:
+        return None
+    if here.overnight is Half.EVENING:
+        return next((moment for moment in moments if moment.hour >= NOON), None)
+    mornings = [moment for moment in moments if moment.hour < NOON]
+    since = here.since or here.now
+    return next((m + timedelta(days=m <= since) for m in mornings), None)
 
 
 def _of_morning(
@@ -111,6 +139,11 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     return (first <= moment.time() < last or closes) and (
         not here.lasting or (end.date() == moment.date() and end.time() <= last)
     )
+
+
+def is_unusual(here: Standpoint, moments: Sequence[datetime]) -> bool:
+    """Whether people do what is asked for at none of some moments, as far as its usual hours are known."""
+    return here.usual and not any(_is_plausible(here, moment, ahead=True) for moment in moments)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:

@@ -64,7 +64,10 @@ class Reckoning(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Feast(Yearly):
-    """A holiday: a date, the nth weekday of a month, or days from Easter; moved by ``days``."""
+    """A holiday: a date, the nth weekday of a month, or days from Easter; moved by ``days``.
+
+    A date that is ``never_on`` a weekday is the day before where it would be: king's day on a sunday.
+    """
 
     name: str
     reckoning: Reckoning
@@ -73,6 +76,7 @@ class Feast(Yearly):
     nth: int = 1
     weekday: int = 0
     days: int = 0
+    never_on: int | None = None
 
     @property
     def grain(self) -> Unit:
@@ -85,6 +89,7 @@ class Feast(Yearly):
             day = easter(year)
         elif self.reckoning is Reckoning.DATE:
             day = date(year, self.month, self.day)
+            day -= timedelta(days=day.weekday() == self.never_on)
         else:
             matching = list(Fields(year, self.month, None, self.weekday).in_month(year, self.month, 1))
             day = matching[self.nth - 1 if self.nth > 0 else self.nth].first

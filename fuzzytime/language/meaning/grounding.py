@@ -6,7 +6,7 @@ from datetime import date, datetime, timedelta
 from itertools import islice
 
 from fuzzytime.language.meaning.calendar import Calendar, Cycle, Days, Fields, Today, moved
-from fuzzytime.language.meaning.chosen_clocks import before_due, decided, same_day_after
+from fuzzytime.language.meaning.chosen_clocks import before_due, decided, is_unusual, same_day_after
 from fuzzytime.language.meaning.dated_weekdays import nearest
 from fuzzytime.language.meaning.expressions import (
     Coming,
@@ -189,6 +189,10 @@ class Grounding(Standpoint):
             ahead = [moment for moment in moments if moment >= self.now]
             dated = isinstance(calendar, Fields) and calendar.weekday is not None and calendar.day is not None
             goes_on = days.first == self.now.date() and (days.end - days.first).days > 1
+            weekly = isinstance(calendar, Fields) and calendar.weekly
+            if (goes_on or weekly) and days.first == self.now.date() and is_unusual(self, ahead):
+                # "Wake me at six on wednesday", said on a wednesday at nine: who wakes does in the morning.
+                continue
             if not ahead and (goes_on or (not calendar.fixed and not dated)):
                 continue
             if not ahead and isinstance(calendar, Relative) and calendar.days == 0 and wall.part is not None:

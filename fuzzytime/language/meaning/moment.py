@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta, timezone, tzinfo
 from fuzzytime.language.meaning.expressions import Duration
 from fuzzytime.language.meaning.grounding import Grounding
 from fuzzytime.language.meaning.instants import CALENDAR_UNITS, SUB_DAY, UngroundedError, shifted
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.policy import Policy
 from fuzzytime.times import parse_clock, parse_zone, seconds_between
 
@@ -20,7 +20,8 @@ class Moment:
     after it, ``carried`` whether another text said it, given at the same time: the line before. ``due`` is
     when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
-    that this is what follows: "open it at eight and close it at six".
+    that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
+    the evening, or the morning that follows, of what is so overnight: "close it at eight, open it at seven".
     ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
     this is so of those on days to come.
     """
@@ -37,6 +38,7 @@ class Moment:
     early: bool = False
     leads: Clock | None = None
     onto: bool = False
+    overnight: Half | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -65,6 +67,7 @@ class Moment:
             early=self.early,
             leads=self.leads,
             onto=self.onto,
+            overnight=self.overnight,
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

@@ -85,7 +85,8 @@ class Within(_Inside):
 class Nth(_Inside):
     """The nth of one series inside another, from its end where negative; ``count`` of them from there.
 
-    A week belongs to the month or year that holds its middle day, as in ISO 8601.
+    A week belongs to the month or year that holds its middle day, as in ISO 8601; of a month's first week
+    no day is in the month before: "the first week of april" is from the 1st on.
     """
 
     number: int
@@ -103,7 +104,10 @@ class Nth(_Inside):
         start = place if self.number > 0 else place - self.count + 1
         if start < 0 or stop > len(inside):
             return None
-        return Days(inside[start].first, inside[stop - 1].end)
+        first = inside[start].first
+        return Days(
+            max(first, outer.first) if self.outer.grain is Unit.MONTH else first, inside[stop - 1].end
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -87,6 +87,16 @@ def _is_inside(inner: Part, outer: Part) -> bool:
     return outer.start <= inner.start < outer.end
 
 
+def timed_as(repeat: Repeat, other: Repeat) -> Repeat:
+    """Give days without a time of day that of those behind them: "on saturdays and sundays at ten"."""
+    clocks = {wall.clock for wall in other.walls}
+    (clock,) = clocks if len(clocks) == 1 else (None,)
+    open_days = all(wall.clock is None and wall.part is None for wall in repeat.walls)
+    if clock is None or not open_days:
+        return repeat
+    return replace(repeat, walls=tuple(replace(wall, clock=clock) for wall in repeat.walls))
+
+
 def bounded_repeat(repeat: Repeat, said: Said) -> Repeat | None:
     """Give a repetition with its bounds, or within hours of each day: every weekday from 9 to 5."""
     marked = isinstance(repeat.starting, HourMark) and repeat.until is None

@@ -7,6 +7,7 @@ from fuzzytime.language.meaning.calendar import Cycle, Fields
 from fuzzytime.language.meaning.closing_recurrence import ClosingRecurrence
 from fuzzytime.language.meaning.expressions import (
     UNIT_SECONDS,
+    Duration,
     HourMark,
     Offset,
     Repeat,
@@ -17,6 +18,7 @@ from fuzzytime.language.meaning.expressions import (
 from fuzzytime.language.meaning.instants import SUB_DAY, UngroundedError
 from fuzzytime.language.meaning.moment import Moment
 from fuzzytime.language.meaning.recurrence import JUST_BEFORE, CalendarRecurrence, EvenRecurrence
+from fuzzytime.language.meaning.recurrence_by_months import RecurrenceByMonths, is_by_months
 from fuzzytime.language.meaning.recurrence_on_days import RecurrenceOnDays
 from fuzzytime.language.meaning.times_of_day import DAY_SECONDS
 from fuzzytime.requirement import Unit
@@ -24,7 +26,7 @@ from fuzzytime.requirement import Unit
 WEEK = 7
 """Days."""
 
-Series = EvenRecurrence | CalendarRecurrence | ClosingRecurrence | RecurrenceOnDays
+Series = EvenRecurrence | CalendarRecurrence | ClosingRecurrence | RecurrenceByMonths | RecurrenceOnDays
 """The kinds of repetitions."""
 
 
@@ -72,6 +74,8 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         return EvenRecurrence(step=step, first=start, last=last - JUST_BEFORE, length=step)
     if repeat.every is None:
         raise UngroundedError("a repetition must say how often")
+    if repeat.walls and moment.now is not None and is_by_months(repeat.every):
+        return _by_months(repeat.every, repeat.starting, last, moment)
     step = repeat.every.seconds
     sub_day = all(unit in SUB_DAY for _, unit in repeat.every.terms)
     # "Every day", "every two weeks": any time in a day, in a week; "twice a day": in each half of one.
@@ -81,6 +85,17 @@ def recurrence_of(repeat: Repeat, moment: Moment) -> Series:
         # "Every hour from dawn till dusk", said in the morning: it goes on already.
         start = 0.0
     return EvenRecurrence(step=step, first=start, last=math.inf if last is None else last, length=length)
+
+
+def _by_months(
+    every: Duration, starting: Time | None, last: float | None, moment: Moment
+) -> RecurrenceByMonths:
+    """Give what is done every so many months or years, from today on where no first day is said."""
+    here = moment.grounding()
+    begins = here.now if starting is None or isinstance(starting, TimeWord) else here.instants(starting).start
+    amount, unit = every.terms[0]
+    until = math.inf if last is None else last
+    return RecurrenceByMonths(amount=int(amount), unit=unit, begins=begins, moment=moment, last=until)
 
 
 def _on_days(repeat: Repeat, at: Wall, days: float, moment: Moment) -> Repeat:

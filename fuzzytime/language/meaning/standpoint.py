@@ -7,7 +7,7 @@ from datetime import datetime
 from fuzzytime.language.meaning.calendar import Today
 from fuzzytime.language.meaning.expressions import Time, Wall
 from fuzzytime.language.meaning.instants import Instants
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.policy import Policy
 
 
@@ -47,6 +47,8 @@ class Standpoint(ABC):
         The clock time of what follows with the same thing.
     onto : bool
         Whether this is what follows.
+    overnight : Half, optional
+        Whether it is the evening, or the morning behind it, of what is so overnight.
     """
 
     now: datetime
@@ -64,6 +66,7 @@ class Standpoint(ABC):
     early: bool = False
     leads: Clock | None = None
     onto: bool = False
+    overnight: Half | None = None
 
     @property
     def today(self) -> Today:

@@ -6,10 +6,14 @@ from dataclasses import replace
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import Repeat, Rest, Said, Wall
 from fuzzytime.language.meaning.repeats_beside import MOMENTS, bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.requirement import Constraint, Unit
 
 LONGER = frozenset({Unit.WEEK, Unit.MONTH, Unit.YEAR})
 """Periods of several days."""
+
+THROUGHOUT = "throughout"
+"""The preposition of all of a period: "all of next week"."""
 
 DAILY = Repeat(walls=(Wall(Cycle(Unit.DAY)),))
 
@@ -31,6 +35,12 @@ def each_day(said: Said, bound: Said) -> Repeat | None:
     """Give a clock time on each day within a bound; None for what is none, or has a day."""
     daily = daily_at(said)
     return None if daily is None else bounded_repeat(daily, bound)
+
+
+def in_part(said: Said, part: Part) -> Said:
+    """Give a clock time in a part of the day: "at ten" of a night."""
+    time = said.time
+    return replace(said, time=replace(time, part=part)) if isinstance(time, Wall) and not time.part else said
 
 
 def in_parts_of_each_day(said: Sequence[Said]) -> Repeat | None:

@@ -52,7 +52,7 @@ from fuzzytime.language.sentence.together.lengths import (
 )
 from fuzzytime.language.sentence.together.mornings import follows_night
 from fuzzytime.language.sentence.together.naming import naming_none
-from fuzzytime.language.sentence.together.pairs import follows_on, leads_to
+from fuzzytime.language.sentence.together.pairs import follows_on, leads_to, side_of_night
 from fuzzytime.language.sentence.together.sketches import sketches_of
 from fuzzytime.language.sentence.together.waited import waited
 from fuzzytime.language.sentence.tokens import tokens_of
@@ -154,6 +154,7 @@ class _Composer:
             follows=then or follows_night(sketches, place),
             due=due_of(self.draft.text, sketches[:place], sketch, instructions, self.moment.since),
             leads=leads_to(sketches, place, self.draft.text),
+            overnight=side_of_night(sketches, place, self.draft.text),
             onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
         )
 

@@ -122,6 +122,7 @@ def read_lexicon(words: Path, calendar: Path) -> Lexicon:
         machines=speech.single_words("machines"),
         workers=speech.single_words("workers"),
         moving=speech.single_words("rescheduling", "moving"),
+        switching=speech.single_words("rescheduling", "switching"),
         rescheduling=frozenset(
             form[0] for key in ("moving", "verbs") for form in speech.words("rescheduling", key)
         ),
@@ -184,7 +185,7 @@ _ROWS = {
     ),
     "spelling": ("words", "kept"),
     "timing": ("verbs", "alone"),
-    "rescheduling": ("moving", "verbs", "events"),
+    "rescheduling": ("moving", "verbs", "switching", "events"),
     "connectives": ("then", "meanwhile", "first"),
     "questions": ("asking", "placing", "stating", "helping", "asked", "suggesting", "requesting"),
     "told": (

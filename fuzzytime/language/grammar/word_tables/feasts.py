@@ -19,7 +19,9 @@ def read_feasts(tables: Tables) -> None:
         days = reader.whole(fields["days"], f"{key}.days", -366, 366) if "days" in fields else 0
         if "date" in fields:
             month, day = _month_day(tables, fields["date"], f"{key}.date")
-            return [("feast", Feast(name, Reckoning.DATE, month, day, days=days))]
+            kept = fields.get("not on")
+            free = None if kept is None else weekdays.get(reader.choice(kept, f"{key}.not on", weekdays))
+            return [("feast", Feast(name, Reckoning.DATE, month, day, days=days, never_on=free))]
         if "easter" in fields:
             days += reader.whole(fields["easter"], f"{key}.easter", -366, 366)
             return [("feast", Feast(name, Reckoning.EASTER, days=days))]
@@ -34,7 +36,9 @@ def read_feasts(tables: Tables) -> None:
         reader.mistake(next(iter(fields.values())), key, "a holiday needs 'date', 'nth' or 'easter'")
         return []
 
-    tables.table("holidays", {"date": False, "nth": False, "easter": False, "days": False}, feast)
+    tables.table(
+        "holidays", {"date": False, "nth": False, "easter": False, "days": False, "not on": False}, feast
+    )
 
     def season(name: str, fields: dict[str, Node]) -> Iterable[tuple[str, Any]]:
         begins = _month_day(tables, fields["from"], f"seasons.{name}.from")

@@ -51,7 +51,7 @@ def _contradictions(requirements: Sequence[TimeRequirement]) -> Iterator[Remark]
     """Point at a second time that excludes the first, for the same thing: "at six … at eight"."""
     said: list[list[TimeRequirement]] = []
     for requirement in requirements:
-        if requirement.alternative:
+        if requirement.alternative and said:
             said[-1].append(requirement)
         elif requirement.constraint in BINDING and requirement.anchor is None:
             said.append([requirement])

@@ -150,7 +150,7 @@ class _Clauses:
         bound = self.before.bound(place) if form in WITHIN else None
         edge, first = self.markers.edge(place + len(form)) or (None, place + len(form))
         counted = place > 0 and self.words[place - 1].text == "one"
-        if counted and self.words[first].text in self.lexicon.beside.the_other:
+        if counted and {word.text for word in self.words[first : first + 1]} & self.lexicon.beside.the_other:
             # "One after the other"
             return None
         kind = self._kind(form, bound, edge)

@@ -10,8 +10,9 @@ from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.calendar import Cycle
 from fuzzytime.language.meaning.expressions import UNIT_SECONDS, Coming, Duration, Phrase, Repeat, Said, Wall
 from fuzzytime.language.meaning.instants import SUB_DAY
-from fuzzytime.language.meaning.repeats_beside import bounded_repeat
-from fuzzytime.language.meaning.throughout import in_parts_of_each_day
+from fuzzytime.language.meaning.repeats_beside import bounded_repeat, narrowed_repeat
+from fuzzytime.language.meaning.throughout import THROUGHOUT, in_part, in_parts_of_each_day
+from fuzzytime.language.meaning.times_of_day import Part
 from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.requirement import Constraint, Reference, Unit
 
@@ -28,9 +29,9 @@ def day_by_day(sketch: Sketch, text: str, lexicon: Lexicon) -> Sketch:
     bound = replace(bound, constraint=Constraint.FOR) if isinstance(bound.time, Duration) else bound
     series = [phrase for phrase in sketch.phrases if isinstance(phrase.said.time, Repeat)]
     if not series and not _goes_on(sketch, lexicon):
-        series = _of_each_day(sketch, text, lexicon)
-    repeat = _repeated(series)
-    bounded = None if repeat is None else bounded_repeat(repeat, bound)
+        series = _of_each_day(sketch, lengths[0], text, lexicon)
+    repeat = _repeated(series, _nightly(lengths[0], text, lexicon))
+    bounded = None if repeat is None else _within(repeat, bound)
     if bounded is None:
         return sketch
     told = Said(bounded, Constraint.EVERY, series[0].said.preposition, series[0].said.hedges)
@@ -66,29 +67,51 @@ def _is_daily_in_parts(repeat: Repeat) -> bool:
     )
 
 
-def _repeated(series: Sequence[Phrase]) -> Repeat | None:
-    """Give the repetition that is said, or that parts of the day are on each day."""
+def _repeated(series: Sequence[Phrase], part: Part | None) -> Repeat | None:
+    """Give the repetition that is said, or that times of the day are on each day, in a part of it."""
     if len(series) == 1 and isinstance(series[0].said.time, Repeat):
         return series[0].said.time
-    return in_parts_of_each_day([phrase.said for phrase in series])
+    said = [phrase.said for phrase in series]
+    return in_parts_of_each_day([one if part is None else in_part(one, part) for one in said])
+
+
+def _nightly(length: Phrase, text: str, lexicon: Lexicon) -> Part | None:
+    """Give the part of the day that a length counts: "for the next three nights lock the door at ten"."""
+    counted = text[slice(*length.span)].lower().rpartition(" ")[2]
+    return next((one.value for one in lexicon.entries.get(counted, ()) if one.category == "parts"), None)
+
+
+def _within(repeat: Repeat, bound: Said) -> Repeat | None:
+    """Give a repetition within a length of days, or all through a period: "all next week wake me at six"."""
+    if isinstance(bound.time, Wall):
+        return narrowed_repeat(repeat, bound.time)
+    return bounded_repeat(repeat, bound)
 
 
 def _is_of_days(said: Said) -> bool:
-    """Whether it is a length of two days or more, said in days or longer units."""
+    """Whether it is a length of two days or more, said in days or longer units, or all of a longer period."""
     time = said.time
+    if isinstance(time, Wall):
+        return said.preposition == THROUGHOUT
     length = time.duration if isinstance(time, Coming) and time.direction > 0 else time
     if not isinstance(length, Duration) or said.constraint not in {Constraint.FOR, Constraint.BETWEEN}:
         return False
     return length.unit not in SUB_DAY and length.seconds > UNIT_SECONDS[Unit.DAY]
 
 
-def _of_each_day(sketch: Sketch, text: str, lexicon: Lexicon) -> list[Phrase]:
+def _of_each_day(sketch: Sketch, length: Phrase, text: str, lexicon: Lexicon) -> list[Phrase]:
     """Give the parts of a day that is not said, where all of them are meant.
 
-    So of clock times, if what is to be done is soon over: "water the plants at seven for a week".
+    So of clock times, if what is to be done is soon over ("water the plants at seven for a week"), or the
+    days are not how long it lasts: "for three days lock the door at ten", "run it at ten for the next days".
     """
     times = [phrase for phrase in sketch.phrases if _is_part(phrase)]
-    if not times and sketch.operation is not None and _is_soon_over(sketch.operation, lexicon):
+    operation = sketch.operation
+    if not times and operation is not None:
+        in_front = length.span[1] <= operation.span[0]
+        apart = in_front or not isinstance(length.said.time, Duration)
+        if not apart and not _is_soon_over(operation, lexicon):
+            return []
         times = [phrase for phrase in sketch.phrases if _is_clock(phrase)]
     between = text[times[0].span[1] : times[-1].span[0]].lower().split() if times else []
     return times if lexicon.closed.alternatives.isdisjoint(between) else []

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
 from fuzzytime.language.meaning.expressions import Wall
-from fuzzytime.language.meaning.times_of_day import Clock
+from fuzzytime.language.meaning.times_of_day import Clock, Half
 from fuzzytime.language.sentence.references.mentions import undoes
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.sketches.sketch import Sketch, text_between
@@ -22,8 +22,45 @@ def leads_to(sketches: Sequence[Sketch], place: int, text: str) -> Clock | None:
     if [p.span for p in sketches[place].phrases] == [p.span for p in sketches[place + 1].phrases]:
         # "Close the garage and lock it by seven": one time of both
         return None
-    following = place + 1 if follows_on(sketches, place + 1, text) else _undone_at(sketches, place, text)
+    following = _following(sketches, place, text)
     return None if following is None else _clock_of(sketches[following])
+
+
+def side_of_night(sketches: Sequence[Sketch], place: int, text: str) -> Half | None:
+    """Give which side of a night it is, where it is so overnight: "lock it at ten and unlock it at six".
+
+    The hour at which it ends is none after that at which it begins, and of a morning.
+    """
+    for first in range(place + 1):
+        second = _following(sketches, first, text)
+        if (
+            second is not None
+            and place in {first, second}
+            and _spans_night(sketches[first], sketches[second])
+        ):
+            return Half.EVENING if place == first else Half.AM
+    return None
+
+
+def _following(sketches: Sequence[Sketch], place: int, text: str) -> int | None:
+    """Give where the same sentence goes on with a thing, or undoes what is done with it."""
+    return place + 1 if follows_on(sketches, place + 1, text) else _undone_at(sketches, place, text)
+
+
+def _spans_night(first: Sketch, second: Sketch) -> bool:
+    """Whether what is shut, or lit, is undone at an hour that is no later than its own."""
+    begins, ends = _clock_of(first), _clock_of(second)
+    beginning, ending = first.operation, second.operation
+    if begins is None or ends is None or beginning is None or ending is None:
+        return False
+    lexicon = first.part.tree.lexicon
+    if not begins.is_open or not ends.is_open or not undoes(ending, beginning, lexicon):
+        return False
+    noun = (beginning.object or "").lower().rpartition(" ")[2]
+    night = beginning.phrase in lexicon.doing.shutting or noun in lexicon.doing.lit
+    up = lexicon.policy.ahead_from
+    early = up.hour * 3600 + up.minute * 60
+    return night and early <= min(ends.candidates()) <= min(begins.candidates())
 
 
 def _undone_at(sketches: Sequence[Sketch], place: int, text: str) -> int | None:

@@ -8,10 +8,11 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.relations import Relative
 from fuzzytime.language.meaning.times_of_day import Half
 from fuzzytime.language.sentence.segments.instances import Instances
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Constraint
+from fuzzytime.requirement import Constraint, Unit
 
 SEVERAL = 2
 OF = "of"
@@ -149,13 +150,21 @@ def is_weekday(phrase: Phrase) -> bool:
     return isinstance(phrase.said.time, Wall) and _is_weekday(phrase.said.time)
 
 
+def is_from_today(phrase: Phrase) -> bool:
+    """Whether it is so many days from today: "tomorrow"."""
+    return isinstance(phrase.said.time, Wall) and isinstance(phrase.said.time.days, Relative)
+
+
 def _is_weekday(wall: Wall) -> bool:
     return isinstance(wall.days, Fields) and wall.days.weekly
 
 
 def _is_listed(wall: Wall) -> bool:
-    """Whether it is a day of the week or of some month, which a list may hold several of."""
-    return _is_weekday(wall) or (isinstance(wall.days, Fields) and wall.days.is_day_of_month)
+    """Whether it is a day of the week or of some month, or so far from today, as a list may have several."""
+    days = wall.days
+    if isinstance(days, Relative):
+        return days.grain is Unit.DAY
+    return _is_weekday(wall) or (isinstance(days, Fields) and days.is_day_of_month)
 
 
 def _open(phrase: Phrase) -> tuple[int, int, int] | None:

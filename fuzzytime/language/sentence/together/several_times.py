@@ -12,6 +12,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.mornings import part_said
 from fuzzytime.language.sentence.together.said_again import (
     apart,
+    is_from_today,
     is_weekday,
     with_shared_clock,
     with_shared_part,
@@ -45,7 +46,9 @@ def of_several_times(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) ->
             rest = [phrase for phrase in sketch.phrases if phrase not in group]
             if joints & closed.alternatives:
                 shared = _with_part_behind(_with_month_behind(with_shared_part(group, words)))
-                first, *others = _on_one_day(with_shared_clock(shared), words)
+                # "Today if you can, otherwise tomorrow at ten": today at any time
+                near = any(map(is_from_today, shared))
+                first, *others = _on_one_day(shared if near else with_shared_clock(shared), words)
                 others = [
                     _bound_as(first, replace(one, said=replace(one.said, alternative=True))) for one in others
                 ]
@@ -68,6 +71,9 @@ def _joined(
             between -= lexicon.beside.courteous | closed.singular_anaphors
         if between <= {"/"} and is_weekday(group[-1]) and is_weekday(following):
             # "Monday wednesday and friday", as it is said; "mon/wed/fri"
+            between = {","}
+        if not between and _is_clock(group[-1]) and _is_clock(following):
+            # "For 6 am 6 15 am and 6 30 am", as it is said
             between = {","}
         if not between or between - closed.additions - closed.alternatives:
             break
@@ -177,6 +183,11 @@ def _are_two_of_a_day(first: Phrase, second: Phrase) -> bool:
     begins, ends = parts.get(Constraint.AFTER), parts.get(Constraint.BEFORE)
     # "Before dinner and after work"
     return begins is None or ends is None or begins.end > ends.start
+
+
+def _is_clock(phrase: Phrase) -> bool:
+    """Whether it is a clock time of a day that is not said."""
+    return is_of_day(phrase.said.time) and phrase.said.time.clock is not None
 
 
 def _is_beside_meal(phrase: Phrase) -> bool:

@@ -15,8 +15,10 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch
 from fuzzytime.language.sentence.together.again_between import again_between
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
+from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
 from fuzzytime.language.sentence.together.day_by_day import day_by_day, each_day_too
 from fuzzytime.language.sentence.together.days_apart import on_owned_day, on_their_days, under_first_line
+from fuzzytime.language.sentence.together.days_on import days_on
 from fuzzytime.language.sentence.together.first_times import from_first_time
 from fuzzytime.language.sentence.together.lending import led, repeated, shared, within
 from fuzzytime.language.sentence.together.said_again import done_again, each_of
@@ -37,6 +39,7 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         day_by_day(each_day_too(sketch, words, lexicon), draft.text, lexicon)
         for sketch in under_first_line(told, draft.text)
     ]
+    told = days_on(told, draft.text, lexicon)
     split = (
         counted_apart(one, words, lexicon)
         for sketch in told
@@ -46,7 +49,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
     )
     for one in split:
         whole, later = _first_offered(one, draft.text)
-        remarks += (not_used(draft.text, span) for span in later)
+        whole, others = first_of_choices(whole, words, lexicon)
+        remarks += (not_used(draft.text, span) for span in (*later, *others))
         found += of_several_times(whole, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
     placed = on_their_days(found, draft.text, draft.heading)

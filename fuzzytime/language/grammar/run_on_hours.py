@@ -1,0 +1,63 @@
+"""Clock times said one after the other without commas: "alarms for six six fifteen and six thirty"."""
+
+from collections.abc import Iterator
+
+from fuzzytime.language.grammar.lexicon import Lexicon
+from fuzzytime.language.grammar.surroundings import Surroundings
+from fuzzytime.language.meaning.times_of_day import Clock
+
+LAST = "and"
+HOURS = 12
+FEWEST_MINUTES = 10
+MINUTES = 60
+LEAST = 2
+"""Clock times behind the first of such a list, at least."""
+
+Stretch = tuple[int, int]
+"""Places of words, from the first to behind the last."""
+
+
+class RunOnHours:
+    """Lists of clock times in ascending order, with "and" before the last."""
+
+    def __init__(self, lexicon: Lexicon, around: Surroundings) -> None:
+        self.lexicon, self.around, self.texts = lexicon, around, around.texts
+
+    def behind(self, clock: Clock | None, place: int) -> list[Stretch]:
+        """Give where the clock times behind the first of a list stand, which ends at a place; [] without."""
+        if clock is None or not clock.is_open:
+            return []
+        found = self._rest(place, clock.hour % HOURS * MINUTES + clock.minute)
+        return found if len(found) >= LEAST else []
+
+    def _rest(self, place: int, before: int) -> list[Stretch]:
+        """Give the clock times from a place on, each later than the one before it."""
+        last = self.texts[place : place + 1] == [LAST]
+        for end, minutes in self._clocks(place + last):
+            if minutes <= before:
+                continue
+            if last and self._number(end) is None and not self.around.is_unit(end):
+                return [(place + 1, end)]
+            more = [] if last else self._rest(end, minutes)
+            if more:
+                return [(place, end), *more]
+        return []
+
+    def _clocks(self, place: int) -> Iterator[tuple[int, int]]:
+        """Give where an hour, with minutes or without, ends that begins at a place, and its minutes."""
+        hour = self._number(place)
+        if hour is None or not 1 <= hour <= HOURS:
+            return
+        first, second = self._number(place + 1), self._number(place + 2)
+        if first is not None and FEWEST_MINUTES <= first < MINUTES:
+            tens = first % FEWEST_MINUTES == 0 and first > FEWEST_MINUTES
+            if tens and second is not None and 1 <= second < FEWEST_MINUTES:
+                yield place + 3, hour % HOURS * MINUTES + first + second
+            yield place + 2, hour % HOURS * MINUTES + first
+        yield place + 1, hour % HOURS * MINUTES
+
+    def _number(self, place: int) -> int | None:
+        """Give the number that a word is."""
+        text = self.texts[place] if 0 <= place < len(self.texts) else ""
+        known = self.lexicon.numbers.get(text)
+        return int(text) if text.isdecimal() else None if known is None else int(known)
