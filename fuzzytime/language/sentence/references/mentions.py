@@ -1,6 +1,7 @@
 """Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
 
 import heapq
+import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -14,11 +15,14 @@ from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
 BE = "be"
+WHILE = "while"
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
 ALIKE = 0.5
 """The worth of a word that is only alike."""
+
+_OWNERS = re.compile(r"(\w+) ?['\u2019]s\b")
 
 
 def shares_thing(one: Operation, other: Operation) -> bool:
@@ -109,12 +113,14 @@ class Mentions:
                 return position
         return None
 
-    def touching(self, words: frozenset[str], before: int) -> int | None:
+    def touching(
+        self, words: frozenset[str], before: int, owners: frozenset[str] = frozenset()
+    ) -> int | None:
         """Give the latest position before one of what is to be done with something that words name."""
         stretch = range(before)
         runs = [_within(by.get(word, []), stretch) for word in words for by in (self._by_word, self._by_verb)]
         for position in heapq.merge(*(reversed(run) for run in runs), reverse=True):
-            if is_done_with(self.operations[position], words):
+            if is_done_with(self.operations[position], words, owners):
                 return position
         return None
 
@@ -149,12 +155,19 @@ def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:
     return frozenset(regular | lexicon.past.get(verb, frozenset()))
 
 
-def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
+def owners_in(thing: str | None) -> frozenset[str]:
+    """Give whose a thing is said to be: "Beta's battery" is no other's."""
+    return content_words(" ".join(_OWNERS.findall(thing or "")))
+
+
+def is_done_with(
+    operation: Operation | None, words: frozenset[str], owners: frozenset[str] = frozenset()
+) -> bool:
     """Whether an operation asks for something to be done with what words name, which may be its verb."""
     if operation is None or not operation.is_asked:
         return False
     known = content_words(operation.object) | content_words(operation.place)
-    return not words.isdisjoint(known.union(_nouns(operation.lemma)))
+    return owners <= known and not words.isdisjoint(known.union(_nouns(operation.lemma)))
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:
@@ -209,7 +222,10 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         shared or not named or named <= closed.anaphors | closed.universal_pronouns or not known
     ):
         return SAME_VERB + shared
-    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == "while"
+    if shared and clause.kind != WHILE and comes(operation, lexicon) and clause.is_there(lexicon):
+        # "Once the parts are here", where they arrive at ten.
+        return SAME_VERB + shared
+    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == WHILE
     if operation.stated and shared and (goes_on or clause.verb in doing.beginning | doing.ending):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared
