@@ -8,13 +8,13 @@ from pathlib import Path
 from fuzzytime.language.finding import check_length, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.instruction import Operation, Reading, RemarkKind, overlap
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said
+from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said, night_told
 from fuzzytime.language.sentence.together.headings import under_headings
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
@@ -119,7 +119,7 @@ class Language:
             since = since if readings and readings[-1].now == draft.now else NOTHING
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
-            since = last_said(_times_in(reading), since)
+            since = night_told(reading, last_said(_times_in(reading), since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
@@ -185,8 +185,11 @@ def _as_typed(readings: list[Reading], texts: Sequence[tuple[str, datetime | Non
 
 
 def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
+    """Give the times of what is asked for or told: what is not understood is no clue to others."""
+    wrong = [one.span for one in reading.remarks if one.kind is RemarkKind.NOT_UNDERSTOOD]
     for instruction in reading.instructions:
-        yield from instruction.requirements
+        if instruction.operation is not None or not any(overlap(instruction.span, span) for span in wrong):
+            yield from instruction.requirements
 
 
 def _waits(reading: Reading) -> bool:

@@ -21,6 +21,8 @@ class Moment:
     when in seconds that happens which is to be prepared: "the bus leaves at 8:05, so be there by 8".
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
     that this is what follows: "open it at eight and close it at six".
+    ``past`` says that it is over: "her last turn was at six"; ``night`` is from when to when, in seconds, a
+    line said that a shift goes on over midnight.
     ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
     this is so of those on days to come.
     """
@@ -37,6 +39,8 @@ class Moment:
     early: bool = False
     leads: Clock | None = None
     onto: bool = False
+    past: bool = False
+    night: tuple[float, float] | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -65,6 +69,10 @@ class Moment:
             early=self.early,
             leads=self.leads,
             onto=self.onto,
+            past=self.past,
+            night=None
+            if self.night is None
+            else (here + timedelta(seconds=self.night[0]), here + timedelta(seconds=self.night[1])),
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

@@ -47,6 +47,10 @@ class Standpoint(ABC):
         The clock time of what follows with the same thing.
     onto : bool
         Whether this is what follows.
+    past : bool
+        Whether it is over: the time is the last before now.
+    night : tuple of datetime, optional
+        From when to when what was said before goes on over midnight, which begins soon or goes on now.
     """
 
     now: datetime
@@ -64,6 +68,8 @@ class Standpoint(ABC):
     early: bool = False
     leads: Clock | None = None
     onto: bool = False
+    past: bool = False
+    night: tuple[datetime, datetime] | None = None
 
     @property
     def today(self) -> Today:

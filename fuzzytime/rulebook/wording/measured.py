@@ -177,7 +177,8 @@ def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: 
             unit = tables.signals[variable.signal].unit
             return f"{variable.signal} is measured in {symbol(unit) or 'a bare number'}, got {said!r}"
     if not _is_nameless(guess, named):
-        return f"no signal of {guess!r} tells {said!r}"
+        thing = (guess or "").replace(" 's", "'s")
+        return f"no signal of {thing!r} tells {said!r}"
     possible = [one for one in _of_unit(comparison, tables) if _can_be(comparison, one)]
     signals = dict.fromkeys(one.signal.name for one in possible)
     if not signals:

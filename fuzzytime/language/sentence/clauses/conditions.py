@@ -20,7 +20,6 @@ LONGEST_STATE = 3
 """Words that say how something is, at most: "until light and fluffy"."""
 
 POSSESSIVE = "POS"
-GENITIVE = "'s"
 ITS = "its"
 """How "it's" is often typed."""
 
@@ -56,7 +55,7 @@ def condition_of(tree: Tree, verb: int, nodes: Sequence[int], text: str) -> Cond
         tree.nodes[p].lower
         for p in sorted(tree.below(subjects[0]))
         if p in inside and tree.nodes[p].tag not in ANY_DETERMINERS
-    ).replace(f" {GENITIVE}", GENITIVE)
+    )
     if subjects and tree.nodes[subjects[0]].lower == ITS:
         subject = "it"
     node = tree.nodes[verb]

@@ -167,7 +167,9 @@ def is_done_with(
     if operation is None or not operation.is_asked:
         return False
     known = content_words(operation.object) | content_words(operation.place)
-    return owners <= known | owners_in(operation.object) and not words.isdisjoint(known.union(_nouns(operation.lemma)))
+    return owners <= known | owners_in(operation.object) and not words.isdisjoint(
+        known.union(_nouns(operation.lemma))
+    )
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:

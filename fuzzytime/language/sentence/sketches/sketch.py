@@ -45,7 +45,7 @@ class Sketch:
     ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
     above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
     others of the same thing; ``denial`` is what is said of the orders before it that one "don't" denies
-    with it.
+    with it; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
     """
 
     part: Part
@@ -59,6 +59,8 @@ class Sketch:
     way: Duration | None = None
     joints: tuple[Span, ...] = ()
     denial: str = ""
+    doubted: bool = False
+    past: bool = False
 
     @property
     def heard(self) -> list[Span]:
