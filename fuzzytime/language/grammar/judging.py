@@ -19,6 +19,7 @@ from fuzzytime.language.meaning.expressions import (
     INTO,
     LAST,
     Coming,
+    Ending,
     Duration,
     HourMark,
     Offset,
@@ -129,6 +130,9 @@ class Judge:
             # "…, muck out straight after, and let them out"
             joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
             return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
+        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "At the beginning of second period", "of the second lesson"
+            return self.texts[piece.end - 2] == "the" and self.around.may_end(piece)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
         if isinstance(time, HourMark) and time.open:

@@ -102,7 +102,7 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     On a day to come that is named they may be up earlier.
     """
     first, last = here.policy.plausible_from, here.policy.plausible_to
-    if not here.usual and _is_soon(here, moment):
+    if not (here.usual or ahead) and _is_soon(here, moment):
         return True
     if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
         # Who speaks at five is up at half past; dinner is in the evening all the same.
@@ -127,7 +127,7 @@ def _is_soon(here: Standpoint, moment: datetime) -> bool:
         return False
     at_night = now >= policy.night_from or now < policy.night_to
     hours = policy.night_hours if at_night else policy.soon_hours
-    return moment - here.now <= timedelta(hours=hours)
+    return timedelta(0) <= moment - here.now <= timedelta(hours=hours)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:
