@@ -19,8 +19,8 @@ from fuzzytime.language.meaning.expressions import (
     INTO,
     LAST,
     Coming,
-    Ending,
     Duration,
+    Ending,
     HourMark,
     Offset,
     Range,
@@ -130,9 +130,6 @@ class Judge:
             # "…, muck out straight after, and let them out"
             joined = joined or (behind[:1] == [","] and behind[1:] in (["and"], ["then"], ["but"]))
             return led and (joined or self.around.follower(piece) in {"", ".", "!", ";"})
-        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
-            # "At the beginning of second period", "of the second lesson"
-            return self.texts[piece.end - 2] == "the" and self.around.may_end(piece)
         if isinstance(time, Range):
             return self.ranges.accept(piece, said, time)
         if isinstance(time, HourMark) and time.open:
@@ -157,6 +154,9 @@ class Judge:
 
     def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "At the beginning of second period", "of the second lesson"
+            return self.texts[piece.end - 2] != "the" or not self.around.may_end(piece)
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
         days = days.anchor if isinstance(days, CountedDay) else days

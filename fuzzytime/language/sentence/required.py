@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Anchor, Edge, TimeRequirement
 
 
 def required_of(
@@ -33,6 +33,9 @@ def required_of(
     requirements, remarks = _of_phrases(sketch, times, anchors, draft)
     for clause in sketch.clauses:
         required, told = of_clause(clause, anchors, sketch, draft)
+        if clause.marker == OF and _is_counted_from(required.anchor, requirements):
+            # "In the last half hour of the shift" is that long before its end, wherever it begins.
+            continue
         requirements.append(required)
         remarks += told
     events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
@@ -47,6 +50,14 @@ def required_of(
     requirements = within_after(requirements)
     requirements.sort(key=lambda requirement: requirement.span)
     return requirements, remarks
+
+
+def _is_counted_from(anchor: Anchor | None, requirements: list[TimeRequirement]) -> bool:
+    """Whether a time counts from the end of what words name."""
+    ends = (one.anchor for one in requirements if one.anchor is not None and one.anchor.exact)
+    return anchor is not None and any(
+        end.target is not None and (end.target, end.edge) == (anchor.target, Edge.END) for end in ends
+    )
 
 
 def _of_phrases(
