@@ -16,6 +16,7 @@ from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
 from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said, night_told
 from fuzzytime.language.sentence.together.headings import under_headings
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -124,10 +125,11 @@ class Language:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
             readings.append(reading)
+        told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
         for place, draft in enumerate(drafts):
             behind = first + len(readings[place].instructions)
-            if behind < len(mentions.operations) and _waits(readings[place]):
+            if behind < len(mentions.operations) and _waits(readings[place], told):
                 since = given_since[place]
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
@@ -192,11 +194,15 @@ def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
             yield from instruction.requirements
 
 
-def _waits(reading: Reading) -> bool:
-    """Whether a reading speaks of something that no instruction so far is about, but a later one may be."""
+def _waits(reading: Reading, told: frozenset[str]) -> bool:
+    """Whether a reading speaks of something that no instruction so far is about, but a later one may be.
+
+    So it does by a meal of which some line tells when it is: the words that are ``told`` of.
+    """
     return any(
         requirement.condition is not None
         or (requirement.anchor is not None and requirement.anchor.target is None)
+        or (requirement.anchor is None and not told.isdisjoint(content_words(requirement.text)))
         for instruction in reading.instructions
         for requirement in instruction.requirements
     )

@@ -113,6 +113,23 @@ class Mentions:
                 return position
         return None
 
+    def told_behind(self, words: frozenset[str], place: int) -> int | None:
+        """Give the first position from one on where it is told when something is: "lunch is at twelve"."""
+        runs = sorted((self._by_word.get(word, []) for word in words), key=len)
+        for position in runs[0][bisect_left(runs[0], place) :] if runs else []:
+            operation = self.operations[position]
+            if operation is not None and words <= content_words(operation.object) and self.tells(operation):
+                return position
+        return None
+
+    def telling(self) -> Iterator[Operation]:
+        """Give what happens, and what is eaten."""
+        return (operation for operation in self.operations if operation is not None and self.tells(operation))
+
+    def tells(self, operation: Operation) -> bool:
+        """Whether something happens, or a meal is eaten: by its time others may be told."""
+        return operation.stated or (operation.is_asked and operation.lemma in self.lexicon.doing.eating)
+
     def touching(
         self, words: frozenset[str], before: int, owners: frozenset[str] = frozenset()
     ) -> int | None:
