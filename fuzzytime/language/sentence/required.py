@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, TimeRequirement
 
 
 def required_of(
@@ -33,8 +33,9 @@ def required_of(
     requirements, remarks = _of_phrases(sketch, times, anchors, draft)
     for clause in sketch.clauses:
         required, told = of_clause(clause, anchors, sketch, draft)
-        if clause.marker == OF and _is_counted_from(required.anchor, requirements):
-            # "In the last half hour of the shift" is that long before its end, wherever it begins.
+        repeated = any(requirement.recurrence is not None for requirement in requirements)
+        if clause.marker == OF and not repeated and _ends_then(required.anchor, anchors):
+            # "In the last half hour of the shift", of which it is told when it ends.
             continue
         requirements.append(required)
         remarks += told
@@ -52,12 +53,10 @@ def required_of(
     return requirements, remarks
 
 
-def _is_counted_from(anchor: Anchor | None, requirements: list[TimeRequirement]) -> bool:
-    """Whether a time counts from the end of what words name."""
-    ends = (one.anchor for one in requirements if one.anchor is not None and one.anchor.exact)
-    return anchor is not None and any(
-        end.target is not None and (end.target, end.edge) == (anchor.target, Edge.END) for end in ends
-    )
+def _ends_then(anchor: Anchor | None, anchors: Anchors) -> bool:
+    """Whether all that is told of what words name is when it is over: "the shift ends at seven"."""
+    told = None if anchor is None or anchor.target is None else anchors.operation_at(anchor.target)
+    return told is not None and told.stated and told.lemma in anchors.lexicon.doing.ending
 
 
 def _of_phrases(
