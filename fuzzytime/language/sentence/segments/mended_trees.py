@@ -20,7 +20,7 @@ LET = 2
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
-    tree = _with_numbered_things(tree, lexicon)
+    tree = _with_name_in_front(_with_numbered_things(tree, lexicon), lexicon)
     mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     return _with_list(mended or _does_compound(tree, lexicon) or tree)
 
@@ -68,6 +68,17 @@ def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
         nodes[thing] = replace(node, tag="NN", relation="dobj", head=thing - 1)
         nodes[thing + 1] = replace(number, relation="nummod", head=thing)
     return tree.with_nodes(nodes) if nodes != list(tree.nodes) else tree
+
+
+def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "telly for half an hour" the thing that it names, which was taken for how the rest is."""
+    if tree.root != 1 or tree.nodes[1].tag != "IN" or tree.nodes[0].head != 1:
+        return tree
+    if tree.nodes[0].lower not in lexicon.happening | lexicon.taken:
+        return tree
+    nodes = [replace(tree.nodes[0], tag="NN", relation="ROOT", head=0), *tree.nodes[1:]]
+    nodes[1] = replace(nodes[1], relation="prep", head=0)
+    return tree.with_nodes(nodes)
 
 
 def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:

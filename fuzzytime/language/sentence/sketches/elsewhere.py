@@ -59,7 +59,8 @@ def is_of_subject(part: Part, phrase: Phrase, action: Action) -> bool:
     """Whether a time is of what a verb behind it is about: "meeting at 3.30, should be done by four"."""
     place = next(iter(part.tree.at(*_local(part, phrase))), None)
     subjects = part.tree.children(action.place, *GRAMMATICAL_SUBJECTS)
-    return place is not None and any(place in part.tree.below(subject) for subject in subjects)
+    is_when = phrase.said.constraint in {None, Constraint.AT}
+    return is_when and place is not None and any(place in part.tree.below(subject) for subject in subjects)
 
 
 def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
