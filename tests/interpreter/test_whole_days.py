@@ -74,3 +74,8 @@ def test_a_time_and_an_event_are_two_times() -> None:
 )
 def test_when_a_meal_is_may_be_told_later(lines: tuple[str, ...], start: str) -> None:
     assert starts(told(lines, now=EIGHT))["s1"] == start
+
+
+def test_what_goes_on_is_meant_and_not_what_is_done_with_it() -> None:
+    lines = ("the window is from 11 to 12", "announce the window now", "check the page during the window")
+    assert _times(*lines)["s3"][0] >= 11

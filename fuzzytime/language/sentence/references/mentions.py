@@ -206,7 +206,7 @@ def best_of(
     """Give the position of the operation that a clause refers to, the first of the best; None for none."""
     best, found = 0.0, None
     named, words = _names_of(clause)
-    most = SAME_VERB + max(len(named), len(words) - 1)
+    most = SAME_VERB + max(len(named), len(words) - 1) + ALIKE * clause.is_event
     for position, operation in candidates:
         if operation is None or operation.negated:
             continue
@@ -230,7 +230,9 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             # "We are at swimming by four. Swimming lasts an hour"
             shared = len(named & known)
         same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
-        return same or _named_after(named, operation)
+        # "During the window" is while it goes on, whatever else is done with it.
+        told = ALIKE if operation.stated and clause.kind == WHILE else 0.0
+        return same + told if same else _named_after(named, operation)
     word = None if clause.condition is None else clause.condition.word
     if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
         # "Half an hour before we're on"
