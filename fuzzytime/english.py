@@ -31,6 +31,9 @@ PLACING = frozenset({"in", "on", "for", "with", "from", "to", "at", "into", "ont
 NAMELESS = frozenset({"it", "they", "there"})
 """Subjects that name nothing."""
 
+MEASURES = frozenset({"temperature", "temp", "level", "charge", "reading", "pressure", "speed", "cycle"})
+"""What is read of a thing that is named before it: "the oven temperature" is the oven's."""
+
 _HAVE = frozenset({"has", "have", "had", "just", "already", "finally"})
 _FORMS_OF_BE = frozenset({"is", "are", "was", "were", "been", "gets", "got"})
 _BE = "is"

@@ -103,6 +103,8 @@ class Gathering:
             if news:
                 self.links.instructions.append(range(news[0], news[0] + 1))
                 continue
+            if reported(reading, self.maker.lexicon) is not None:
+                self.links.done.add(len(self.links.instructions))
             places = self._take(wish, reading, instruction, listed=listed)
             self.links.instructions.append(places)
             about.append((instruction, places))

@@ -49,7 +49,8 @@ class HowLong:
             # "Paint the door and give it an hour"
             whole = table.hands_on + length
             return OperationDuration(hands_on=table.hands_on, elapsed=whole, source="said", assumed=False)
-        unattended = table.known and table.elapsed > table.hands_on
+        # "Paint the door for three hours": what dries when that is over leaves nobody free before.
+        unattended = table.known and table.elapsed > table.hands_on and not table.worked
         hands_on = min(table.hands_on, length) if unattended else length
         if operation is not None and operation.object is not None:
             # "Leave the dough for an hour"; but who leaves for an hour is away.

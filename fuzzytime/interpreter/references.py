@@ -13,18 +13,23 @@ from fuzzytime.interpreter.circles import Before
 from fuzzytime.interpreter.interpretation import Interpreted, Problem, ProblemKind
 from fuzzytime.interpreter.remarks import problem_of
 from fuzzytime.interpreter.ties import Tie
-from fuzzytime.requirement import Anchor, Edge, TimeRequirement
+from fuzzytime.requirement import Anchor, Constraint, Edge, TimeRequirement
 from fuzzytime.rulebook import Rulebook
+from fuzzytime.satisfaction import NEVER
 from fuzzytime.skills import Precedence
 from fuzzytime.spelling import suggestion
 
 
 @dataclass(slots=True)
 class Links:
-    """The names of all wishes; and the skills that came of each instruction, by its position among all."""
+    """The names of all wishes; and the skills that came of each instruction, by its position among all.
+
+    ``done`` are the positions of instructions that tell of something that it is done already.
+    """
 
     wishes: frozenset[str] = frozenset()
     instructions: list[range] = field(default_factory=list)
+    done: set[int] = field(default_factory=set)
 
     def skills_of(self, target: int) -> range:
         """Give the positions of the skills of an instruction; none where it was not planned."""
@@ -71,16 +76,8 @@ def link(
             meant = _over_with(requirement.anchor, links.meant_by(requirement.anchor), linked, links)
             targets = [target for target in meant if target != position]
             if not targets:
-                message = f"refers to {requirement.anchor.text!r}, which is not planned"
-                problems.append(
-                    problem_of(
-                        interpreted.wish,
-                        ProblemKind.UNRESOLVED,
-                        message,
-                        requirement.span,
-                        interpreted.identifier,
-                    )
-                )
+                linked[position], problem = _without_target(linked[position], requirement, links)
+                problems.append(problem)
                 continue
             if requirement.anchor.assumed:
                 problems.append(_assumed(interpreted, requirement, skills[targets[0]]))
@@ -94,6 +91,32 @@ def link(
             follows = (*linked[position].follows, skills[precedence.first].identifier)
             linked[position] = replace(linked[position], follows=follows)
     return linked, tuple(precedence for _, precedence in kept), problems
+
+
+def _without_target(
+    this: Interpreted, requirement: TimeRequirement, links: Links
+) -> tuple[Interpreted, Problem]:
+    """Say that something refers to what is not planned, and withhold what would wait for that.
+
+    Nobody knows when that is over, so that "don't restart it until the vacuum is done" is no leave to begin:
+    as where no signal tells a condition. What was said to be done already is waited for no longer, and what
+    only goes on telling ("then") waits for nothing by name. What is to be done before it may begin at
+    any time, as what is not planned has not begun; a distance before it is as little known as one behind.
+    """
+    anchor = requirement.anchor
+    named = anchor is not None and (anchor.verb is not None or anchor.object is not None)
+    exact = anchor is not None and anchor.exact
+    waits = named and requirement.constraint is not Constraint.BEFORE
+    text = requirement.text if anchor is None else anchor.text
+    message, kind = f"refers to {text!r}, which is not planned", ProblemKind.UNRESOLVED
+    if anchor is not None and anchor.target in links.done:
+        message, kind = f"refers to {text!r}, which was done already", ProblemKind.NOTE
+    elif waits or exact:
+        skill = replace(this.skill, satisfaction=NEVER)
+        this = replace(this, skill=skill, reason=this.reason or message)
+    else:
+        message += ": taken as not held up by it"
+    return this, problem_of(this.wish, kind, message, requirement.span, this.identifier)
 
 
 def _assumed(this: Interpreted, requirement: TimeRequirement, target: Interpreted) -> Problem:

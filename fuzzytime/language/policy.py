@@ -37,6 +37,10 @@ class Policy:
     ----------
     plausible_from, plausible_to
         A clock time without am or pm is its next occurrence within these hours of the day.
+    soon_hours
+        One that comes within so many hours from now is plausible at any time of day.
+    night_from, night_to, night_hours
+        Who speaks between these times of day is up at night, and means one within so many hours.
     ahead_from
         On a day to come that is named, the hours from this time of day on are plausible too.
     hours_before
@@ -62,6 +66,10 @@ class Policy:
 
     plausible_from: time = time(7)
     plausible_to: time = time(22)
+    soon_hours: int = 2
+    night_from: time = time(23)
+    night_to: time = time(4)
+    night_hours: int = 5
     ahead_from: time = time(6)
     hours_before: int = 2
     workday_from: time = time(6)

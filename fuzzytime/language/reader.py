@@ -8,14 +8,15 @@ from pathlib import Path
 from fuzzytime.language.finding import check_length, shipped_grammar, shipped_lexicon
 from fuzzytime.language.grammar.chart import Grammar
 from fuzzytime.language.grammar.lexicon import Lexicon
-from fuzzytime.language.instruction import Operation, Reading
+from fuzzytime.language.instruction import Operation, Reading, RemarkKind, overlap
 from fuzzytime.language.lines import with_stops
 from fuzzytime.language.policy import Policy
 from fuzzytime.language.sentence.compose import composed
 from fuzzytime.language.sentence.references.mentions import Mentions
 from fuzzytime.language.sentence.segments.drafts import Draft, drafted
-from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said
+from fuzzytime.language.sentence.sketches.clock_times import NOTHING, last_said, night_told
 from fuzzytime.language.sentence.together.headings import under_headings
+from fuzzytime.language.sentence.trees.content_words import content_words
 from fuzzytime.language.sentence.trees.model import ModelPackage, installed_model, parsed
 from fuzzytime.language.sentence.trees.parse_cache import ParseCache
 from fuzzytime.language.sentence.trees.tree import Tree
@@ -119,15 +120,16 @@ class Language:
             since = since if readings and readings[-1].now == draft.now else NOTHING
             given_since.append(since)
             reading = composed(draft, self.lexicon, mentions, len(mentions.operations), since=since)
-            since = last_said(_times_in(reading), since)
+            since = night_told(reading, last_said(_times_in(reading), since))
             for instruction in reading.instructions:
                 mentions.told.add(len(mentions.operations), instruction, reading.now)
                 mentions.add(instruction.operation)
             readings.append(reading)
+        told = frozenset[str]().union(*(content_words(one.object) for one in mentions.telling()))
         first = len(given)
         for place, draft in enumerate(drafts):
             behind = first + len(readings[place].instructions)
-            if behind < len(mentions.operations) and _waits(readings[place]):
+            if behind < len(mentions.operations) and _waits(readings[place], told):
                 since = given_since[place]
                 readings[place] = composed(draft, self.lexicon, mentions, first, awaits=True, since=since)
             first = behind
@@ -185,15 +187,22 @@ def _as_typed(readings: list[Reading], texts: Sequence[tuple[str, datetime | Non
 
 
 def _times_in(reading: Reading) -> Iterator[TimeRequirement]:
+    """Give the times of what is asked for or told: what is not understood is no clue to others."""
+    wrong = [one.span for one in reading.remarks if one.kind is RemarkKind.NOT_UNDERSTOOD]
     for instruction in reading.instructions:
-        yield from instruction.requirements
+        if instruction.operation is not None or not any(overlap(instruction.span, span) for span in wrong):
+            yield from instruction.requirements
 
 
-def _waits(reading: Reading) -> bool:
-    """Whether a reading speaks of something that no instruction so far is about, but a later one may be."""
+def _waits(reading: Reading, told: frozenset[str]) -> bool:
+    """Whether a reading speaks of something that no instruction so far is about, but a later one may be.
+
+    So it does by a meal of which some line tells when it is: the words that are ``told`` of.
+    """
     return any(
         requirement.condition is not None
         or (requirement.anchor is not None and requirement.anchor.target is None)
+        or (requirement.anchor is None and not told.isdisjoint(content_words(requirement.text)))
         for instruction in reading.instructions
         for requirement in instruction.requirements
     )

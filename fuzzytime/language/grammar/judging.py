@@ -20,6 +20,7 @@ from fuzzytime.language.meaning.expressions import (
     LAST,
     Coming,
     Duration,
+    Ending,
     HourMark,
     Offset,
     Range,
@@ -153,6 +154,9 @@ class Judge:
 
     def _counts_from_thing(self, piece: Piece, time: Time | Duration | Repeat) -> bool:
         """Whether it counts from one of some things: "sow the second row ten days after the first"."""
+        if isinstance(time, Ending) and self.texts[piece.end - 1] in self.lexicon.ordinals:
+            # "At the beginning of second period", "of the second lesson"
+            return self.texts[piece.end - 2] != "the" or not self.around.may_end(piece)
         wall = time.anchor if isinstance(time, Offset) else time
         days = wall.days if isinstance(wall, Wall) and wall.clock is None else None
         days = days.anchor if isinstance(days, CountedDay) else days

@@ -123,7 +123,11 @@ class Walls(Standing):
         unbinding = UNBINDING if wall.part is not None else {None, "to", "at"}
         # "Ask about lunch": what a meal is asked about.
         bound = said.preposition not in unbinding or bool(set(said.hedges) - {"about"})
-        if said.preposition == "of" and isinstance(wall.days, Fields) and wall.days.is_day_of_month:
+        numbered = isinstance(wall.days, Fields) and wall.days.is_day_of_month
+        if said.preposition == "in" and numbered and wall.clock is None:
+            # "The blue car is in first"
+            return False
+        if said.preposition == "of" and numbered:
             # "The corner of 5th and Main"
             return self.texts[piece.start + 1] == "the"
         # "After the 10 o'clock feed"

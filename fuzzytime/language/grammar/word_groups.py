@@ -119,6 +119,7 @@ class ClosedClasses:
     sides: Words
     conjuncts: Words
     adverbs_of_order: Words
+    ends_of_rows: Words
     no_order_before: Words
     abbreviations: Words
 

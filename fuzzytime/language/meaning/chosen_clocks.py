@@ -65,6 +65,10 @@ def decided(here: Standpoint, moments: list[datetime], clock: Clock, wall: Wall)
             # "Dinner is at seven, lay the table at half six", said early in the day
             follows = [moment for moment in plausible[::-1] if here.since - CLOSE <= moment < here.since]
         chosen = next(iter(follows), chosen)
+    if here.night is not None and not named and not here.usual:
+        # The shift is from 19:30 to 07:30: "handover at quarter past seven" is where it ends.
+        first, last = here.night
+        chosen = next((moment for moment in moments if first <= moment <= last), chosen)
     choices = tuple(moments) if len(moments) > 1 and chosen in moments else ()
     return Instants(chosen, chosen, clock.grain, choices, wall.zone)
 
@@ -126,6 +130,8 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
     On a day to come that is named they may be up earlier.
     """
     first, last = here.policy.plausible_from, here.policy.plausible_to
+    if not (here.usual or ahead) and _is_soon(here, moment):
+        return True
     if not here.usual and EARLY <= here.now.time() < first <= last and moment.date() == here.now.date():
         # Who speaks at five is up at half past; dinner is in the evening all the same.
         first = here.now.time()
@@ -144,6 +150,17 @@ def _is_plausible(here: Standpoint, moment: datetime, *, ahead: bool) -> bool:
 def is_unusual(here: Standpoint, moments: Sequence[datetime]) -> bool:
     """Whether people do what is asked for at none of some moments, as far as its usual hours are known."""
     return here.usual and not any(_is_plausible(here, moment, ahead=True) for moment in moments)
+
+
+def _is_soon(here: Standpoint, moment: datetime) -> bool:
+    """Whether a moment is so soon that it is meant at any hour: "at three", said at ten to two at night."""
+    policy, now = here.policy, here.now.time()
+    if now == time():
+        # The moment is given as a day.
+        return False
+    at_night = now >= policy.night_from or now < policy.night_to
+    hours = policy.night_hours if at_night else policy.soon_hours
+    return timedelta(0) <= moment - here.now <= timedelta(hours=hours)
 
 
 def _leads(here: Standpoint, moment: datetime, clock: Clock) -> bool:

@@ -168,12 +168,18 @@ class Grounding(Standpoint):
         if wall.part is not None:
             clock = halved(clock, wall.part.half)
         moments = sorted(self._next(seconds) for seconds in clock.candidates())
+        if self.past:
+            return Instants(last := max(map(self._last, moments)), last, clock.grain, (), wall.zone)
         return decided(self, before_due(self, clock) or same_day_after(self, clock) or moments, clock, wall)
 
     def _next(self, seconds: int) -> datetime:
         moment = midnight(self.now.date()) + timedelta(seconds=seconds)
         ahead = moment > self.now or (moment == self.now and not self.ends)
         return moment if ahead else moment + timedelta(days=1)
+
+    def _last(self, moment: datetime) -> datetime:
+        """Give the last moment of a time of day: "her last turn was at six"."""
+        return moment if moment < self.now else moment - timedelta(days=1)
 
     def _clock_on(self, wall: Wall, calendar: Calendar, clock: Clock) -> Instants:
         night = wall.part is not None and wall.part.half.is_late

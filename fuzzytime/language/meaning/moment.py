@@ -22,6 +22,8 @@ class Moment:
     ``leads`` is the clock time of what follows in the same sentence with the same thing, and ``onto`` says
     that this is what follows: "open it at eight and close it at six". ``overnight`` says that it is
     the evening, or the morning that follows, of what is so overnight: "close it at eight, open it at seven".
+    ``past`` says that it is over: "her last turn was at six"; ``night`` is from when to when, in seconds, a
+    line said that a shift goes on over midnight.
     ``usual`` says that the hours of the policy are those at which people do what is asked for, ``early`` that
     this is so of those on days to come.
     """
@@ -39,6 +41,8 @@ class Moment:
     leads: Clock | None = None
     onto: bool = False
     overnight: Half | None = None
+    past: bool = False
+    night: tuple[float, float] | None = None
 
     def grounding(self, zone: str | None = None) -> Grounding:
         """Give the wall clock to reckon by: that of a zone, where one is named and ours is known.
@@ -68,6 +72,10 @@ class Moment:
             leads=self.leads,
             onto=self.onto,
             overnight=self.overnight,
+            past=self.past,
+            night=None
+            if self.night is None
+            else (here + timedelta(seconds=self.night[0]), here + timedelta(seconds=self.night[1])),
         )
 
     def seconds(self, wall: datetime, zone: str | None = None) -> float:

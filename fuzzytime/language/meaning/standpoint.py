@@ -49,6 +49,10 @@ class Standpoint(ABC):
         Whether this is what follows.
     overnight : Half, optional
         Whether it is the evening, or the morning behind it, of what is so overnight.
+    past : bool
+        Whether it is over: the time is the last before now.
+    night : tuple of datetime, optional
+        From when to when what was said before goes on over midnight, which begins soon or goes on now.
     """
 
     now: datetime
@@ -67,6 +71,8 @@ class Standpoint(ABC):
     leads: Clock | None = None
     onto: bool = False
     overnight: Half | None = None
+    past: bool = False
+    night: tuple[datetime, datetime] | None = None
 
     @property
     def today(self) -> Today:

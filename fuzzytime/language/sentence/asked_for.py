@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.sketches.sketch import Sketch
 from fuzzytime.language.sentence.together.doubts import (
     doubts_of,
     nothing_to_do,
+    tells_past,
     things_or_orders,
     unasked,
     unused_orders,
@@ -34,12 +35,13 @@ def asked_of(
         doubts = _doubts(sketch, draft, lexicon)
         remarks += doubts
         if doubts:
-            found.append(
-                replace(sketch, operation=None, clauses=unasked(sketch.clauses, draft.text, lexicon))
-            )
+            clauses = unasked(sketch.clauses, draft.text, lexicon)
+            past = tells_past(sketch.part.tree, lexicon)
+            found.append(replace(sketch, operation=None, clauses=clauses, doubted=True, past=past))
         elif operation is None:
-            remarks += nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard)
-            found.append(sketch)
+            nothing = list(nothing_to_do(draft.text, sketch.part, draft.scanned.words, sketch.heard))
+            remarks += nothing
+            found.append(replace(sketch, doubted=bool(nothing)))
         else:
             remarks += unused_orders(draft.text, sketch.part, operation, sketch.heard)
             remarks += things_or_orders(draft.text, sketch.part, lexicon)

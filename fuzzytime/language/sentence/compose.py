@@ -92,7 +92,12 @@ class _Composer:
         self.draft = draft
         self.lexicon = lexicon
         self.moment = Moment(
-            draft.now, lexicon.policy, since=since.clock, carried=since.clock is not None, day=since.day
+            draft.now,
+            lexicon.policy,
+            since=since.clock,
+            carried=since.clock is not None,
+            day=since.day,
+            night=since.night,
         )
         self.mentions = mentions
         self.first = first
@@ -156,6 +161,7 @@ class _Composer:
             leads=leads_to(sketches, place, self.draft.text),
             overnight=side_of_night(sketches, place, self.draft.text),
             onto=follows_on(sketches, place, self.draft.text) or (then and place > 0),
+            past=sketch.past,
         )
 
     def _unused(self, sketches: Sequence[Sketch]) -> list[Remark]:
@@ -193,7 +199,9 @@ class _Composer:
             self.draft.text,
             at_usual_hours(self.moment, sketch, self.draft.text, self.lexicon),
         )
-        self._remember(times)
+        if not sketch.doubted:
+            # What is not planned is no clue to what else is meant.
+            self._remember(times)
         self.remarks += times.remarks
         self.questions += times.questions
         segment = sketch.part.segment

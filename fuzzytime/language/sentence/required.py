@@ -20,7 +20,7 @@ from fuzzytime.language.sentence.segments.drafts import HEADED, Draft
 from fuzzytime.language.sentence.sketches.at_events import at_events
 from fuzzytime.language.sentence.sketches.clause_requirements import of_clause, referred
 from fuzzytime.language.sentence.sketches.sketch import Sketch
-from fuzzytime.requirement import TimeRequirement
+from fuzzytime.requirement import Anchor, TimeRequirement
 
 
 def required_of(
@@ -33,6 +33,10 @@ def required_of(
     requirements, remarks = _of_phrases(sketch, times, anchors, draft)
     for clause in sketch.clauses:
         required, told = of_clause(clause, anchors, sketch, draft)
+        repeated = any(requirement.recurrence is not None for requirement in requirements)
+        if clause.marker == OF and not repeated and _ends_then(required.anchor, anchors):
+            # "In the last half hour of the shift", of which it is told when it ends.
+            continue
         requirements.append(required)
         remarks += told
     events, told = at_events(sketch, draft.scanned.words, draft.text, anchors)
@@ -47,6 +51,12 @@ def required_of(
     requirements = within_after(requirements)
     requirements.sort(key=lambda requirement: requirement.span)
     return requirements, remarks
+
+
+def _ends_then(anchor: Anchor | None, anchors: Anchors) -> bool:
+    """Whether all that is told of what words name is when it is over: "the shift ends at seven"."""
+    told = None if anchor is None or anchor.target is None else anchors.operation_at(anchor.target)
+    return told is not None and told.stated and told.lemma in anchors.lexicon.doing.ending
 
 
 def _of_phrases(

@@ -14,8 +14,9 @@ class OperationDuration:
     """Seconds that an operation keeps the agent busy, and until it is done.
 
     ``assumed`` says that nobody said it: it comes from a table. ``known`` says that the table has a row for
-    the verb; otherwise it is the default for anything. ``needed_for`` are the verbs that wait until it
-    is done where several things are done in a row; without any, all do.
+    the verb; otherwise it is the default for anything. ``worked`` says that it only dries by itself
+    when the work is over, so that a length that is said is that of the work. ``needed_for`` are the verbs
+    that wait until it is done where several things are done in a row; without any, all do.
     """
 
     hands_on: float
@@ -23,6 +24,7 @@ class OperationDuration:
     source: str
     assumed: bool = True
     known: bool = True
+    worked: bool = False
     needed_for: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:

@@ -9,7 +9,7 @@ from fuzzytime.english import NAMELESS
 from fuzzytime.requirement import Comparison
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.variables import Source, Variable
-from fuzzytime.rulebook.wording.phrases import in_numbers, plain, ways_to_name, within
+from fuzzytime.rulebook.wording.phrases import in_numbers, is_of_another, plain, ways_to_name, within
 
 MOST_SHOWN = 4
 """Signals that a reason names at most."""
@@ -47,6 +47,7 @@ def measured(
     tables: Tables,
     context: Context,
     before: str | None = None,
+    about: str = "",
 ) -> Measured:
     """Find what a number measures.
 
@@ -60,15 +61,17 @@ def measured(
         Readings: they tell what "it" is.
     before
         The variable that the clause spoke of before: "above 100 degrees, but below 150".
+    about
+        The noun phrase that the clause is about, where it is one: things named beside it are not measured.
     """
-    meant = _meant_by(comparison, named, guess, tables) or _gone_on(comparison, before, tables)
+    meant = _meant_by(comparison, named, guess, tables, about) or _gone_on(comparison, before, tables)
     named_none = not meant
     if named_none and _is_nameless(guess, named):
         meant = [one for one in _of_unit(comparison, tables) if context.of_signal(one.signal.name)]
     meant = [one for one in meant if _can_be(comparison, one)] or meant
     signals = list(dict.fromkeys(one.signal.name for one in meant))
     if not meant:
-        return Measured(reason=_why_unknown(comparison, named, guess, tables))
+        return Measured(reason=_why_unknown(comparison, named, guess, tables, about))
     if len(signals) > 1:
         return Measured(reason=f"{comparison.text!r} may be about {' or '.join(signals)}: name it")
     notes: tuple[str, ...] = ()
@@ -83,11 +86,13 @@ def candidates(comparison: Comparison, named: str, guess: str | None, tables: Ta
     return frozenset(one.signal.name for one in meant)
 
 
-def _meant_by(comparison: Comparison, named: str, guess: str | None, tables: Tables) -> list[Meant]:
+def _meant_by(
+    comparison: Comparison, named: str, guess: str | None, tables: Tables, about: str = ""
+) -> list[Meant]:
     """Give what the words name and the unit fits: by a unit that was said, then by the longest words."""
     for text in (named, plain(guess or "")):
         ranked: dict[tuple[bool, int], list[Meant]] = {}
-        for variable, length in _named(text, tables):
+        for variable, length in _named(text, tables, about):
             signal = tables.signals[variable.signal]
             if fits(comparison.behind, signal.unit):
                 unit = measured_in(comparison.behind, signal.unit)
@@ -121,12 +126,15 @@ def _of_unit(comparison: Comparison, tables: Tables) -> list[Meant]:
     return found
 
 
-def _named(text: str, tables: Tables) -> Iterator[tuple[Variable, int]]:
-    """Give the variables whose names stand in a plain text, and how long the names are."""
+def _named(text: str, tables: Tables, about: str) -> Iterator[tuple[Variable, int]]:
+    """Give the variables whose names stand in a plain text, and how long the names are.
+
+    What is only named beside the thing that the clause is about ("bed 3's sats") is not measured.
+    """
     for variable in _values(tables):
         ways = in_numbers((*ways_to_name(variable), *_as_spoken(variable.signal)))
         length = max((len(way) for way in ways if within(way, text)), default=0)
-        if length:
+        if length and not is_of_another(ways, about):
             yield variable, length
 
 
@@ -162,14 +170,15 @@ def _can_be(comparison: Comparison, meant: Meant) -> bool:
     return meant.signal.low <= meant.in_signal(comparison.number) <= meant.signal.high
 
 
-def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: Tables) -> str:
+def _why_unknown(comparison: Comparison, named: str, guess: str | None, tables: Tables, about: str) -> str:
     said = f"{comparison.text} {comparison.behind}".strip()
     for text in (named, plain(guess or "")):
-        for variable, _ in _named(text, tables):
+        for variable, _ in _named(text, tables, about):
             unit = tables.signals[variable.signal].unit
             return f"{variable.signal} is measured in {symbol(unit) or 'a bare number'}, got {said!r}"
     if not _is_nameless(guess, named):
-        return f"no signal of {guess!r} tells {said!r}"
+        thing = (guess or "").replace(" 's", "'s")
+        return f"no signal of {thing!r} tells {said!r}"
     possible = [one for one in _of_unit(comparison, tables) if _can_be(comparison, one)]
     signals = dict.fromkeys(one.signal.name for one in possible)
     if not signals:

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
-from fuzzytime.english import DETERMINERS, of_any_tense, singular_forms
+from fuzzytime.english import DETERMINERS, MEASURES, PLACING, of_any_tense, singular_forms
 from fuzzytime.rulebook.tables.contents import Tables
 from fuzzytime.rulebook.tables.variables import Term, Variable
 
@@ -78,6 +78,20 @@ def names(variable: Variable, subject: str) -> bool:
     return any(said == way or said.endswith(f" {way}") for way in in_numbers(ways_to_name(variable)))
 
 
+def is_of_another(ways: Iterable[str], subject: str) -> bool:
+    """Tell whether a noun phrase names a thing only beside another that it is about: "bed 3's sats".
+
+    What is read of a thing is about it, and what stands in it is not about another: "the oven temperature",
+    "water in the pot".
+    """
+    said = plain(subject.replace("'s ", " "))
+    behind = [f" {said} ".partition(f" {way} ")[2].split() for way in ways if within(way, said)]
+    rests = [[word for word in rest if not word.isdigit()] for rest in behind]
+    return bool(rests) and not any(
+        not rest or rest[0] in PLACING or not MEASURES.isdisjoint(rest) for rest in rests
+    )
+
+
 def in_numbers(ways: Iterable[str]) -> set[str]:
     """Add to ways of naming a thing those of naming several."""
     found: set[str] = set()
@@ -99,7 +113,8 @@ def ways_to_say(term: Term) -> tuple[str, ...]:
 @lru_cache(maxsize=REMEMBERED)
 def plain(text: str) -> str:
     """Give a text in lower case, without punctuation and determiners."""
-    words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", text.lower().replace("\u2019", "'"))
+    said = text.lower().replace("\u2019", "'").replace(" 's", "'s")
+    words = re.findall(r"[^\W_]+(?:['\u2019-][^\W_]+)*", said)
     return " ".join(word for word in words if word not in DETERMINERS)
 
 

@@ -14,9 +14,12 @@ from fuzzytime.rulebook.wording.lookup import UNIT_LENGTHS
 from fuzzytime.rulebook.wording.measured import candidates
 from fuzzytime.rulebook.wording.phrases import (
     event_named,
+    in_numbers,
+    is_of_another,
     names,
     naming,
     plain,
+    ways_to_name,
     ways_to_say,
     within,
 )
@@ -103,7 +106,7 @@ def _measured(condition: Condition, tables: Tables, context: Context) -> Underst
     """Read a clause with a number: "the oven is above 150 degrees"."""
     comparison = condition.comparisons[0]
     named = without(comparison, plain(condition.text))
-    found = threshold(comparison, named, condition.subject, tables, context)
+    found = threshold(comparison, named, condition.subject, tables, context, about=condition.subject or "")
     formula: Formula | None = found.atom
     if found.atom is not None and (condition.negated or denies(named)):
         formula = Not(found.atom)
@@ -138,7 +141,11 @@ def _by_parts(condition: Condition, subject: str, word: str, tables: Tables) -> 
 def _by_text(condition: Condition, tables: Tables) -> Understood:
     """Look for a variable's words and one of its terms in a clause of any form, the longest words first."""
     text = plain(condition.text)
-    found = naming(tables.variables.values(), text, text)
+    subject = condition.subject or ""
+    meant = [
+        one for one in tables.variables.values() if not is_of_another(in_numbers(ways_to_name(one)), subject)
+    ]
+    found = naming(meant, text, text)
     if found is None:
         return Understood(condition, tables, None, f"no signal tells {condition.text!r}")
     said = replace(condition, subject=found.subject, word=found.word, hedges=found.hedges(text, tables))

@@ -49,12 +49,13 @@ def threshold(
     tables: Tables,
     context: Context,
     before: str | None = None,
+    about: str = "",
 ) -> Threshold:
     """Find what a number measures, and make its term; parameters are those of `measured`.
 
     Readings tell from which side "at 150" is reached, too.
     """
-    found = measured(comparison, named, guess, tables, context, before)
+    found = measured(comparison, named, guess, tables, context, before, about)
     if found.meant is None:
         return Threshold(tables, reason=found.reason)
     return _threshold(comparison, found.meant, tables, context, found.notes)

@@ -23,6 +23,9 @@ def read_usual_hours(tables: Tables) -> dict[Form, Hours]:
     return found
 
 
+NIGHT = ("from", "to", "hours")
+
+
 def _time(tables: Tables, node: Node, key: str) -> time:
     seconds = tables.clock(node, key)
     return time(seconds // 3600, seconds // 60 % 60, seconds % 60)
@@ -36,6 +39,8 @@ def read_policy(tables: Tables) -> Policy:
         return Policy()
     names = (
         "plausible",
+        "soon_hours",
+        "night",
         "ahead_from",
         "hours_before",
         "workday_from",
@@ -52,13 +57,18 @@ def read_policy(tables: Tables) -> Policy:
         return Policy()
     weekdays = {f[0]: int(n.text) for n, rows in tables.rows("weekdays") for f in tables.forms(rows, "")}
     plausible = reader.mapping(fields["plausible"], "policy.plausible", ("from", "to"), ("from", "to"))
+    night = reader.mapping(fields["night"], "policy.night", NIGHT, NIGHT)
     weekend = reader.mapping(fields["weekend"], "policy.weekend", ("from", "days"), ("from", "days"))
-    if len(plausible) < 2 or len(weekend) < 2:
+    if len(plausible) < 2 or len(weekend) < 2 or len(night) < len(NIGHT):
         return Policy()
 
     return Policy(
         plausible_from=_time(tables, plausible["from"], "policy.plausible.from"),
         plausible_to=_time(tables, plausible["to"], "policy.plausible.to"),
+        soon_hours=reader.whole(fields["soon_hours"], "policy.soon_hours", 0, 12),
+        night_from=_time(tables, night["from"], "policy.night.from"),
+        night_to=_time(tables, night["to"], "policy.night.to"),
+        night_hours=reader.whole(night["hours"], "policy.night.hours", 0, 12),
         ahead_from=_time(tables, fields["ahead_from"], "policy.ahead_from"),
         hours_before=reader.whole(fields["hours_before"], "policy.hours_before", 0, 24),
         workday_from=_time(tables, fields["workday_from"], "policy.workday_from"),

@@ -7,7 +7,14 @@ from fuzzytime.english import REFLEXIVE
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.clauses.clause import Clause
-from fuzzytime.language.sentence.clauses.conditions import ITS, being, condition_of, happening, state
+from fuzzytime.language.sentence.clauses.conditions import (
+    ITS,
+    being,
+    compared,
+    condition_of,
+    happening,
+    state,
+)
 from fuzzytime.language.sentence.trees.tags import DETERMINERS
 from fuzzytime.language.sentence.trees.tree import Tree
 
@@ -41,7 +48,8 @@ class Contents:
                 condition=condition_of(self.tree, verb, nodes, said),
             )
         if clause.kind in STATED:
-            condition = happening(self.tree, nodes, said) or being(self.tree, nodes, said)
+            condition = compared(self.tree, nodes, said) or happening(self.tree, nodes, said)
+            condition = condition or being(self.tree, nodes, said)
             if condition is None and clause.marker.startswith("the "):
                 # "The minute steak"
                 return None

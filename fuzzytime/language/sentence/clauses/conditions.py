@@ -136,3 +136,15 @@ def state(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
     if named or not 0 < len(words) <= LONGEST_STATE or not all(word.isalpha() for word in words):
         return None
     return Condition(text=text, subject="it", word=words[-1], hedges=tuple(words[:-1]))
+
+
+def compared(tree: Tree, nodes: Sequence[int], text: str) -> Condition | None:
+    """Read "error rate > 2 %", "the battery below 20": a thing and a number, without any verb."""
+    said = [tree.nodes[place] for place in nodes]
+    number = next((place for place, node in enumerate(said) if node.tag == "CD"), 0)
+    forms = (tuple(node.lower for node in said[first:number]) for first in range(number))
+    words = next((form for form in forms if form in tree.lexicon.comparisons), ())
+    named = [node for node in said[: number - len(words)] if node.tag not in ANY_DETERMINERS]
+    if not words or not named or not all(node.tag.startswith("NN") for node in named):
+        return None
+    return Condition(text=text, subject=" ".join(node.lower for node in named))

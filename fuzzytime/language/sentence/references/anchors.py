@@ -17,6 +17,7 @@ from fuzzytime.language.sentence.references.mentions import (
     best_of,
     comes,
     is_done_with,
+    owners_in,
 )
 from fuzzytime.language.sentence.references.told import Told
 from fuzzytime.language.sentence.trees.content_words import content_words
@@ -163,10 +164,11 @@ class Anchors:
         words = content_words(thing.split()[-1] if thing else None) - self.lexicon.closed.anaphors
         if not words or words & self.lexicon.persons:
             return None
+        owners = owners_in(thing)
         for place in range(self.position - 1, self.first - 1, -1):
-            if is_done_with(self.operation_at(place), words):
+            if is_done_with(self.operation_at(place), words, owners):
                 return place
-        return self.mentions.touching(words, self.first)
+        return self.mentions.touching(words, self.first, owners)
 
     def done_with_it(self, pronoun: str) -> int | None:
         """Give the instruction right before it, where that is about what the same pronoun stands for."""

@@ -1,6 +1,7 @@
 """Which instruction words refer to: "after setting the table", "when the rice is done", "it"."""
 
 import heapq
+import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -14,11 +15,14 @@ from fuzzytime.language.sentence.trees.content_words import content_words, stems
 from fuzzytime.language.sentence.trees.named import is_several, may_be_it, names_person
 
 BE = "be"
+WHILE = "while"
 SAME_VERB = 2.0
 """The worth of the very verb of a clause, to which words that are shared add 1 each."""
 
 ALIKE = 0.5
 """The worth of a word that is only alike."""
+
+_OWNERS = re.compile(r"(\w+) ?['\u2019]s\b")
 
 
 def shares_thing(one: Operation, other: Operation) -> bool:
@@ -109,12 +113,31 @@ class Mentions:
                 return position
         return None
 
-    def touching(self, words: frozenset[str], before: int) -> int | None:
+    def told_behind(self, words: frozenset[str], place: int) -> int | None:
+        """Give the first position from one on where it is told when something is: "lunch is at twelve"."""
+        runs = sorted((self._by_word.get(word, []) for word in words), key=len)
+        for position in runs[0][bisect_left(runs[0], place) :] if runs else []:
+            operation = self.operations[position]
+            if operation is not None and words <= content_words(operation.object) and self.tells(operation):
+                return position
+        return None
+
+    def telling(self) -> Iterator[Operation]:
+        """Give what happens, and what is eaten."""
+        return (operation for operation in self.operations if operation is not None and self.tells(operation))
+
+    def tells(self, operation: Operation) -> bool:
+        """Whether something happens, or a meal is eaten: by its time others may be told."""
+        return operation.stated or (operation.is_asked and operation.lemma in self.lexicon.doing.eating)
+
+    def touching(
+        self, words: frozenset[str], before: int, owners: frozenset[str] = frozenset()
+    ) -> int | None:
         """Give the latest position before one of what is to be done with something that words name."""
         stretch = range(before)
         runs = [_within(by.get(word, []), stretch) for word in words for by in (self._by_word, self._by_verb)]
         for position in heapq.merge(*(reversed(run) for run in runs), reverse=True):
-            if is_done_with(self.operations[position], words):
+            if is_done_with(self.operations[position], words, owners):
                 return position
         return None
 
@@ -149,12 +172,21 @@ def verb_forms(verb: str, lexicon: Lexicon) -> frozenset[str]:
     return frozenset(regular | lexicon.past.get(verb, frozenset()))
 
 
-def is_done_with(operation: Operation | None, words: frozenset[str]) -> bool:
+def owners_in(thing: str | None) -> frozenset[str]:
+    """Give whose a thing is said to be: "Beta's battery" is no other's."""
+    return content_words(" ".join(_OWNERS.findall(thing or "")))
+
+
+def is_done_with(
+    operation: Operation | None, words: frozenset[str], owners: frozenset[str] = frozenset()
+) -> bool:
     """Whether an operation asks for something to be done with what words name, which may be its verb."""
     if operation is None or not operation.is_asked:
         return False
     known = content_words(operation.object) | content_words(operation.place)
-    return not words.isdisjoint(known.union(_nouns(operation.lemma)))
+    return owners <= known | owners_in(operation.object) and not words.isdisjoint(
+        known.union(_nouns(operation.lemma))
+    )
 
 
 def _within(positions: list[int], stretch: range) -> list[int]:
@@ -174,7 +206,7 @@ def best_of(
     """Give the position of the operation that a clause refers to, the first of the best; None for none."""
     best, found = 0.0, None
     named, words = _names_of(clause)
-    most = SAME_VERB + max(len(named), len(words) - 1)
+    most = SAME_VERB + max(len(named), len(words) - 1) + ALIKE * clause.is_event
     for position, operation in candidates:
         if operation is None or operation.negated:
             continue
@@ -198,7 +230,9 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
             # "We are at swimming by four. Swimming lasts an hour"
             shared = len(named & known)
         same = shared + (not named.isdisjoint(_nouns(operation.lemma))) if named else 0.0
-        return same or _named_after(named, operation)
+        # "During the window" is while it goes on, whatever else is done with it.
+        told = ALIKE if operation.stated and clause.kind == WHILE else 0.0
+        return same + told if same else _named_after(named, operation)
     word = None if clause.condition is None else clause.condition.word
     if operation.attended and clause.verb == operation.lemma == BE and word == operation.object:
         # "Half an hour before we're on"
@@ -209,7 +243,10 @@ def _likeness(clause: Clause, operation: Operation, lexicon: Lexicon) -> float:
         shared or not named or named <= closed.anaphors | closed.universal_pronouns or not known
     ):
         return SAME_VERB + shared
-    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == "while"
+    if shared and clause.kind != WHILE and comes(operation, lexicon) and clause.is_there(lexicon):
+        # "Once the parts are here", where they arrive at ten.
+        return SAME_VERB + shared
+    goes_on = clause.verb == BE and word in doing.going_on and clause.kind == WHILE
     if operation.stated and shared and (goes_on or clause.verb in doing.beginning | doing.ending):
         # "Five minutes before the meeting starts", where the meeting is at three.
         return SAME_VERB + shared

@@ -155,6 +155,13 @@ def _meal(anchors: Anchors, phrase: Phrase, requirement: TimeRequirement) -> Tim
     ]
     targets = [place for place in own if place != anchors.position]
     target = targets[-1] if targets else anchors.mentions.about(words, anchors.first)
+    if target is None and anchors.awaits:
+        # "Remind Sam ten minutes before lunch", where the next line says when that is.
+        target = anchors.mentions.told_behind(words, anchors.first + len(anchors.own))
+        start = None if target is None else anchors.mentions.told.start(target)
+        if start is not None and anchors.now is not None and start.date() != anchors.now.date():
+            # "Lunch tomorrow is at three" is another lunch.
+            return None
     if target is None:
         return None
     constraint = Constraint.AT if beside or constraint is None else constraint

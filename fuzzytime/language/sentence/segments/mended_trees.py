@@ -11,14 +11,17 @@ LEAST_DONE = 3
 NOUNS = frozenset({"NN", "NNS", "NNP"})
 """Tags of things that are listed."""
 
+NTH = 3
+"""Words before the thing in "prune the second rose"."""
+
 LET = 2
 """Words before what is done in "let's film"."""
 
 
 def as_done(tree: Tree, lexicon: Lexicon) -> Tree:
     """Give an order its verb, where what is called like one was taken for it."""
-    tree = _with_numbered_things(tree, lexicon)
-    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree)
+    tree = _with_name_in_front(_with_numbered_things(tree, lexicon), lexicon)
+    mended = _does_numbered(tree, lexicon) or _does_named(tree) or _lets(tree) or _does_nth(tree, lexicon)
     return _with_list(mended or _does_compound(tree, lexicon) or tree)
 
 
@@ -67,6 +70,17 @@ def _with_numbered_things(tree: Tree, lexicon: Lexicon) -> Tree:
     return tree.with_nodes(nodes) if nodes != list(tree.nodes) else tree
 
 
+def _with_name_in_front(tree: Tree, lexicon: Lexicon) -> Tree:
+    """Give "telly for half an hour" the thing that it names, which was taken for how the rest is."""
+    if tree.root != 1 or tree.nodes[1].tag != "IN" or tree.nodes[0].head != 1:
+        return tree
+    if tree.nodes[0].lower not in lexicon.happening | lexicon.taken:
+        return tree
+    nodes = [replace(tree.nodes[0], tag="NN", relation="ROOT", head=0), *tree.nodes[1:]]
+    nodes[1] = replace(nodes[1], relation="prep", head=0)
+    return tree.with_nodes(nodes)
+
+
 def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     """Give "review pull requests" its verb, where the second word was taken for it.
 
@@ -83,6 +97,20 @@ def _does_compound(tree: Tree, lexicon: Lexicon) -> Tree | None:
     nodes[0] = replace(first, tag="VB", relation="ROOT", head=0)
     nodes[1] = replace(second, tag="NN", relation="compound", head=things[0])
     return tree.with_nodes(nodes)
+
+
+def _does_nth(tree: Tree, lexicon: Lexicon) -> Tree | None:
+    """Give "prune the second rose" its thing, which was taken for what rose: behind a number it is one."""
+    if len(tree.nodes) <= NTH:
+        return None
+    first, led, number, thing = tree.nodes[: NTH + 1]
+    counted = led.tag == "DT" and number.lower in lexicon.ordinals and number.relation == "nsubj"
+    if not counted or number.head != NTH or thing.tag != "VBD" or not first.may_act:
+        return None
+    moved = _with_thing_done(tree, NTH, NTH)
+    moved[1] = replace(led, head=NTH)
+    moved[2] = replace(number, relation="amod", head=NTH)
+    return tree.with_nodes(moved)
 
 
 def _with_thing_done(tree: Tree, thing: int, last: int) -> list[Node]:

@@ -27,7 +27,7 @@ def at_events(
     remarks: list[Remark] = []
     if sketch.operation is None or sketch.operation.stated or sketch.phrases:
         return found, remarks
-    for span, is_moment in _events(sketch, words, anchors.lexicon):
+    for span, is_moment in events_in(sketch, words, anchors.lexicon):
         said = text[slice(*span)]
         name = said[len(AT) :].strip()
         clause = Clause("while", AT, span, span, object=name, is_event=True, edge=Edge.START)
@@ -47,7 +47,7 @@ def untold(said: str, span: Span) -> Remark:
     return Remark(RemarkKind.UNRESOLVED, span, message)
 
 
-def _events(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[tuple[Span, bool]]:
+def events_in(sketch: Sketch, words: Sequence[Word], lexicon: Lexicon) -> Iterator[tuple[Span, bool]]:
     """Give the stretches of "at" and an event behind it, and whether that is hardly a place."""
     first, end = sketch.part.segment.span
     places = [place for place, word in enumerate(words) if first <= word.start < end]

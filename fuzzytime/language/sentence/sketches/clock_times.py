@@ -2,8 +2,10 @@
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from datetime import timedelta
 
-from fuzzytime.language.meaning.chosen_clocks import FOLLOWING
+from fuzzytime.language.instruction import Reading
+from fuzzytime.language.meaning.chosen_clocks import CLOSE, FOLLOWING
 from fuzzytime.language.meaning.instants import SUB_DAY
 from fuzzytime.language.sentence.sketches.alternatives import SAID_WHEN
 from fuzzytime.requirement import Constraint, TimeRequirement, Unit
@@ -12,13 +14,20 @@ A_DAY = 86400.0
 A_WEEK = 7 * A_DAY
 """Seconds of a day and of a week; what is longer names no day."""
 
+NIGHT_SECONDS = A_DAY / 2 + 1
+"""What goes on over midnight for longer leaves open which half of the day is meant."""
+
 
 @dataclass(frozen=True, slots=True)
 class LastSaid:
-    """The clock time, and the day, that were said last, in seconds from now; None where none was."""
+    """The clock time, and the day, that were said last, in seconds from now; None where none was.
+
+    ``night`` is from when to when something goes on over midnight, as was told.
+    """
 
     clock: float | None = None
     day: float | None = None
+    night: tuple[float, float] | None = None
 
 
 NOTHING = LastSaid()
@@ -38,4 +47,18 @@ def last_said(requirements: Iterable[TimeRequirement], before: LastSaid) -> Last
                 # "Charge overnight and be ready at seven"
                 begin = latest
             before = replace(before, clock=before.clock if begin is None else begin)
+    return before
+
+
+def night_told(reading: Reading, before: LastSaid) -> LastSaid:
+    """Add from when to when something goes on over midnight and begins soon: a shift from 19:30 to 07:30."""
+    now = reading.now
+    stated = (one for one in reading.instructions if one.operation is not None and one.operation.stated)
+    for part in (part for one in stated for part in one.requirements):
+        first, last = part.earliest, part.latest
+        if now is None or first is None or last is None or part.constraint is not Constraint.BETWEEN:
+            continue
+        over = (now + timedelta(seconds=last)).date() - (now + timedelta(seconds=first)).date()
+        if over.days == 1 and last - first < NIGHT_SECONDS and first <= CLOSE.total_seconds():
+            before = replace(before, night=(first, last))
     return before

@@ -9,9 +9,9 @@ from itertools import pairwise, takewhile
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Duration, Phrase, Range, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
-from fuzzytime.language.sentence.trees.tags import SUBJECTS
+from fuzzytime.language.sentence.trees.tags import GRAMMATICAL_SUBJECTS, SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
 from fuzzytime.requirement import Constraint
 
@@ -23,6 +23,8 @@ ASKED = 3
 """Words for who is asked, at most."""
 
 FOR = "for"
+WITH = "with"
+ARTICLES = frozenset({"a", "an", "one"})
 
 BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 
@@ -39,6 +41,7 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = None
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
+    found += _of_inner(part, phrases)
     past: int | None = None
     for phrase in phrases:
         place = starts[phrase.span]
@@ -50,6 +53,14 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         if described or (told is not None and place > told) or _is_described(part, place, action):
             found.append(phrase)
     return found
+
+
+def is_of_subject(part: Part, phrase: Phrase, action: Action) -> bool:
+    """Whether a time is of what a verb behind it is about: "meeting at 3.30, should be done by four"."""
+    place = next(iter(part.tree.at(*_local(part, phrase))), None)
+    subjects = part.tree.children(action.place, *GRAMMATICAL_SUBJECTS)
+    is_when = phrase.said.constraint in {None, Constraint.AT}
+    return is_when and place is not None and any(place in part.tree.below(subject) for subject in subjects)
 
 
 def aim_of(part: Part, phrases: Sequence[Phrase], action: Action) -> Span | None:
@@ -180,6 +191,19 @@ def _of_prepared(part: Part, phrases: Sequence[Phrase], action: Action) -> list[
             others = (other for other in phrases if other not in listed and other.said.preposition != FOR)
             return listed if any(_says_when(other) for other in others) else []
     return []
+
+
+def _of_inner(part: Part, phrases: Sequence[Phrase]) -> list[Phrase]:
+    """Give how long a part of it is, where words say of the whole: "from 9 to 11 with a ten minute break"."""
+    nodes, found = part.tree.nodes, []
+    for phrase in phrases:
+        first = next(iter(part.tree.at(*_local(part, phrase))), 0)
+        led = [node.lower for node in nodes[max(0, first - 2) : first]]
+        inner = isinstance(phrase.said.time, Duration) and phrase.said.preposition is None
+        if inner and led[:1] == [WITH] and led[1] in ARTICLES and len(phrases) > 1:
+            found.append(phrase)
+    spans = any(isinstance(phrase.said.time, (Range, Duration)) for phrase in phrases if phrase not in found)
+    return found if spans else []
 
 
 def _is_listed(phrase: Phrase) -> bool:

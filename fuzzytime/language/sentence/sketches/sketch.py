@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation, Order, Remark, RemarkKind, Span, overlap
-from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, TimeWord, Wall
+from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, Range, TimeWord, Wall
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
-from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
+from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, is_of_subject, reason_of
 from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
 from fuzzytime.language.sentence.verbs.actions import (
     Action,
@@ -45,7 +45,7 @@ class Sketch:
     ``remarks`` name the times that are none of what is to be done; ``headed`` are the clauses of a line
     above, ``way`` is how long it takes to go there, and ``joints`` are the words that joined its times to
     others of the same thing; ``denial`` is what is said of the orders before it that one "don't" denies
-    with it.
+    with it; ``doubted`` says that it is no instruction, and ``past`` that it tells what was.
     """
 
     part: Part
@@ -59,6 +59,8 @@ class Sketch:
     way: Duration | None = None
     joints: tuple[Span, ...] = ()
     denial: str = ""
+    doubted: bool = False
+    past: bool = False
 
     @property
     def heard(self) -> list[Span]:
@@ -140,6 +142,10 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         kept = [_put_off(phrase) for phrase in kept]
     if _is_gone(operation, lexicon):
         references = [None if one is Reference.THROUGHOUT else one for one in references]
+    if operation.stated:
+        # "The shop is closed between ten and eleven" is so all that time.
+        ranges = [isinstance(phrase.said.time, Range) for phrase in kept]
+        references = [None if spans else one for one, spans in zip(references, ranges, strict=True)]
     return Sketch(
         part=part,
         phrases=tuple(kept),
@@ -272,6 +278,9 @@ def _reference(
     if any(clause.kind in OVER | AHEAD and clause.span[1] + 1 == phrase.span[0] for clause in clauses):
         # "Lock up when everyone has left on friday"
         return action.reference
+    if action.reference is Reference.FINISH and is_of_subject(part, phrase, action):
+        # "Staff meeting at 3.30, should be done by half four"
+        return None
     return _reference_at(part, phrase.span, action, lexicon)
 
 

@@ -19,6 +19,7 @@ NAMES = ("NN", "CD")
 """How tags of words begin that name or count something."""
 
 DENYING = "not"
+WHAT_WAS = "what was"
 
 
 def doubts_of(
@@ -146,6 +147,11 @@ def nothing_to_do(text: str, part: Part, words: Sequence[Word], heard: Sequence[
         yield Remark(RemarkKind.NOT_UNDERSTOOD, part.segment.span, message)
 
 
+def tells_past(tree: Tree, lexicon: Lexicon) -> bool:
+    """Whether a sentence tells what was: "her last turn was at six"."""
+    return _tells(tree, lexicon) == WHAT_WAS
+
+
 def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     """Give what a sentence tells where it asks for nothing: what was, or what nobody does."""
     closed = lexicon.closed
@@ -166,7 +172,7 @@ def _tells(tree: Tree, lexicon: Lexicon) -> str | None:
     # "In no time the tent was up"
     led = node.lower in closed.past_be and root > 0
     named = tree.nodes[subjects[0]].lower not in closed.first_and_second_person if subjects else led
-    return "what was" if past and named and node.lemma not in lexicon.wanting - {"be"} else None
+    return WHAT_WAS if past and named and node.lemma not in lexicon.wanting - {"be"} else None
 
 
 def _is_denied(tree: Tree, root: int) -> bool:

@@ -13,6 +13,7 @@ from fuzzytime.language.sentence.sketches.alternatives import not_used
 from fuzzytime.language.sentence.sketches.clause_requirements import BECOMING
 from fuzzytime.language.sentence.sketches.sketch import Sketch, order_of, sketch_of
 from fuzzytime.language.sentence.together.again_between import again_between
+from fuzzytime.language.sentence.together.also_at_events import also_at_events
 from fuzzytime.language.sentence.together.at_once import at_once
 from fuzzytime.language.sentence.together.both_sides import on_both_sides
 from fuzzytime.language.sentence.together.choices_of_repetitions import first_of_choices
@@ -51,7 +52,8 @@ def sketches_of(draft: Draft, lexicon: Lexicon) -> tuple[list[Sketch], list[Rema
         whole, later = _first_offered(one, draft.text)
         whole, others = first_of_choices(whole, words, lexicon)
         remarks += (not_used(draft.text, span) for span in (*later, *others))
-        found += of_several_times(whole, words, lexicon)
+        for again in also_at_events(whole, words, lexicon):
+            found += of_several_times(again, words, lexicon)
     found = [on_owned_day(_ordered(sketch, draft), lexicon) for sketch in again_between(found)]
     placed = on_their_days(found, draft.text, draft.heading)
     return _with_asides([from_first_time(sketch, words) for sketch in placed], draft), remarks

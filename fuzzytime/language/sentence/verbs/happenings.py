@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Operation
-from fuzzytime.language.meaning.expressions import Phrase, Range, Wall
+from fuzzytime.language.meaning.expressions import Phrase, Range, Repeat, Wall
 from fuzzytime.language.sentence.trees.tags import SINGULAR
 from fuzzytime.language.sentence.trees.tree import Node, Tree
 from fuzzytime.language.sentence.verbs.places import Places
@@ -14,6 +14,7 @@ DOING = ("advcl", "dobj", "nsubj", "nsubjpass", "aux", "auxpass", "expl", "neg",
 """What hangs on a verb, and on no noun."""
 
 NAMES = ("NN", "VBG", "CD")
+NOUN_TAGS = frozenset({"NN", "NNS"})
 
 
 def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
@@ -43,7 +44,13 @@ def happens(tree: Tree, phrases: Sequence[Phrase], lexicon: Lexicon) -> bool:
         return True
     listed = not tree.nodes[root].may_act and any(map(_is_clock_alone, phrases))
     # "Incision at eight"
-    listed = listed or (_is_noun(tree, root) and any(map(_is_clock, phrases)))
+    named = _is_noun(tree, root) or _is_counted(tree, root, lexicon) or _is_of_nouns(tree, root, lexicon)
+    listed = listed or (named and any(_is_clock(one) or _is_at_part(one) for one in phrases))
+    # "Status page update every 30 minutes", "backups every night"
+    behind = {node.lower for node in tree.nodes[root + 1 : root + 2]} & lexicon.closed.universal_determiners
+    repeated = bool(behind) and any(isinstance(phrase.said.time, Repeat) for phrase in phrases)
+    single = tree.nodes[root].tag in NOUN_TAGS and _is_noun(tree, root)
+    listed = listed or (repeated and (single or _is_of_nouns(tree, root, lexicon)))
     return listed or (tree.nodes[root].tag in SINGULAR and any(map(_is_range, phrases)))
 
 
@@ -67,6 +74,20 @@ def _is_noun(tree: Tree, root: int) -> bool:
     """Whether words are one noun that is no verb, without what could be ordered in front."""
     before = all(tree.nodes[p].tag in {"NN", "NNP", "JJ", "DT", "PRP$"} for p in range(root))
     return before and not tree.nodes[root].may_act and not any(tree.nodes[p].may_act for p in range(root))
+
+
+def _is_counted(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+    """Whether words name one of several, which no order is: "last orders at 9:45", "second coffee"."""
+    led = tree.nodes[0].lower in lexicon.ordinals.keys() | lexicon.closed.ends_of_rows
+    return led and root > 0 and all(node.tag in NOUN_TAGS for node in tree.nodes[1 : root + 1])
+
+
+def _is_of_nouns(tree: Tree, root: int, lexicon: Lexicon) -> bool:
+    """Whether words are nouns of which the first cannot be ordered, nor do it: "status page update"."""
+    first = tree.nodes[0]
+    others = lexicon.machines | lexicon.persons | lexicon.workers | lexicon.entries.keys()
+    named = first.tag in {"NN", "NNS"} and not first.may_act and first.lower not in others
+    return named and root > 0 and all(node.tag in NOUN_TAGS for node in tree.nodes[: root + 1])
 
 
 def may_be_ordered(tree: Tree) -> bool:
@@ -115,6 +136,13 @@ def _is_clock(phrase: Phrase) -> bool:
     time = phrase.said.time
     at = phrase.said.preposition in {None, "at"} and phrase.said.constraint in {None, Constraint.AT}
     return at and isinstance(time, Wall) and time.clock is not None
+
+
+def _is_at_part(phrase: Phrase) -> bool:
+    """Whether it is at a part of the day: "sparklers at dusk"."""
+    time = phrase.said.time
+    part = isinstance(time, Wall) and time.part is not None and not time.part.place
+    return part and phrase.said.preposition == "at" and phrase.said.constraint in {None, Constraint.AT}
 
 
 def _is_range(phrase: Phrase) -> bool:

@@ -60,14 +60,18 @@ def leaves(tree: Tree, place: int, travelling: AbstractSet[str]) -> bool:
 def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str]) -> Tree:
     """Give the tree of "guided tour starts at ten" its verb, where its first word was taken for one."""
     root, nodes = tree.root, tree.nodes
+    event = bool(nodes) and nodes[0].lower in tree.lexicon.happening | tree.lexicon.taken
+    # "School finishes at three"; but "polish finishes at four"
     sure = (
         p
-        for p in range(2, len(nodes))
+        for p in range(1 if event else 2, len(nodes))
         if p + 1 in timed and nodes[p].lower in tree.lexicon.doing.surely_timed
     )
     found = (p for p in range(1, len(nodes)) if p + 1 in timed and leaves(tree, p, travelling))
     verb = next(found, next(sure, None))
-    if root != 0 or verb is None or nodes[verb].head != root or nodes[verb - 1].tag not in SINGULAR:
+    if root != 0 or verb is None or nodes[verb].head != root:
+        return tree
+    if nodes[verb - 1].tag not in SINGULAR and not (event and verb == 1):
         return tree
     if any(node.tag in DETERMINERS or node.tag in {"IN", ",", "CC"} for node in nodes[1:verb]):
         # "Check what starts at ten", "take the bus that leaves at ten"
@@ -83,7 +87,7 @@ def _with_phase(tree: Tree, timed: AbstractSet[int], travelling: AbstractSet[str
     turned[verb] = replace(
         nodes[verb], tag="VBZ", lemma=singular_verb(nodes[verb].lower), head=verb, relation="ROOT"
     )
-    turned[verb - 1] = replace(nodes[verb - 1], head=verb, relation="nsubj")
+    turned[verb - 1] = replace(nodes[verb - 1], tag="NN", head=verb, relation="nsubj")
     return tree.with_nodes(turned)
 
 

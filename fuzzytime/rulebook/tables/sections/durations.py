@@ -48,20 +48,21 @@ def read_durations(scope: Scope, node: Node, key: str) -> Durations:
 
 def _operation(scope: Scope, node: Node, key: str, verb: str) -> dict[Key, OperationDuration]:
     reader = scope.reader
-    found = scope.row(node, key, (*_TIMES, "needed_for", "objects"))
+    found = scope.row(node, key, (*_TIMES, "needed_for", "worked", "objects"))
     rows: dict[Key, OperationDuration] = {}
     needed = reader.strings(found["needed_for"], f"{key}.needed_for") if "needed_for" in found else ()
+    worked = "worked" in found and reader.boolean(found["worked"], f"{key}.worked")
     if "hands_on" in found or "elapsed" in found or "objects" not in found:
         own = _times(reader, node, key, found)
         if own is not None:
-            rows[verb, None] = replace(own, needed_for=needed)
+            rows[verb, None] = replace(own, needed_for=needed, worked=worked)
     if "objects" in found:
         path = f"{key}.objects"
         for thing, value in reader.mapping(found["objects"], path).items():
             times = scope.row(value, f"{path}.{thing}", _TIMES)
             row = _times(reader, value, f"{path}.{thing}", times)
             if row is not None:
-                rows[verb, thing.lower()] = replace(row, needed_for=needed)
+                rows[verb, thing.lower()] = replace(row, needed_for=needed, worked=worked)
     return rows
 
 
