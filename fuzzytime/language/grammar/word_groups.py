@@ -39,6 +39,9 @@ class ClosedClasses:
     plural_agreement: Words
     third_person: Words
     subject_pronouns: Words
+    subjects_told_of: Words
+    subjects_as_typed: Words
+    speakers: Words
     indefinite_pronouns: Words
     negative_pronouns: Words
     persons_addressed: Words
@@ -74,6 +77,8 @@ class ClosedClasses:
     modals_before_lengths: Words
     conditional_inversion: Words
     inverted_auxiliaries: Words
+    told_auxiliaries: Words
+    behind_clipped_be: Words
     first_person_future: Words
     negators: Words
     negators_as_typed: Words
@@ -94,6 +99,7 @@ class ClosedClasses:
     further_clause: Words
     further_conditions: Words
     additions: Words
+    told_joints: Words
     joints_of_conditions: Words
     joints_of_instances: Words
     joints_of_swaps: Words
@@ -235,6 +241,11 @@ class Doing:
     asking: Words
     learning: Words
     recalling: Words
+    messaging: Words
+    noting: Words
+    letters: Words
+    recipients: Words
+    before_messages: Words
     sure: Words
     unwanted: Words
     eating: Words

@@ -20,6 +20,7 @@ from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
+from fuzzytime.language.sentence.segments.messages import Message, messages_of, remarks_of, without_messages
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
@@ -75,7 +76,7 @@ class Draft:
     """A text with its times and its parts, before anything is grounded.
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
-    of its parts. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
+    of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
     lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
     words that say where something comes among others.
     """
@@ -88,6 +89,7 @@ class Draft:
     remarks: tuple[Remark, ...]
     step: int | None = None
     asides: tuple[Aside, ...] = ()
+    messages: tuple[Message, ...] = ()
     heading: Heading | None = None
     leads: bool = False
     instances: Instances = NONE
@@ -121,11 +123,14 @@ def drafted(
     texts: Sequence[tuple[str, datetime | None]], grammar: Grammar, lexicon: Lexicon, trees: Trees
 ) -> list[Draft]:
     """Draft texts; ``trees`` parses."""
-    sources, steps, asides, several = [], [], [], []
+    sources, steps, asides, several, messages = [], [], [], [], []
     for text, now in texts:
         marks = list_marks(text, lexicon)
         steps.append(marks[0].number if marks else None)
         scanned = Scanned.of(without_marks(text, marks), grammar, lexicon)
+        messages.append(messages_of(scanned, lexicon))
+        if messages[-1]:
+            scanned = Scanned.of(without_messages(scanned.text, messages[-1]), grammar, lexicon)
         asides.append(beside_each_other(asides_of(scanned, lexicon), told_lengths(scanned, lexicon)))
         if asides[-1]:
             scanned = Scanned.of(without_asides(scanned.text, asides[-1]), grammar, lexicon)
@@ -136,7 +141,8 @@ def drafted(
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        source = Source(now, scanned, tuple(phrases), tuple(remarks))
+        telling = tuple(told.verb for told in messages[-1])
+        source = Source(now, scanned, tuple(phrases), tuple(remarks), telling=telling)
         orders = tuple(order_words(scanned.words, source.covered, lexicon))
         sources.append(replace(source, orders=orders))
     parts = _parted(sources, lexicon, trees)
@@ -147,14 +153,15 @@ def drafted(
             s.scanned,
             s.phrases,
             tuple(own),
-            s.remarks,
+            (*s.remarks, *remarks_of(text, told)),
             step,
             aside,
+            told,
             instances=each,
             orders=s.orders,
         )
-        for (text, _), s, own, step, aside, each in zip(
-            texts, sources, parts, steps, asides, several, strict=True
+        for (text, _), s, own, step, aside, told, each in zip(
+            texts, sources, parts, steps, asides, messages, several, strict=True
         )
     ]
 
@@ -185,6 +192,9 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
         for place, (one, tree, front) in enumerate(zip(waiting, found, fronts, strict=True)):
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
+                continue
+            if one.tells is not None and not last_round:
+                following += one.cut_before(one.tells, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)

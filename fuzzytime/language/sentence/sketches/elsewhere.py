@@ -9,7 +9,7 @@ from itertools import pairwise, takewhile
 from fuzzytime.language.grammar.lexicon import Lexicon
 from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
-from fuzzytime.language.meaning.expressions import Phrase, Wall
+from fuzzytime.language.meaning.expressions import Offset, Phrase, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
@@ -36,8 +36,9 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     timed = {place for phrase in phrases for place in part.tree.at(*_local(part, phrase))}
     told = _told_from(part, action, timed, lexicon)
     own = told is not None and any(place is None or place < told for place in starts.values())
-    if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
-        told = None
+    recalled = part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own
+    if recalled:
+        told = _recalled_from(part, action)
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
     past: int | None = None
     for phrase in phrases:
@@ -47,7 +48,8 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
         before, past = past, _done_before(part, phrase, place, action)
         # Of two times behind what was done the second says when: "call the man who rang at six at seven".
         described = past is not None and past != before
-        if described or (told is not None and place > told) or _is_described(part, place, action):
+        of_told = told is not None and place > told and not (recalled and isinstance(phrase.said.time, Offset))
+        if described or of_told or _is_described(part, place, action):
             found.append(phrase)
     return found
 
@@ -118,6 +120,14 @@ def _told_from(part: Part, action: Action, timed: Collection[int], lexicon: Lexi
         if subjects and nodes[below].tag in FINITE:
             return min(part.tree.below(subjects[0]))
     return _said_from(part, action.place + 2, timed, lexicon)
+
+
+def _recalled_from(part: Part, action: Action) -> int | None:
+    """Give where that begins which is asked about and was: "remind me what i said about tuesday"."""
+    nodes, first = part.tree.nodes, action.place + 2
+    asked = first < len(nodes) and (nodes[first].lower,) in part.tree.lexicon.questions["asking"]
+    was = any(node.tag == "VBD" for node in nodes[first:])
+    return first if asked and was else None
 
 
 def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | None:

@@ -10,6 +10,7 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, TimeW
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
+from fuzzytime.language.sentence.segments.messages import Message
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
@@ -101,7 +102,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         phrases=tuple(kept),
         clauses=tuple(clauses),
         references=(None,) * len(kept),
-        operation=_happening(draft, part, kept, clauses, lexicon),
+        operation=_telling_alone(draft, part) or _happening(draft, part, kept, clauses, lexicon),
         remarks=tuple(excepted),
     )
     if named.operation is not None or part.segment.verbless:
@@ -126,7 +127,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
     spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
-    operation = as_remembered(reader.operation(action))
+    operation = _telling(draft, part, as_remembered(reader.operation(action)))
     clauses = [
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]
@@ -215,6 +216,33 @@ def order_of(draft: Draft, part: Part) -> Order | None:
 def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
     message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
     return Remark(RemarkKind.POLICY, phrase.span, message)
+
+
+def _told_in(draft: Draft, part: Part) -> Message | None:
+    """Give what somebody is told by a part of a draft."""
+    first, end = part.segment.span
+    return next((one for one in draft.messages if first <= one.verb < end), None)
+
+
+def _telling_alone(draft: Draft, part: Part) -> Operation | None:
+    """Give an order that tells somebody something, where a tree has its verb for a thing: "text jo …"."""
+    told, root = _told_in(draft, part), part.tree.root
+    if told is None or told.whom is None or root is None or part.tree.nodes[root].is_verb:
+        return None
+    whom, said = (draft.text[slice(*span)] for span in (told.whom, told.span))
+    verb = draft.text[told.verb : told.whom[0]].strip().lower()
+    span = (told.verb, told.verb + len(verb))
+    return Operation(verb=verb, lemma=verb, span=span, object=whom, complement=said)
+
+
+def _telling(draft: Draft, part: Part, operation: Operation) -> Operation:
+    """Give an operation with what somebody is told by it: "text mike i'm on my way"."""
+    told = _told_in(draft, part)
+    if told is None:
+        return operation
+    said = (operation.complement, draft.text[slice(*told.span)])
+    whom = operation.object if told.whom is None else draft.text[slice(*told.whom)]
+    return replace(operation, object=whom, complement=" ".join(filter(None, said)))
 
 
 def _happening(
