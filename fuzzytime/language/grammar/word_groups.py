@@ -99,6 +99,7 @@ class ClosedClasses:
     further_clause: Words
     further_conditions: Words
     additions: Words
+    before_states: Words
     told_joints: Words
     joints_of_conditions: Words
     joints_of_instances: Words
@@ -242,6 +243,7 @@ class Doing:
     learning: Words
     recalling: Words
     messaging: Words
+    marking: Words
     noting: Words
     letters: Words
     recipients: Words
