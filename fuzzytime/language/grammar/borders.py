@@ -27,6 +27,9 @@ BINDING = frozenset({"preposition_at", "preposition_before", "preposition_after"
 EXTREMES = frozenset({"latest", "earliest"})
 """The ends of "at the latest" and "at the earliest"."""
 
+CONDITION = "if_it_is."
+"""How names of the rules begin of conditions that the calendar decides."""
+
 
 class Borders:
     """The words around readings: marks that run on, exceptions, comparisons, nouns."""
@@ -71,7 +74,18 @@ class Borders:
             or self.dining.is_purpose(piece)
             or self._offers_more(piece)
             or self._is_from_the_past(piece)
+            or self._is_asked(piece)
         )
+
+    def _is_asked(self, piece: Piece) -> bool:
+        """Whether it is what somebody finds out, or goes on: "check if it's friday", "and she's home"."""
+        if not piece.rule.startswith(CONDITION):
+            return False
+        led = piece.start - (self.texts[piece.start - 1 : piece.start] == ["only"])
+        doing = self.lexicon.doing
+        asked = self.around.before(piece) in doing.learning or self.texts[max(0, led - 2) : led - 1] == ["ask"]
+        opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
+        return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
 
     def _is_from_the_past(self, piece: Piece) -> bool:
         """Whether it says of which time a thing is that was: "the report of last week at nine"."""
