@@ -200,6 +200,9 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    timed_things: Words
+    travel_things: Words
+    open_things: Words
     sites: Words
     turnings: Words
     turning: Words
@@ -263,6 +266,11 @@ class Doing:
     timed: Words
     several_timed: Words
     dropping: Words
+    declining: Words
+    revoking: Words
+    inviting: Words
+    finding: Words
+    showing: Words
     remembering: Words
     needing: Words
     hesitating: Words
