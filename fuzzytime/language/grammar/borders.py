@@ -95,6 +95,10 @@ class Borders:
             isinstance(days, Relative) and days.days < 0
         )
         first = piece.start + (self.texts[piece.start] in self.beside.belonging)
+        *_, led, said = ("", "", *self.texts[: piece.start])
+        if said in self.beside.past_deictics and led in self.beside.belonging:
+            # "The episode from last | tuesday"
+            return True
         return past and self.around.belongs(first)
 
     def _begins_other_bound(self, piece: Piece) -> bool:

@@ -200,8 +200,12 @@ class BesideTimes:
     degrees: Words
     mixing: Words
     reasons_in_front: Words
+    ages: Words
+    past_deictics: Words
     timed_things: Words
     travel_things: Words
+    listing: Words
+    lists: Words
     open_things: Words
     sites: Words
     turnings: Words
@@ -242,6 +246,8 @@ class Doing:
     continuing: Words
     settling: Words
     inquiring: Words
+    requesting: Words
+    finding_out: Words
     asking: Words
     learning: Words
     recalling: Words

@@ -11,7 +11,7 @@ from fuzzytime.language.sentence.sketches.clause_ends import ASKED, ClauseEnds
 from fuzzytime.language.sentence.trees.tree import Tree
 from fuzzytime.requirement import Edge
 
-AS = "as"
+AS, WHEN = "as", "when"
 
 
 class ClauseMarkers:
@@ -56,10 +56,14 @@ class ClauseMarkers:
 
     def _inquires(self, place: int, form: tuple[str, ...]) -> bool:
         """Whether "if" begins what is asked or found out: "ask Tom if he's free", "see if it's dry"."""
-        if form != (IF,):
+        if form not in {(IF,), (WHEN,)}:
             return False
         before = [word.text for p, word in enumerate(self.words[:place]) if p not in self.covered]
-        found = before[-2:] == ["find", "out"] or bool(self.lexicon.doing.inquiring & {*before[-1:]})
+        found = " ".join(before[-2:]) in self.lexicon.doing.finding_out
+        if form == (WHEN,):
+            # "Find out when the shops close"
+            return found
+        found = found or bool(self.lexicon.doing.inquiring & {*before[-1:]})
         return found or not self.lexicon.doing.asking.isdisjoint(before[-ASKED:])
 
     def _marks(self, place: int, form: tuple[str, ...]) -> bool:

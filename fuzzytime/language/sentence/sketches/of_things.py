@@ -11,7 +11,7 @@ from fuzzytime.language.meaning.relations import Deictic, Relative, Which
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.trees.tree import Node
 from fuzzytime.language.sentence.verbs.actions import Action
-from fuzzytime.requirement import Constraint, Unit
+from fuzzytime.requirement import Constraint
 
 FOR, FROM, SINCE, TO = "for", "from", "since", "to"
 OF_THINGS = frozenset({None, "at", "on", FOR, "from", "in"})
@@ -21,7 +21,8 @@ BOUNDS = frozenset({Constraint.BEFORE, Constraint.AFTER})
 NAMING = ("NN", "JJ", "DT", "PRP$", "CD", "VBG", "POS", "PDT")
 """How tags begin of the words of a thing's name."""
 
-LONG = frozenset({Unit.WEEK, Unit.MONTH, Unit.QUARTER, Unit.YEAR})
+FARTHEST = 3
+"""Words behind a verb at most to the one that belongs to it: "turn my alarm off"."""
 
 
 def of_things(part: Part, phrases: Sequence[Phrase], action: Action) -> list[Phrase]:
@@ -38,17 +39,18 @@ class _Things:
         self.part, self.tree, self.lexicon = part, part.tree, part.tree.lexicon
         self.nodes, self.verb = part.tree.nodes, action.place
         node = self.nodes[action.place]
-        behind = (other.lower for other in self.nodes[action.place + 1 :])
-        particles = {p for p in behind if node.lemma in self.lexicon.particles.get(p, ())}
-        self.said = {node.lemma, *(f"{node.lemma} {particle}" for particle in particles)}
-        following = self.nodes[action.place + 1 : action.place + 2]
-        self.said |= {f"{node.lemma} {other.lower}" for other in following}
+        following = self.nodes[action.place + 1 : action.place + 1 + FARTHEST]
+        # "Sign me up", "turn my alarm off"
+        self.said = {node.lemma, *(f"{node.lemma} {other.lower}" for other in following)}
 
     def has(self, phrase: Phrase) -> bool:
         """Whether a time is of a thing."""
         place = self._behind(phrase)
         if place is None:
             return False
+        if self.nodes[place].lower == "than" and self.nodes[place - 1].lower in self.lexicon.beside.ages:
+            # "Delete emails older than thirty days"
+            return True
         return self._is_revoked(phrase, place) or self._is_joined(phrase, place) or self._is_found(phrase, place)
 
     def _behind(self, phrase: Phrase) -> int | None:
@@ -78,21 +80,23 @@ class _Things:
         declined = not self.said.isdisjoint(doing.declining)
         if not declined and self.said.isdisjoint(doing.revoking):
             return False
+        if self._is_recorded(phrase, place):
+            # "Delete the messages from this morning"
+            return True
         if not isinstance(said.time, (Wall, Range, Repeat)):
             return False
-        several = self._is_several(place)
+        several = self._is_several(place, declined=declined)
         if said.constraint in BOUNDS:
             return several and said.preposition in {"after", "before", FROM, SINCE}
         if said.preposition not in OF_THINGS or not (declined or several or said.preposition == FOR):
             return False
         return several or self._has_time(place, declined=declined) or self._is_called(phrase, place)
 
-    def _is_several(self, place: int) -> bool:
-        """Whether all of a kind are meant: "everything", "all my meetings"."""
+    def _is_several(self, place: int, *, declined: bool) -> bool:
+        """Whether all of a kind are meant that has times: "everything", "all my meetings"."""
         closed = self.lexicon.closed
-        return self.nodes[place].lower in closed.wholes or any(
-            node.lower in closed.universal_determiners for node in self._name(place)[:1]
-        )
+        led = self._name(place)[0].lower in closed.universal_determiners
+        return self.nodes[place].lower in closed.wholes or (led and self._has_time(place, declined=declined))
 
     def _has_time(self, place: int, *, declined: bool) -> bool:
         """Whether a thing has a time: an alarm, a meeting."""
@@ -115,16 +119,27 @@ class _Things:
     def _is_joined(self, phrase: Phrase, place: int) -> bool:
         """Whether it is of what somebody is invited to, or signed up for: "invite dad to dinner on sunday"."""
         doing = self.lexicon.doing
-        if self.said.isdisjoint(doing.inviting) or isinstance(phrase.said.time, Offset):
+        listed = self._is_listed()
+        if (self.said.isdisjoint(doing.inviting) and not listed) or isinstance(phrase.said.time, Offset):
             return False
         if phrase.said.constraint in BOUNDS:
             return False
+        if listed:
+            # "Put me on the waiting list for saturday"
+            return phrase.said.preposition == FOR
         direct = {"invite": {TO}}.get(self.nodes[self.verb].lemma, {TO, FOR})
         if phrase.said.preposition in direct:
             # "Invite Tom to the four pm on thursday"
             return True
         named = self.nodes[place].tag.startswith(("NN", "VBG"))
         return named and self._led_by(place) in {TO, FOR}
+
+    def _is_listed(self) -> bool:
+        """Whether somebody is put on a list: "put me down", "put us on the guest list"."""
+        who, *behind = (node.lower for node in self.nodes[self.verb + 1 :]) or ("",)
+        beside = self.lexicon.beside
+        person = who in self.lexicon.closed.indirect_objects
+        return person and self.nodes[self.verb].lemma in beside.listing and not beside.lists.isdisjoint(behind)
 
     # -- what is looked for ------------------------------------------------------------------------------
 
