@@ -1,4 +1,4 @@
-"""Conditions that the calendar decides: "if it's thursday", "unless it's the weekend", "if it's after nine"."""
+"""Conditions that the calendar decides: "if it's thursday", "unless it's sunday", "if it's after nine"."""
 
 from dataclasses import replace
 

@@ -83,7 +83,9 @@ class Borders:
             return False
         led = piece.start - (self.texts[piece.start - 1 : piece.start] == ["only"])
         doing = self.lexicon.doing
-        asked = self.around.before(piece) in doing.learning or self.texts[max(0, led - 2) : led - 1] == ["ask"]
+        asked = self.around.before(piece) in doing.learning or self.texts[max(0, led - 2) : led - 1] == [
+            "ask"
+        ]
         opens = {*self.texts[piece.end + 1 : piece.end + 2]} & self.closed.condition_openers
         return asked or (self.around.follower(piece) == "and" and bool(opens) and piece.start > 0)
 

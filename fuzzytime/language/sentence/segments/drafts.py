@@ -20,7 +20,13 @@ from fuzzytime.language.sentence.segments.in_between import said_apart
 from fuzzytime.language.sentence.segments.instances import NONE, Instances, instances_of
 from fuzzytime.language.sentence.segments.list_marks import list_marks, without_marks
 from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
-from fuzzytime.language.sentence.segments.messages import Message, messages_of, remarks_of, without_messages
+from fuzzytime.language.sentence.segments.messages import (
+    Message,
+    messages_of,
+    order_that_tells,
+    remarks_of,
+    without_messages,
+)
 from fuzzytime.language.sentence.segments.order_words import order_words
 from fuzzytime.language.sentence.segments.reasons import reason_in_front
 from fuzzytime.language.sentence.segments.run_on_orders import run_on_orders
@@ -76,9 +82,9 @@ class Draft:
     """A text with its times and its parts, before anything is grounded.
 
     ``step`` is its number in a numbered list; ``asides`` say how long something in it takes, and are in none
-    of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above names for it; one that ``leads`` names that of the
-    lines below. ``instances`` are several of one kind, of which each has a time, ``orders`` the
-    words that say where something comes among others.
+    of its parts, nor are ``messages``, which somebody is told. ``heading`` is the time that a line above
+    names for it; one that ``leads`` names that of the lines below. ``instances`` are several of one kind,
+    of which each has a time, ``orders`` the words that say where something comes among others.
     """
 
     text: str
@@ -193,8 +199,9 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
-            if one.tells is not None and not last_round:
-                following += one.cut_before(one.tells, lexicon)
+            telling = None if last_round else order_that_tells(one)
+            if telling is not None:
+                following += one.cut_before(telling, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)

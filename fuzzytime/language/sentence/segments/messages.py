@@ -1,4 +1,4 @@
-"""What somebody is told, or what is written down: "text mike i'm on my way", "send jim a text saying i'm late".
+"""What somebody is told, or what is written: "text mike i'm late", "send jim a text saying i'm late".
 
 It asks for nothing, and no time in it is when to do anything. What stands around it is read as if it were not
 there: in one tree with the order, it is often taken for what is to be done.
@@ -15,6 +15,7 @@ from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told_clauses import THAT, told_from
+from fuzzytime.language.sentence.segments.waiting import JOINT, Waiting
 
 KNOW = "know"
 SAYING = (("saying",), ("that", "says"), ("which", "says"), ("to", "say"))
@@ -83,6 +84,17 @@ def without_messages(text: str, messages: Sequence[Message]) -> str:
     return text
 
 
+def order_that_tells(one: Waiting) -> int | None:
+    """Give where an order begins that tells something, behind another: "call Ann and text Bob i'm late"."""
+    first, end = one.segment.span
+    text = one.source.scanned.text
+    for verb in one.source.telling:
+        joint = JOINT.search(text[first:verb]) if first < verb < end else None
+        if joint is not None and joint[1]:
+            return verb
+    return None
+
+
 def remarks_of(text: str, messages: Sequence[Message]) -> Iterator[Remark]:
     """Give what to say of the times in what is told."""
     for message in messages:
@@ -137,7 +149,9 @@ def _known_from(source: _Source, place: int) -> int | None:
     if known is None:
         return None
     # Who is to know stands before it, so that what follows is as if it stood behind a name.
-    return told_from(words, known, source.ends, source.covered, source.lexicon) if _told(source, place) else None
+    return (
+        told_from(words, known, source.ends, source.covered, source.lexicon) if _told(source, place) else None
+    )
 
 
 def _told(source: _Source, place: int) -> bool:
@@ -185,10 +199,13 @@ def _end(source: _Source, start: int) -> int:
 
 
 def _leads_on(source: _Source, place: int) -> bool:
-    """Whether another order stands behind a joint: ", then call", "and set the table"; not "and should be"."""
+    """Whether another order stands behind a joint: "and set the table"; not "and should be there"."""
     words, lexicon = source.words, source.lexicon
     closed = lexicon.closed
-    if longest_match(words, place, lexicon.connectives) is not None and words[place].text not in {"at", "next"}:
+    if longest_match(words, place, lexicon.connectives) is not None and words[place].text not in {
+        "at",
+        "next",
+    }:
         return True
     verb = place + 1
     while verb < len(words) and words[verb].text in closed.further_clause | {","}:
@@ -200,5 +217,7 @@ def _leads_on(source: _Source, place: int) -> bool:
         # "Text mike i'm late and text jo i'm early"
         return told_from(words, verb + 1, source.ends, source.covered, lexicon) is not None
     taken = lexicon.function_words | lexicon.wanting | closed.told_auxiliaries | closed.inverted_auxiliaries
-    governs = behind in closed.noun_openers | closed.object_pronouns or text in lexicon.particles.get(behind, ())
+    governs = behind in closed.noun_openers | closed.object_pronouns or text in lexicon.particles.get(
+        behind, ()
+    )
     return words[verb].is_letters and text not in taken and "'" not in text and governs

@@ -51,10 +51,7 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text, scanned for times, and the words that say where something comes among others.
-
-    ``telling`` is where verbs begin that tell somebody something.
-    """
+    """A text, scanned for times, words of order among others, and where verbs tell somebody something."""
 
     now: datetime | None
     scanned: Scanned
@@ -168,14 +165,6 @@ class Waiting:
         for span, segment in (((first, kept), self.segment), ((start, end), Segment((start, end)))):
             part = replace(segment, span=span, addressee=self.segment.addressee)
             yield Waiting.of(self.position, self.source, part, lexicon)
-
-    @property
-    def tells(self) -> int | None:
-        """Where an order begins that tells somebody something, behind another: "call Ann and text Bob …"."""
-        first, end = self.segment.span
-        before = self.source.scanned.text
-        inside = (verb for verb in self.source.telling if first < verb < end)
-        return next((verb for verb in inside if (m := JOINT.search(before[first:verb])) and m[1]), None)
 
     @property
     def _phrases(self) -> list[Phrase]:

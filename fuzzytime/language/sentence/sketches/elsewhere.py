@@ -11,7 +11,6 @@ from fuzzytime.language.instruction import Span
 from fuzzytime.language.meaning.calendar import Fields
 from fuzzytime.language.meaning.expressions import Offset, Phrase, Repeat, Wall
 from fuzzytime.language.sentence.segments.waiting import Part
-from fuzzytime.language.sentence.sketches.of_things import of_things
 from fuzzytime.language.sentence.trees.tags import SUBJECTS
 from fuzzytime.language.sentence.verbs.actions import FINITE, Action
 from fuzzytime.requirement import Constraint
@@ -40,7 +39,6 @@ def elsewhere(part: Part, phrases: Sequence[Phrase], action: Action, lexicon: Le
     if part.tree.nodes[action.place].lemma in lexicon.doing.recalling and not own:
         told = _recalled_from(part, action)
     found = _of_moved(part, phrases, action, lexicon) + _of_prepared(part, phrases, action)
-    found += [phrase for phrase in of_things(part, phrases, action) if phrase not in found]
     past: int | None = None
     for phrase in phrases:
         place = starts[phrase.span]

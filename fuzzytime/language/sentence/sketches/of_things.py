@@ -1,4 +1,4 @@
-"""Times of the things that something is done with: "cancel my alarm for six", "find a flight leaving after ten".
+"""Times of the things that something is done with: "cancel my alarm for six", "find a flight after ten".
 
 They say which is meant, and not when to do it.
 """
@@ -51,7 +51,9 @@ class _Things:
         if self.nodes[place].lower == "than" and self.nodes[place - 1].lower in self.lexicon.beside.ages:
             # "Delete emails older than thirty days"
             return True
-        return self._is_revoked(phrase, place) or self._is_joined(phrase, place) or self._is_found(phrase, place)
+        return (
+            self._is_revoked(phrase, place) or self._is_joined(phrase, place) or self._is_found(phrase, place)
+        )
 
     def _behind(self, phrase: Phrase) -> int | None:
         """Give the word right before a time, behind the verb."""
@@ -117,7 +119,7 @@ class _Things:
     # -- what somebody comes to --------------------------------------------------------------------------
 
     def _is_joined(self, phrase: Phrase, place: int) -> bool:
-        """Whether it is of what somebody is invited to, or signed up for: "invite dad to dinner on sunday"."""
+        """Whether it is of what somebody comes to: "invite dad to dinner on sunday"."""
         doing = self.lexicon.doing
         listed = self._is_listed()
         if (self.said.isdisjoint(doing.inviting) and not listed) or isinstance(phrase.said.time, Offset):
@@ -136,10 +138,12 @@ class _Things:
 
     def _is_listed(self) -> bool:
         """Whether somebody is put on a list: "put me down", "put us on the guest list"."""
-        who, *behind = (node.lower for node in self.nodes[self.verb + 1 :]) or ("",)
+        who, *behind = (*(node.lower for node in self.nodes[self.verb + 1 :]), "")
         beside = self.lexicon.beside
         person = who in self.lexicon.closed.indirect_objects
-        return person and self.nodes[self.verb].lemma in beside.listing and not beside.lists.isdisjoint(behind)
+        return (
+            person and self.nodes[self.verb].lemma in beside.listing and not beside.lists.isdisjoint(behind)
+        )
 
     # -- what is looked for ------------------------------------------------------------------------------
 
@@ -191,7 +195,10 @@ class _Things:
         """Whether a word says what a thing does, or is: "a train leaving", "restaurants open"."""
         node, before = self.nodes[place], self.nodes[place - 1]
         doing = self.lexicon.doing
-        moves = node.tag == "VBG" and node.lemma in doing.arriving | doing.leaving | doing.beginning | doing.ending
+        moves = (
+            node.tag == "VBG"
+            and node.lemma in doing.arriving | doing.leaving | doing.beginning | doing.ending
+        )
         so = moves or node.tag == "VBN" or node.lower in self.lexicon.beside.open_things
         return so and place - 1 > self.verb and before.tag.startswith("NN")
 

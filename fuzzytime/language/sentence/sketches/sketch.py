@@ -10,11 +10,18 @@ from fuzzytime.language.meaning.expressions import Duration, Edge, Phrase, TimeW
 from fuzzytime.language.sentence.clauses.clause import Clause
 from fuzzytime.language.sentence.clauses.times_of_events import AHEAD, OVER
 from fuzzytime.language.sentence.segments.drafts import Draft
-from fuzzytime.language.sentence.segments.messages import Message
 from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.sketches.deadlines_of_clauses import DEADLINE
 from fuzzytime.language.sentence.sketches.elsewhere import aim_of, elsewhere, reason_of
+from fuzzytime.language.sentence.sketches.of_things import of_things
 from fuzzytime.language.sentence.sketches.said_of_time import DATED, said_of_time
+from fuzzytime.language.sentence.sketches.telling import (
+    of_something_else,
+    of_which,
+    telling_alone,
+    with_name,
+    with_told,
+)
 from fuzzytime.language.sentence.verbs.actions import (
     Action,
     action_of,
@@ -102,7 +109,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
         phrases=tuple(kept),
         clauses=tuple(clauses),
         references=(None,) * len(kept),
-        operation=_telling_alone(draft, part) or _happening(draft, part, kept, clauses, lexicon),
+        operation=telling_alone(draft, part) or _happening(draft, part, kept, clauses, lexicon),
         remarks=tuple(excepted),
     )
     if named.operation is not None or part.segment.verbless:
@@ -114,20 +121,23 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
     if any(clause.span[0] < verb < clause.span[1] for clause in clauses) and part.segment.connective:
         # "…, then every two minutes until it thickens"
         return named
+    things = of_things(part, kept, action)
     others = elsewhere(part, kept, action, lexicon)
+    things = [phrase for phrase in things if phrase not in others]
     told = ((aim_of(part, kept, action), "what it is for"), (reason_of(part, kept, action), "why"))
     aims = [(span, what) for span, what in told if span is not None]
     for aim, what in aims:
-        others = [phrase for phrase in others if not overlap(phrase.span, aim)]
+        others, things = ([p for p in found if not overlap(p.span, aim)] for found in (others, things))
         kept = [phrase for phrase in kept if not overlap(phrase.span, aim)]
         clauses = [clause for clause in clauses if not overlap(clause.span, aim)]
         message = f"{draft.text[slice(*aim)]!r} is {what}, and not when to do it"
         excepted.append(Remark(RemarkKind.POLICY, aim, message))
-    kept = [phrase for phrase in kept if phrase not in others]
+    kept = [phrase for phrase in kept if phrase not in (*others, *things)]
     heard = [*(phrase.span for phrase in kept), *(clause.span for clause in clauses)]
-    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims))
+    spans = (*heard, *left_out, *draft.unfinished, *(aim for aim, _ in aims), *(p.span for p in things))
     reader = Reader(part.tree, lexicon, [(a - part.offset, b - part.offset) for a, b in spans])
-    operation = _telling(draft, part, as_remembered(reader.operation(action)))
+    operation = with_told(draft, part, as_remembered(reader.operation(action)))
+    operation = of_which(draft.text, with_name(part, operation, action), things)
     clauses = [
         replace(clause, reference=_reference_at(part, clause.span, action, lexicon)) for clause in clauses
     ]
@@ -152,7 +162,7 @@ def sketch_of(draft: Draft, part: Part, lexicon: Lexicon) -> Sketch:
             addressee=part.segment.addressee or operation.addressee,
         ),
         parameters=parameters_of(reader, action),
-        remarks=(*excepted, *(_of_something_else(draft, phrase) for phrase in others)),
+        remarks=(*excepted, *(of_something_else(draft.text, phrase) for phrase in (*others, *things))),
     )
 
 
@@ -211,38 +221,6 @@ def order_of(draft: Draft, part: Part) -> Order | None:
         return Order.FIRST
     first, end = part.segment.span
     return next((order for span, order in draft.orders if first <= span[0] < end), None)
-
-
-def _of_something_else(draft: Draft, phrase: Phrase) -> Remark:
-    message = f"{draft.text[slice(*phrase.span)]!r} is of what is named, and not when to do it"
-    return Remark(RemarkKind.POLICY, phrase.span, message)
-
-
-def _told_in(draft: Draft, part: Part) -> Message | None:
-    """Give what somebody is told by a part of a draft."""
-    first, end = part.segment.span
-    return next((one for one in draft.messages if first <= one.verb < end), None)
-
-
-def _telling_alone(draft: Draft, part: Part) -> Operation | None:
-    """Give an order that tells somebody something, where a tree has its verb for a thing: "text jo …"."""
-    told, root = _told_in(draft, part), part.tree.root
-    if told is None or told.whom is None or root is None or part.tree.nodes[root].is_verb:
-        return None
-    whom, said = (draft.text[slice(*span)] for span in (told.whom, told.span))
-    verb = draft.text[told.verb : told.whom[0]].strip().lower()
-    span = (told.verb, told.verb + len(verb))
-    return Operation(verb=verb, lemma=verb, span=span, object=whom, complement=said)
-
-
-def _telling(draft: Draft, part: Part, operation: Operation) -> Operation:
-    """Give an operation with what somebody is told by it: "text mike i'm on my way"."""
-    told = _told_in(draft, part)
-    if told is None:
-        return operation
-    said = (operation.complement, draft.text[slice(*told.span)])
-    whom = operation.object if told.whom is None else draft.text[slice(*told.whom)]
-    return replace(operation, object=whom, complement=" ".join(filter(None, said)))
 
 
 def _happening(
