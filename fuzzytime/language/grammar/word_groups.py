@@ -275,6 +275,7 @@ class Doing:
     declining: Words
     revoking: Words
     inviting: Words
+    seeking: Words
     finding: Words
     showing: Words
     remembering: Words

@@ -14,7 +14,7 @@ from fuzzytime.language.grammar.words import Word
 from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.segment import ENDS
-from fuzzytime.language.sentence.segments.told_clauses import THAT, told_from
+from fuzzytime.language.sentence.segments.told_clauses import THAT, is_said, told_from
 from fuzzytime.language.sentence.segments.waiting import JOINT, Waiting
 
 KNOW = "know"
@@ -179,7 +179,9 @@ def _written_from(source: _Source, place: int) -> int | None:
             return None
         said = next((form for form in SAYING if longest_match(words, here, (form,)) is not None), None)
         if said is not None:
-            return here if any(word.text in letters for word in words[place:here]) else None
+            # "Send a card to say happy birthday on friday" says when to send it.
+            told = said[0] != "to" or is_said(words, here + len(said), source.lexicon)
+            return here if told and any(word.text in letters for word in words[place:here]) else None
     return None
 
 

@@ -32,15 +32,18 @@ def told_from(
         return None
     led = words[place].text in closed.noun_openers
     sure = words[place].text in closed.third_person_objects | closed.indefinite_pronouns
-    longest = 1 if sure else LONGEST_NAME + led
-    for end in range(place + 1 + led, min(place + longest, len(words) - 1) + 1):
-        if not (sure or _names(words, end - 1, lexicon)):
+    # "Text her i'm late", "text her sister i'm late"
+    longest = 1 if sure and not led else LONGEST_NAME + led
+    for end in range(place + 1 + (led and not sure), min(place + longest, len(words) - 1) + 1):
+        alone = sure and end == place + 1
+        if not (alone or _names(words, end - 1, lexicon)):
             return None
+        known = not led or alone or words[end - 1].text in lexicon.persons | lexicon.doing.recipients
         behind = times.get(end, end)
-        if behind < len(words) and words[behind].text == THAT and _is_said(words, behind + 1, lexicon):
-            # "Text mike at six that i'm late"
+        that = known and behind < len(words) and words[behind].text == THAT
+        if that and is_said(words, behind + 1, lexicon):
+            # "Text mike at six that i'm late"; but "email the file that we signed"
             return behind
-        known = not led or words[end - 1].text in lexicon.persons | lexicon.doing.recipients
         if end not in covered and _opens(words, end, covered, lexicon, sure=known):
             return end
     return None
@@ -54,7 +57,7 @@ def _names(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     return text == "and" or (named and not _is_subject(text, lexicon))
 
 
-def _is_said(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+def is_said(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
     """Whether a sentence may begin behind "that": "that i'm late", "that dinner is ready"."""
     if place >= len(words) - 1:
         return False
@@ -79,8 +82,9 @@ def _opens(
         # "This is jo"; but "that joke"
         return behind in closed.stative_verbs | closed.told_auxiliaries
     if text in closed.inverted_auxiliaries:
-        # "Can you pick up milk", "is dinner ready"
-        return behind in closed.subject_pronouns or text in closed.present_be
+        # "Can you pick up milk", "is dinner ready"; but "mail delivery is at ten"
+        named = closed.noun_openers | lexicon.taken | lexicon.happening
+        return behind in closed.subject_pronouns or (text in closed.present_be and behind in named)
     if (text,) in lexicon.questions["asking"] or text in closed.relatives:
         return _is_question(words, place, lexicon)
     verb = _finite(words, place, lexicon)
@@ -95,14 +99,15 @@ def _is_subject(text: str, lexicon: Lexicon) -> bool:
 
 
 def _is_question(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
-    """Whether a question is asked: "where are you", "what time is dinner"; but not "what to buy"."""
+    """Whether it is asked or told: "where are you", "what time we're landing"; but not "what to buy"."""
     if "'" in words[place].text:
         return True
     for here in range(place + 1, min(place + LONGEST_NAME + 1, len(words) - 1)):
         if words[here].text in lexicon.closed.inverted_auxiliaries:
             return True
         if words[here].text == "to" or _is_subject(words[here].text, lexicon):
-            return False
+            helping = lexicon.closed.inverted_auxiliaries | lexicon.closed.told_auxiliaries
+            return "'" in words[here].text or words[here + 1].text in helping
     return False
 
 

@@ -153,6 +153,11 @@ def _asked_from(part: Part, action: Action, timed: Collection[int]) -> int | Non
         return behind[1] if asks else None
     if lemma in lexicon.doing.inquiring and found is not None:
         return found if _is_to_come(part, found, timed) else None
+    if found is None:
+        # "Ask kate what time she lands on friday"
+        questions = lexicon.questions["asking"]
+        behind = [place for place in behind[: ASKED + 1] if (nodes[place].lower,) in questions]
+        found = next((place for place in behind if nodes[place + 1 : place + 2] != ()), None)
     return found if lemma in lexicon.doing.asking else None
 
 

@@ -41,7 +41,11 @@ class _Things:
         node = self.nodes[action.place]
         following = self.nodes[action.place + 1 : action.place + 1 + FARTHEST]
         # "Sign me up", "turn my alarm off"
-        self.said = {node.lemma, *(f"{node.lemma} {other.lower}" for other in following)}
+        self.said = {f"{node.lemma} {other.lower}" for other in following}
+        moved = self.lexicon.particles.keys() | self.lexicon.places
+        if not any(other.lower in moved for other in following[:1]):
+            # "Check in on friday" checks nothing.
+            self.said.add(node.lemma)
 
     def has(self, phrase: Phrase) -> bool:
         """Whether a time is of a thing."""
@@ -122,9 +126,9 @@ class _Things:
         """Whether it is of what somebody comes to: "invite dad to dinner on sunday"."""
         doing = self.lexicon.doing
         listed = self._is_listed()
-        if (self.said.isdisjoint(doing.inviting) and not listed) or isinstance(phrase.said.time, Offset):
-            return False
-        if phrase.said.constraint in BOUNDS:
+        joins = listed or not self.said.isdisjoint(doing.inviting)
+        dated = isinstance(phrase.said.time, (Wall, Range, Repeat))
+        if not joins or not dated or phrase.said.constraint in BOUNDS:
             return False
         if listed:
             # "Put me on the waiting list for saturday"
@@ -153,7 +157,10 @@ class _Things:
         finds, shows = (not self.said.isdisjoint(words) for words in (doing.finding, doing.showing))
         if not finds and not shows:
             return False
-        return self._is_recorded(phrase, place) or (finds and self._is_sought(phrase, place))
+        if self._is_recorded(phrase, place) or (finds and self._is_sought(phrase, place)):
+            return True
+        # "Read my schedule for tomorrow"
+        return shows and phrase.said.preposition == FOR and self._has_time(place, declined=False)
 
     def _is_recorded(self, phrase: Phrase, place: int) -> bool:
         """Whether it is since or from when something is: "read my messages from this morning"."""
@@ -175,6 +182,7 @@ class _Things:
         return node.is_verb and node.relation == "relcl" and preposition in {*OF_THINGS, TO}
 
     def _is_sought(self, phrase: Phrase, place: int) -> bool:
+        """Whether it is of what somebody looks for: "find a sitter for saturday night"."""
         node, time = self.nodes[place], phrase.said.time
         if self._describes(place):
             return not isinstance(time, Offset)
@@ -182,12 +190,12 @@ class _Things:
         if not node.tag.startswith("NN") or days is None or phrase.said.constraint in BOUNDS:
             return False
         if phrase.said.preposition == FOR:
-            # "Find a sitter for saturday night"
             return True
-        travels = self._sought_thing(place) & (self.lexicon.travelling | self.lexicon.beside.travel_things)
-        return bool(travels) and phrase.said.preposition in OF_THINGS
+        travels = self._sought_things(place) & self.lexicon.beside.travel_things
+        seeks = not self.said.isdisjoint(self.lexicon.doing.seeking)
+        return seeks and bool(travels) and phrase.said.preposition in OF_THINGS
 
-    def _sought_thing(self, place: int) -> set[str]:
+    def _sought_things(self, place: int) -> set[str]:
         """Give the words of what is looked for, up to a place, in their dictionary form."""
         return {node.lemma for node in self.nodes[self.verb + 1 : place + 1] if node.tag.startswith("NN")}
 
