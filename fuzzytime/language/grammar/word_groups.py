@@ -254,6 +254,7 @@ class Doing:
     messaging: Words
     marking: Words
     noting: Words
+    replying: Words
     letters: Words
     recipients: Words
     before_messages: Words

@@ -62,7 +62,13 @@ class _Source:
 def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
     """Give what is told in a text, in order."""
     doing = lexicon.doing
-    verbs = doing.messaging | lexicon.letting | doing.letters | {form.split()[0] for form in doing.noting}
+    verbs = (
+        doing.messaging
+        | lexicon.letting
+        | doing.letters
+        | doing.replying
+        | {form.split()[0] for form in doing.noting}
+    )
     if verbs.isdisjoint(word.text for word in scanned.words):
         return ()
     source = _Source(scanned.words, phrases_of(scanned, lexicon), lexicon)
@@ -114,6 +120,8 @@ def _starts(source: _Source) -> Iterator[tuple[int, int]]:
             start = told_from(words, place + 1, source.ends, source.covered, source.lexicon)
         elif word.text in source.lexicon.letting:
             start = _known_from(source, place)
+        elif word.text in doing.replying:
+            start = _replied_from(source, place)
         else:
             start = _noted_from(source, place)
         start = _written_from(source, place) if start is None else start
@@ -125,7 +133,8 @@ def _whom(source: _Source, verb: int, start: int) -> Span | None:
     """Give who is told, who is named between the verb and what is told or a time."""
     words = source.words
     end = next((place for place in range(verb + 1, start) if place in source.ends), start)
-    named = words[verb].text in source.lexicon.doing.messaging and end > verb + 1
+    doing = source.lexicon.doing
+    named = words[verb].text in doing.messaging | doing.replying and end > verb + 1
     written = any(longest_match(words, start, (form,)) is not None for form in SAYING)
     return (words[verb + 1].start, words[end - 1].end) if named and not written else None
 
@@ -178,11 +187,33 @@ def _written_from(source: _Source, place: int) -> int | None:
         if words[here].text in ENDS:
             return None
         said = next((form for form in SAYING if longest_match(words, here, (form,)) is not None), None)
+        if _says_in_letter(source, here):
+            return here
         if said is not None:
             # "Send a card to say happy birthday on friday" says when to send it.
             told = said[0] != "to" or is_said(words, here + len(said), source.lexicon)
             return here if told and any(word.text in letters for word in words[place:here]) else None
     return None
+
+
+def _says_in_letter(source: _Source, place: int) -> bool:
+    """Whether a sentence stands right behind a letter to be written: "a message that i'll be late"."""
+    words, closed = source.words, source.lexicon.closed
+    article, letter = (words[p].text if p >= 0 else "" for p in (place - 2, place - 1))
+    if letter not in source.lexicon.doing.letters or article not in closed.singular_determiners:
+        return False
+    first = place + (words[place].text == THAT)
+    told = words[first].text.partition("'")[0] in closed.first_person
+    return told and ("'" in words[first].text or (first > place and is_said(words, first, source.lexicon)))
+
+
+def _replied_from(source: _Source, place: int) -> int | None:
+    """Give where that begins which is said to somebody: "reply to kate that i can't come on friday"."""
+    words = source.words
+    whom = place + 1 + (words[place + 1 : place + 2] != () and words[place + 1].text == "to")
+    if whom < len(words) and words[whom].text == THAT:
+        return whom if is_said(words, whom + 1, source.lexicon) else None
+    return told_from(words, whom, source.ends, source.covered, source.lexicon)
 
 
 def _end(source: _Source, start: int) -> int:

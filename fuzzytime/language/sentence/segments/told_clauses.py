@@ -39,6 +39,11 @@ def told_from(
         if not (alone or _names(words, end - 1, lexicon)):
             return None
         known = not led or alone or words[end - 1].text in lexicon.persons | lexicon.doing.recipients
+        if words[end].text == ":" and end + 1 < len(words):
+            # "Text Kate: dinner at eight" needs no sentence behind the mark
+            return None if _calls(words, place, lexicon) else end
+        if known and words[end].text == "," and _opens(words, end + 1, covered, lexicon, sure=True):
+            return end
         behind = times.get(end, end)
         that = known and behind < len(words) and words[behind].text == THAT
         if that and is_said(words, behind + 1, lexicon):
@@ -47,6 +52,12 @@ def told_from(
         if end not in covered and _opens(words, end, covered, lexicon, sure=known):
             return end
     return None
+
+
+def _calls(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:
+    """Whether a machine is told, which does it: "tell the robot: dock at noon"."""
+    known = lexicon.machines | lexicon.addresses
+    return not known.isdisjoint(word.text for word in words[place : place + LONGEST_NAME])
 
 
 def _names(words: Sequence[Word], place: int, lexicon: Lexicon) -> bool:

@@ -11,6 +11,9 @@ from fuzzytime.language.sentence.segments.waiting import Part
 from fuzzytime.language.sentence.verbs.actions import Action
 
 AS = "as"
+RECIPIENT = "to "
+MARKS = ":, "
+"""What may stand in front of what is told."""
 
 
 def _told_in(draft: Draft, part: Part) -> Message | None:
@@ -24,7 +27,7 @@ def telling_alone(draft: Draft, part: Part) -> Operation | None:
     told, root = _told_in(draft, part), part.tree.root
     if told is None or told.whom is None or root is None or part.tree.nodes[root].is_verb:
         return None
-    whom, said = (draft.text[slice(*span)] for span in (told.whom, told.span))
+    whom, said = draft.text[slice(*told.whom)], draft.text[slice(*told.span)].lstrip(MARKS)
     verb = draft.text[told.verb : told.whom[0]].strip().lower()
     span = (told.verb, told.verb + len(verb))
     return Operation(verb=verb, lemma=verb, span=span, object=whom, complement=said)
@@ -35,8 +38,11 @@ def with_told(draft: Draft, part: Part, operation: Operation) -> Operation:
     told = _told_in(draft, part)
     if told is None:
         return operation
-    said = (operation.complement, draft.text[slice(*told.span)])
+    said = (operation.complement, draft.text[slice(*told.span)].lstrip(MARKS))
     whom = operation.object if told.whom is None else draft.text[slice(*told.whom)]
+    if whom is not None and whom.lower().startswith(RECIPIENT):
+        # "Reply to Kate that i can't come"
+        return replace(operation, place=None, complement=" ".join((whom, said[1])))
     # "Text kate": a name was taken for how it is done.
     manner = None if operation.manner == whom else operation.manner
     return replace(operation, object=whom, complement=" ".join(filter(None, said)), manner=manner)
