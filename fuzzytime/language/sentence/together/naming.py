@@ -30,7 +30,10 @@ def _is_somebody(span: Span, sketch: Sketch) -> bool:
         return False
     places = list(part.tree.at(span[0] - part.offset, span[1] - part.offset))
     said = (operation.object or "").lower().split()
-    return len(places) == 1 and part.tree.nodes[places[0]].lower in said
+    nodes = part.tree.nodes
+    return len(places) == 1 and any(
+        nodes[place].lower in said and nodes[place - 1].lower in {operation.verb, "and"} for place in places
+    )
 
 
 def _describes(span: Span, part: Part) -> bool:
