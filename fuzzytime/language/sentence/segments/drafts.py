@@ -23,7 +23,7 @@ from fuzzytime.language.sentence.segments.mended_trees import as_done, as_order
 from fuzzytime.language.sentence.segments.messages import (
     Message,
     messages_of,
-    order_that_tells,
+    orders_beside,
     remarks_of,
     without_messages,
 )
@@ -147,8 +147,8 @@ def drafted(
         scanned, instances = instances_of(scanned, grammar, lexicon)
         several.append(instances)
         phrases, remarks = corrected(scanned, phrases_of(scanned, lexicon), lexicon)
-        telling = tuple(told.verb for told in messages[-1])
-        source = Source(now, scanned, tuple(phrases), tuple(remarks), telling=telling)
+        apart = tuple(orders_beside(scanned.text, messages[-1]))
+        source = Source(now, scanned, tuple(phrases), tuple(remarks), apart=apart)
         orders = tuple(order_words(scanned.words, source.covered, lexicon))
         sources.append(replace(source, orders=orders))
     parts = _parted(sources, lexicon, trees)
@@ -199,9 +199,9 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
             if place in led:
                 following += one.cut_at(led[place].start, led[place].main, lexicon)
                 continue
-            telling = None if last_round else order_that_tells(one)
-            if telling is not None:
-                following += one.cut_before(telling, lexicon)
+            apart = None if last_round else _order_apart(one)
+            if apart is not None:
+                following += one.cut_before(apart, lexicon)
                 continue
             part = Part(one.segment, tree, one.main, front if front.nodes else None)
             cut = [] if last_round else reason_in_front(one, part, lexicon) or called_next(one, part, lexicon)
@@ -216,6 +216,12 @@ def _parted(sources: Sequence[Source], lexicon: Lexicon, trees: Trees) -> list[l
                 done[one.position][one.segment.span[0]] = part
         waiting = following
     return [[own[start] for start in sorted(own)] for own in done]
+
+
+def _order_apart(one: Waiting) -> int | None:
+    """Give where an order begins beside what is told; None where none does."""
+    first, end = one.segment.span
+    return next((start for start in one.source.apart if first < start < end), None)
 
 
 def _trees(waiting: Sequence[Waiting], trees: Trees, lexicon: Lexicon) -> list[Tree]:

@@ -15,7 +15,7 @@ from fuzzytime.language.instruction import Remark, RemarkKind, Span, overlap
 from fuzzytime.language.meaning.expressions import Phrase
 from fuzzytime.language.sentence.segments.segment import ENDS
 from fuzzytime.language.sentence.segments.told_clauses import THAT, is_said, told_from
-from fuzzytime.language.sentence.segments.waiting import JOINT, Waiting
+from fuzzytime.language.sentence.segments.waiting import JOINT
 
 KNOW = "know"
 SAYING = (("saying",), ("that", "says"), ("which", "says"), ("to", "say"))
@@ -31,13 +31,14 @@ CONDITIONS = frozenset({"when", "if"})
 class Message:
     """What is told: the character where the verb begins that tells it, its stretch, and the times in it.
 
-    ``whom`` is who is named right behind the verb.
+    ``whom`` is who is named right behind the verb, ``onward`` where another order begins behind a joint.
     """
 
     verb: int
     span: Span
     times: tuple[Span, ...]
     whom: Span | None = None
+    onward: int | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +80,8 @@ def messages_of(scanned: Scanned, lexicon: Lexicon) -> tuple[Message, ...]:
         whole = end > start + 1 and not any(is_quoted(word.text) for word in source.words[start:end])
         if whole and not any(overlap(span, other.span) for other in found):
             times = tuple(phrase.span for phrase in source.phrases if overlap(phrase.span, span))
-            found.append(Message(source.words[verb].start, span, times, _whom(source, verb, start)))
+            begin, whom = source.words[verb].start, _whom(source, verb, start)
+            found.append(Message(begin, span, times, whom, _onward(source, end)))
     return tuple(found)
 
 
@@ -90,15 +92,14 @@ def without_messages(text: str, messages: Sequence[Message]) -> str:
     return text
 
 
-def order_that_tells(one: Waiting) -> int | None:
-    """Give where an order begins that tells something, behind another: "call Ann and text Bob i'm late"."""
-    first, end = one.segment.span
-    text = one.source.scanned.text
-    for verb in one.source.telling:
-        joint = JOINT.search(text[first:verb]) if first < verb < end else None
+def orders_beside(text: str, messages: Sequence[Message]) -> Iterator[int]:
+    """Give where orders begin beside what is told: "call Ann and text Bob i'm late, feed the cat"."""
+    for message in messages:
+        joint = JOINT.search(text[: message.verb])
         if joint is not None and joint[1]:
-            return verb
-    return None
+            yield message.verb
+        if message.onward is not None:
+            yield message.onward
 
 
 def remarks_of(text: str, messages: Sequence[Message]) -> Iterator[Remark]:
@@ -229,6 +230,16 @@ def _end(source: _Source, start: int) -> int:
         if form is not None and lexicon.clauses[form] in CONDITIONS:
             return here
     return len(words)
+
+
+def _onward(source: _Source, end: int) -> int | None:
+    """Give where an order begins behind what is told and a joint: ", feed the cat"."""
+    words, closed = source.words, source.lexicon.closed
+    if end >= len(words) or words[end].text not in closed.additions:
+        return None
+    while end < len(words) - 1 and words[end].text in closed.additions | closed.further_clause:
+        end += 1
+    return words[end].start
 
 
 def _leads_on(source: _Source, place: int) -> bool:

@@ -51,14 +51,14 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """A text, scanned for times, words of order among others, and where verbs tell somebody something."""
+    """A text, scanned for times, words of order among others, and where orders begin beside what is told."""
 
     now: datetime | None
     scanned: Scanned
     phrases: tuple[Phrase, ...]
     remarks: tuple[Remark, ...]
     orders: tuple[tuple[Span, Order], ...] = ()
-    telling: tuple[int, ...] = ()
+    apart: tuple[int, ...] = ()
 
     @property
     def sound(self) -> str:
